@@ -1,0 +1,32 @@
+!> The hole in sections along measured depth: diameter, friction, wall.
+module dg_hole_section
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: hole_section_type, hole_section_at
+
+   type :: hole_section_type
+      character(:), allocatable :: name
+      real(wp) :: md_top = 0.0_wp          !< [m]
+      real(wp) :: md_bottom = 0.0_wp       !< [m]
+      real(wp) :: diameter = 0.0_wp        !< inside diameter D [m]
+      real(wp) :: friction_axial = 0.0_wp  !< mu2 of Eq. 5 [-]
+      real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
+      real(wp) :: wall_stiffness = 0.0_wp  !< force per metre of contact per metre of penetration [N/m2]; 0: gk_contact of the solver
+      real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) for this section
+   end type hole_section_type
+
+contains
+
+   !> Index of the section that holds a depth [m]; at a boundary the lower one. Sections are ordered and
+   !> abut; depths outside belong to the nearest.
+   pure function hole_section_at(sections, md) result(index)
+      type(hole_section_type), intent(in) :: sections(:)
+      real(wp), intent(in) :: md
+      integer :: index
+      do index = 1, size(sections) - 1
+         if (md < sections(index)%md_bottom) return
+      end do
+      index = size(sections)
+   end function hole_section_at
+end module dg_hole_section

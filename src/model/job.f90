@@ -1,0 +1,23 @@
+!> What to run and where results go: the part of a deck that is no mechanics.
+module dg_job
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: job_type, model_mcge, model_soft, model_count, model_name
+
+   integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
+   integer, parameter :: model_soft = 2  !< flexible: soft string
+   integer, parameter :: model_count = 2
+   !> Names in decks and files, in the order of the numbers above.
+   character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft']
+
+   type :: job_type
+      character(:), allocatable :: title
+      character(:), allocatable :: deck_path   !< as the user typed it
+      character(:), allocatable :: output_dir
+      type(unit_system_type) :: units
+      integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
+      logical :: profiles = .true.
+      logical :: quiet = .false.
+   end type job_type
+end module dg_job

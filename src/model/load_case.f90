@@ -1,0 +1,108 @@
+!> A load case: what is done to the string, at which bit depth, with which loads.
+module dg_load_case
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: load_case_type, optional_real, given
+   public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
+   public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
+   public :: operation_count, operation_name, operation_label, operation_from_name, friction_split
+
+   integer, parameter :: operation_trip_out = 1
+   integer, parameter :: operation_trip_in = 2
+   integer, parameter :: operation_rotate_off_bottom = 3
+   integer, parameter :: operation_rotary_drilling = 4
+   integer, parameter :: operation_sliding_drilling = 5
+   integer, parameter :: operation_ream = 6
+   integer, parameter :: operation_backream = 7
+   integer, parameter :: operation_static = 8
+   integer, parameter :: operation_count = 8
+
+   !> Names in decks and files, in the order of the numbers above.
+   character(*), parameter :: operation_name(operation_count) = [character(18) :: 'trip_out', 'trip_in', &
+      'rotate_off_bottom', 'rotary_drilling', 'sliding_drilling', 'ream', 'backream', 'static']
+   !> As the paper's Table 1 writes them.
+   character(*), parameter :: operation_label(operation_count) = [character(18) :: 'up', 'down', &
+      'rotating', 'rotary drilling', 'sliding drilling', 'ream', 'backream', 'static']
+   !> Short names that a deck may use instead ('' where there is none).
+   character(*), parameter, public :: operation_alias(operation_count) = [character(18) :: 'up', 'down', &
+      '', 'rotary', 'sliding', '', '', '']
+
+   !> A number that may be absent.
+   type :: optional_real
+      logical :: present = .false.
+      real(wp) :: value = 0.0_wp
+   end type optional_real
+
+   type :: load_case_type
+      character(:), allocatable :: name     !< unique, safe as part of a file name
+      character(:), allocatable :: section  !< label of the hole section in tables
+      character(:), allocatable :: string   !< name of the drillstring
+      integer :: operation = operation_static
+      real(wp) :: bit_depth = 0.0_wp        !< measured depth of the bit [m]
+      real(wp) :: wob = 0.0_wp              !< weight on bit [N]; > 0 pushes the bit, < 0 pulls it
+      real(wp) :: tob = 0.0_wp              !< torque on bit [N.m], >= 0
+      type(optional_real) :: friction_axial  !< overrides mu2 of every hole section [-]
+      type(optional_real) :: friction_rotary !< overrides mu1 of every hole section [-]
+      real(wp) :: angular_speed = 0.0_wp    !< of the string [rad/s], >= 0
+      real(wp) :: trip_speed = 0.0_wp       !< axial, of the string [m/s], >= 0
+      type(optional_real) :: measured_hookload  !< [N]
+      type(optional_real) :: measured_torque    !< [N.m]
+      type(optional_real) :: reference_hookload !< another calculation's [N]
+   end type load_case_type
+
+contains
+
+   !> An optional number that is present.
+   elemental function given(value) result(number)
+      real(wp), intent(in) :: value
+      type(optional_real) :: number
+      number = optional_real(.true., value)
+   end function given
+
+   !> Number of an operation from its name or alias, lower case; 0 where there is none of that name.
+   pure function operation_from_name(name) result(operation)
+      character(*), intent(in) :: name
+      integer :: operation
+      do operation = 1, operation_count
+         if (name == operation_name(operation)) return
+         if (name /= '' .and. name == operation_alias(operation)) return
+      end do
+      operation = 0
+   end function operation_from_name
+
+   !> Friction coefficients that act in an operation, signed by the motion (paper, Eq. 5 with mu1 = 0 or
+   !> mu2 = 0; both in combined motion, where the one Coulomb force lies against the velocity of the
+   !> surface, so that each coefficient acts with its share of it).
+   !>   axial:  friction force on the string along the hole's tangent t per unit contact force;
+   !>           > 0 points down the hole (string moves up)
+   !>   rotary: circumferential friction against the rotation, >= 0
+   pure subroutine friction_split(load_case, mu_axial, mu_rotary, radius, axial, rotary)
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: mu_axial   !< mu2 [-]
+      real(wp), intent(in) :: mu_rotary  !< mu1 [-]
+      real(wp), intent(in) :: radius     !< at which the string touches [m]
+      real(wp), intent(out) :: axial
+      real(wp), intent(out) :: rotary
+      real(wp) :: circumferential_speed, speed
+      axial = 0.0_wp
+      rotary = 0.0_wp
+      select case (load_case%operation)
+      case (operation_trip_out)
+         axial = mu_axial
+      case (operation_trip_in, operation_sliding_drilling)
+         axial = -mu_axial
+      case (operation_rotate_off_bottom, operation_rotary_drilling)
+         rotary = mu_rotary
+      case (operation_ream, operation_backream)
+         circumferential_speed = load_case%angular_speed*radius
+         speed = hypot(circumferential_speed, load_case%trip_speed)
+         if (speed > 0.0_wp) then
+            axial = mu_axial*load_case%trip_speed/speed
+            rotary = mu_rotary*circumferential_speed/speed
+            if (load_case%operation == operation_ream) axial = -axial
+         end if
+      case default
+      end select
+   end subroutine friction_split
+end module dg_load_case

@@ -1,0 +1,44 @@
+!> The whole of what is to be computed, in SI units; built once from a deck and only read ever after.
+module dg_model
+   use dg_kinds, only: wp
+   use dg_constants, only: standard_gravity
+   use dg_drillstring, only: drillstring_type
+   use dg_hole_section, only: hole_section_type
+   use dg_load_case, only: load_case_type
+   use dg_numerics, only: numerics_type
+   use dg_trajectory, only: trajectory_type
+   implicit none
+   private
+   public :: model_type, boundary_type, string_index
+
+   !> Lateral supports of the string's ends; rotations are free at both. The top is held axially and
+   !> against twist, the bit is loaded.
+   type :: boundary_type
+      logical :: top_centred = .true.
+      logical :: bit_centred = .true.
+   end type boundary_type
+
+   type :: model_type
+      type(trajectory_type) :: trajectory
+      type(hole_section_type), allocatable :: holes(:)   !< from the top down, abutting
+      type(drillstring_type), allocatable :: strings(:)
+      type(load_case_type), allocatable :: cases(:)
+      type(boundary_type) :: boundary
+      type(numerics_type) :: numerics
+      real(wp) :: mud_density = 0.0_wp                    !< [kg/m3]
+      real(wp) :: gravity = standard_gravity              !< [m/s2]
+   end type model_type
+
+contains
+
+   !> Index of the string of that name, 0 where there is none.
+   pure function string_index(strings, name) result(index)
+      type(drillstring_type), intent(in) :: strings(:)
+      character(*), intent(in) :: name
+      integer :: index
+      do index = 1, size(strings)
+         if (strings(index)%name == name) return
+      end do
+      index = 0
+   end function string_index
+end module dg_model

@@ -1,0 +1,35 @@
+!> Every number that steers the solution, with its default, meaning and legal range in one place.
+module dg_numerics
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: numerics_type, default_elastic_share
+   public :: gap_at_extremum, gap_at_nodes
+
+   integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
+   integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
+
+   !> Relative compression over which the wall yields elastically before it counts as rigid, where neither
+   !> deck nor mud sheath say otherwise [-]: 5 % of the clearance, 2 mm in a usual hole.
+   real(wp), parameter :: default_elastic_share = 0.05_wp
+
+   type :: numerics_type
+      real(wp) :: element_length = 10.0_wp     !< longest element [m]
+      integer :: gap_location = gap_at_extremum
+      !> Largest residual force over the string's weight (and moment over weight times one metre) at convergence [-].
+      !> Round-off of the residual is near 1e-14.
+      real(wp) :: tolerance = 1.0e-9_wp
+      integer :: max_iterations = 200          !< in all load steps of a case together
+      integer :: load_steps = 1                !< increments of friction and bit loads
+      real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
+      real(wp) :: gk_contact = 1.0e8_wp        !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
+      real(wp) :: gk_max = 1.0e9_wp            !< of a rigid wall [N/m2]: Gkmax
+      real(wp) :: eps_n0 = 1.0e-8_wp           !< threshold of relative compression [-]: Eqs. 7-8
+      real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
+      real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
+      real(wp) :: relocation = 1.0e-3_wp       !< the MCGE moves to a new extremum when that is deeper by this part of the clearance [-]
+      real(wp) :: step_limit = 1.0_wp          !< largest lateral change in one iteration over the clearance [-]
+      real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
+      logical :: history = .false.             !< keep and write the iteration history
+   end type numerics_type
+end module dg_numerics

@@ -1,0 +1,53 @@
+!> What any model returns for one load case. SI units.
+module dg_case_result
+   use dg_kinds, only: wp
+   use dg_profile, only: profile_type
+   implicit none
+   private
+   public :: case_result_type, iteration_type
+   public :: result_converged, result_not_converged, result_locked_up, result_status_name
+
+   integer, parameter :: result_converged = 1
+   integer, parameter :: result_not_converged = 2
+   integer, parameter :: result_locked_up = 3
+   !> Names in files, in the order of the numbers above.
+   character(*), parameter :: result_status_name(3) = [character(13) :: 'converged', 'not_converged', 'locked_up']
+
+   !> One row of the iteration history.
+   type :: iteration_type
+      integer :: increment = 0                 !< load step
+      integer :: iteration = 0                 !< within the case
+      real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
+      real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
+      real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
+      real(wp) :: viscosity = 0.0_wp           !< viscous regularisation [N/m2]
+      integer :: contacts = 0                  !< gaps in contact
+      integer :: flips = 0                     !< gaps that changed state
+      integer :: moves = 0                     !< gaps that moved to another x0
+      real(wp) :: hookload = 0.0_wp            !< [N]
+   end type iteration_type
+
+   type :: case_result_type
+      integer :: case_index = 0                !< in model%cases
+      integer :: model = 0                     !< number of the model (dg_job)
+      integer :: status = result_not_converged
+      character(:), allocatable :: message     !< reason and remedy where not converged, warnings else; may be ''
+      real(wp) :: inclination = 0.0_wp         !< of the hole at the bit [rad]
+      real(wp) :: hookload = 0.0_wp            !< axial force held at the top [N]
+      real(wp) :: friction = 0.0_wp            !< buoyed axial weight - wob - hookload [N]
+      real(wp) :: torque = 0.0_wp              !< at the top [N.m]
+      real(wp) :: normal_force = 0.0_wp        !< sum of contact forces over the string [N]
+      integer :: iterations = 0
+      integer :: elements = 0
+      real(wp) :: seconds = 0.0_wp             !< wall time of this case's solution alone
+      type(profile_type) :: profile
+      !> State table summary: gaps by state at the end (free, elastic, rigid), and flips and moves in all.
+      integer :: states(0:2) = 0
+      integer :: flips = 0
+      integer :: moves = 0
+      !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
+      real(wp) :: equilibrium_force = 0.0_wp
+      real(wp) :: equilibrium_moment = 0.0_wp
+      type(iteration_type), allocatable :: history(:)
+   end type case_result_type
+end module dg_case_result

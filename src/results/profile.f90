@@ -1,0 +1,42 @@
+!> Results along the string, surface to bit: one type for every model, so that tables and files need no
+!> special cases. SI units; conversion happens in the report.
+module dg_profile
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: profile_type, new_profile, state_free, state_elastic, state_rigid, state_name
+
+   integer, parameter :: state_free = 0    !< Eq. 7
+   integer, parameter :: state_elastic = 1 !< Eq. 8
+   integer, parameter :: state_rigid = 2   !< Eq. 8 beyond eps_nmax
+   character(*), parameter :: state_name(0:2) = [character(7) :: 'free', 'elastic', 'rigid']
+
+   type :: profile_type
+      real(wp), allocatable :: md(:)           !< measured depth [m]
+      real(wp), allocatable :: tvd(:)          !< of the hole axis, from the first station [m]
+      real(wp), allocatable :: north(:)        !< of the hole axis [m]
+      real(wp), allocatable :: east(:)         !< of the hole axis [m]
+      real(wp), allocatable :: inclination(:)  !< of the hole axis [rad]
+      real(wp), allocatable :: azimuth(:)      !< of the hole axis [rad], 0 to 2 pi
+      real(wp), allocatable :: axial(:)        !< effective axial force, tension > 0 [N]
+      real(wp), allocatable :: torque(:)       !< right-hand drive > 0 [N.m]
+      real(wp), allocatable :: side_force(:)   !< normal contact force per metre, >= 0 [N/m]
+      real(wp), allocatable :: bending(:)      !< resultant bending moment [N.m]
+      real(wp), allocatable :: displacement(:) !< of the string axis off the hole axis [m]
+      real(wp), allocatable :: clock(:)        !< where it lies [rad], from the high side (from north where the
+                                               !< hole is vertical), clockwise looking down the hole, 0 to 2 pi
+      integer, allocatable :: gap_state(:)     !< state_free, state_elastic, state_rigid
+   end type profile_type
+
+contains
+
+   !> A profile of `n` rows, all zero and free.
+   pure function new_profile(n) result(profile)
+      integer, intent(in) :: n
+      type(profile_type) :: profile
+      allocate (profile%md(n), profile%tvd(n), profile%north(n), profile%east(n), profile%inclination(n), &
+                profile%azimuth(n), profile%axial(n), profile%torque(n), profile%side_force(n), profile%bending(n), &
+                profile%displacement(n), profile%clock(n), source=0.0_wp)
+      allocate (profile%gap_state(n), source=state_free)
+   end function new_profile
+end module dg_profile

@@ -1,0 +1,81 @@
+!> One component of a drillstring: a length of pipe, collar or tool of constant section.
+!> All quantities SI. Section properties are those of the tube body.
+module dg_component
+   use dg_kinds, only: wp
+   use dg_constants, only: pi, steel_density
+   implicit none
+   private
+   public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
+   public :: contact_diameter, buoyed_weight
+
+   type :: component_type
+      character(:), allocatable :: name      !< free text
+      character(:), allocatable :: kind      !< drillpipe, hwdp, collar, stabilizer, ...
+      real(wp) :: length = 0.0_wp            !< [m]; 0 on the last one: reaches to surface
+      real(wp) :: od = 0.0_wp                !< outside diameter of the body [m]
+      real(wp) :: id = 0.0_wp                !< inside diameter [m]
+      real(wp) :: mass = 0.0_wp              !< in air, per length [kg/m]
+      real(wp) :: density = steel_density    !< of the material [kg/m3], for buoyancy
+      real(wp) :: youngs = 206.0e9_wp        !< Young's modulus [Pa]
+      real(wp) :: poisson = 0.3_wp           !< Poisson's ratio [-]
+      real(wp) :: joint_od = 0.0_wp          !< tool joint (or blade) outside diameter [m]; 0: none, the body touches
+      real(wp) :: joint_length = 0.0_wp      !< [m]
+      real(wp) :: joint_spacing = 9.5_wp     !< [m]
+      real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
+   end type component_type
+
+contains
+
+   !> Cross-section area of a tube [m2] from its diameters [m].
+   elemental function tube_area(od, id) result(area)
+      real(wp), intent(in) :: od, id
+      real(wp) :: area
+      area = 0.25_wp*pi*(od - id)*(od + id)
+   end function tube_area
+
+   !> Second moment of area of a tube about a diameter [m4]; the polar one is twice this.
+   elemental function tube_inertia(od, id) result(inertia)
+      real(wp), intent(in) :: od, id
+      real(wp) :: inertia
+      inertia = pi/64.0_wp*(od**4 - id**4)
+   end function tube_inertia
+
+   !> E A [N].
+   elemental function axial_stiffness(component) result(ea)
+      type(component_type), intent(in) :: component
+      real(wp) :: ea
+      ea = component%youngs*tube_area(component%od, component%id)
+   end function axial_stiffness
+
+   !> E I [N.m2].
+   elemental function bending_stiffness(component) result(ei)
+      type(component_type), intent(in) :: component
+      real(wp) :: ei
+      ei = component%youngs*tube_inertia(component%od, component%id)
+   end function bending_stiffness
+
+   !> G J [N.m2] with G = E/(2 (1 + nu)) and J = 2 I.
+   elemental function torsional_stiffness(component) result(gj)
+      type(component_type), intent(in) :: component
+      real(wp) :: gj
+      gj = bending_stiffness(component)/(1.0_wp + component%poisson)
+   end function torsional_stiffness
+
+   !> Diameter that touches the wall first [m]: the joint's where there is one, else the body's.
+   !> It is also twice the radius at which friction turns into torque.
+   elemental function contact_diameter(component) result(diameter)
+      type(component_type), intent(in) :: component
+      real(wp) :: diameter
+      diameter = max(component%joint_od, component%od)
+   end function contact_diameter
+
+   !> Weight in mud per length [N/m]: mass g (1 - mud density/material density). This is the effective
+   !> (buoyed) weight that goes with effective axial force: no pressure loads on ends.
+   elemental function buoyed_weight(component, mud_density, gravity) result(weight)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: mud_density  !< [kg/m3]
+      real(wp), intent(in) :: gravity      !< [m/s2]
+      real(wp) :: weight
+      weight = component%mass*gravity*(1.0_wp - mud_density/component%density)
+   end function buoyed_weight
+end module dg_component
