@@ -1,0 +1,103 @@
+!> One circular arc of the hole axis, a straight line being the arc of curvature zero, in closed form.
+!>
+!> Positions are relative to the start of the arc: near the bit of a long well absolute coordinates have lost
+!> five digits that gaps of micrometres need. Every formula below is free of cancellation: the chord of an arc
+!> of angle 2 h has the length s sin(h)/h and points along the tangent turned by h.
+module dg_arc
+   use dg_kinds, only: wp
+   use dg_survey, only: cross
+   implicit none
+   private
+   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+
+   type :: arc_type
+      real(wp) :: md = 0.0_wp            !< measured depth at its start [m]
+      real(wp) :: length = 0.0_wp        !< [m]
+      real(wp) :: origin(3) = 0.0_wp     !< position of its start, north-east-down from the first station [m]
+      real(wp) :: tangent(3) = 0.0_wp    !< unit, at its start
+      real(wp) :: normal(3) = 0.0_wp     !< unit, at its start, towards the centre; where straight any perpendicular
+      real(wp) :: curvature = 0.0_wp     !< >= 0 [1/m]
+      real(wp) :: lateral_1(3) = 0.0_wp  !< rotation-minimising frame at its start, unit
+      real(wp) :: lateral_2(3) = 0.0_wp  !< tangent x lateral_1
+      real(wp) :: chord(3) = 0.0_wp      !< from its start to its end [m]
+   end type arc_type
+
+   !> Angle [rad], curvature [1/m] or ratio [-] under which sin(x)/x and atan(x)/x are one to the last bit and
+   !> a quotient of two such numbers might underflow. Above it the plain quotients are accurate to round-off.
+   real(wp), parameter :: vanishing = 1.0e-100_wp
+
+contains
+
+   !> Point, unit tangent and curvature vector dt/ds of an arc.
+   !> `offset` may lie outside the arc: the circle goes on.
+   pure subroutine point_on_arc(arc, offset, position, tangent, curvature)
+      type(arc_type), intent(in) :: arc
+      real(wp), intent(in) :: offset         !< along the arc from its start [m]
+      real(wp), intent(out) :: position(3)   !< relative to arc%origin [m]
+      real(wp), intent(out) :: tangent(3)
+      real(wp), intent(out) :: curvature(3)  !< [1/m]
+      real(wp) :: half, sine, cosine, chord, full_sine, full_cosine
+      half = 0.5_wp*arc%curvature*offset
+      sine = sin(half)
+      cosine = cos(half)
+      chord = offset
+      if (abs(half) > vanishing) chord = offset*(sine/half)
+      position = chord*(cosine*arc%tangent + sine*arc%normal)
+      full_sine = 2.0_wp*sine*cosine
+      full_cosine = 1.0_wp - 2.0_wp*sine*sine
+      tangent = full_cosine*arc%tangent + full_sine*arc%normal
+      curvature = arc%curvature*(full_cosine*arc%normal - full_sine*arc%tangent)
+   end subroutine point_on_arc
+
+   !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly.
+   pure subroutine frame_on_arc(arc, offset, tangent, lateral_1, lateral_2)
+      type(arc_type), intent(in) :: arc
+      real(wp), intent(in) :: offset         !< along the arc from its start [m]
+      real(wp), intent(out) :: tangent(3)
+      real(wp), intent(out) :: lateral_1(3)
+      real(wp), intent(out) :: lateral_2(3)  !< tangent x lateral_1
+      real(wp) :: half, sine, cosine, change(3)
+      half = 0.5_wp*arc%curvature*offset
+      sine = sin(half)
+      cosine = cos(half)
+      tangent = (1.0_wp - 2.0_wp*sine*sine)*arc%tangent + 2.0_wp*sine*cosine*arc%normal
+      change = -2.0_wp*sine*(sine*arc%normal + cosine*arc%tangent)  ! of the normal
+      lateral_1 = arc%lateral_1 + dot_product(arc%lateral_1, arc%normal)*change
+      lateral_2 = arc%lateral_2 + dot_product(arc%lateral_2, arc%normal)*change
+   end subroutine frame_on_arc
+
+   !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends).
+   !> With a, b the point's components along tangent and normal and k the curvature, the foot lies at the angle
+   !> atan2(k a, 1 - k b), and the point off the foot towards the centre by
+   !> (1 - r)/k = (2 b - k (a^2 + b^2))/(1 + r),  r = hypot(k a, 1 - k b), which holds down to k = 0.
+   pure subroutine foot_on_arc(arc, point, offset, gap, tangent, curvature)
+      type(arc_type), intent(in) :: arc
+      real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]
+      real(wp), intent(out) :: offset        !< of the foot along the arc from its start [m]
+      real(wp), intent(out) :: gap(3)        !< from the foot to the point, across the tangent [m]
+      real(wp), intent(out) :: tangent(3)    !< unit, at the foot
+      real(wp), intent(out) :: curvature(3)  !< dt/ds at the foot [1/m]
+      real(wp) :: binormal(3), normal(3), along, inward, sine, cosine, radius
+      along = dot_product(point, arc%tangent)
+      inward = dot_product(point, arc%normal)
+      sine = arc%curvature*along
+      cosine = 1.0_wp - arc%curvature*inward
+      radius = sqrt(sine*sine + cosine*cosine)
+      if (radius <= vanishing) then   ! on the arc's centre line every point is as near: take the start
+         sine = 0.0_wp
+         cosine = 1.0_wp
+         offset = 0.0_wp
+      else
+         offset = along
+         if (arc%curvature > vanishing) offset = atan2(sine, cosine)/arc%curvature
+         sine = sine/radius
+         cosine = cosine/radius
+      end if
+      tangent = cosine*arc%tangent + sine*arc%normal
+      normal = cosine*arc%normal - sine*arc%tangent
+      curvature = arc%curvature*normal
+      binormal = cross(arc%tangent, arc%normal)
+      gap = dot_product(point, binormal)*binormal &
+            + ((2.0_wp*inward - arc%curvature*(along*along + inward*inward))/(1.0_wp + radius))*normal
+   end subroutine foot_on_arc
+end module dg_arc

@@ -1,0 +1,174 @@
+!> The hole axis as a chain of circular arcs, whatever the interpolation between survey stations.
+!> Frame: x north, y east, z down, origin at the first station; measured depth s grows down the hole.
+module dg_trajectory
+   use dg_kinds, only: wp
+   use dg_constants, only: degree
+   use dg_error, only: error_type, raise, status_bad_input
+   use dg_arc, only: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   use dg_minimum_curvature, only: chain_of_arcs, dogleg_between
+   use dg_spline_path, only: resample_spline
+   use dg_survey, only: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle
+   implicit none
+   private
+   public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
+   public :: arc_at, closest_point, position_at, frame_at, true_vertical_depth, top_md, bottom_md
+   ! The one door of this folder: what users of a trajectory need besides.
+   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   public :: inclination_of, azimuth_of, high_side, clock_angle
+
+   integer, parameter :: interpolation_minimum_curvature = 1
+   integer, parameter :: interpolation_spline = 2
+
+   !> Largest angle between two stations [rad]: towards 180 deg the plane of the arc is lost.
+   real(wp), parameter :: largest_dogleg = 170.0_wp*degree
+
+   type :: trajectory_type
+      real(wp), allocatable :: md(:)           !< stations as given [m]
+      real(wp), allocatable :: inclination(:)  !< stations as given [rad]
+      real(wp), allocatable :: azimuth(:)      !< stations as given [rad]
+      type(arc_type), allocatable :: arcs(:)   !< from the first station to the last
+   end type trajectory_type
+
+contains
+
+   !> A trajectory through survey stations. Refused (bad input): faults of check_stations, a dogleg beyond
+   !> 170 deg between two stations.
+   pure subroutine new_trajectory(self, md, inclination, azimuth, interpolation, error)
+      type(trajectory_type), intent(out) :: self
+      real(wp), intent(in) :: md(:)           !< increasing [m]
+      real(wp), intent(in) :: inclination(:)  !< 0 to pi [rad]
+      real(wp), intent(in) :: azimuth(:)      !< [rad]
+      integer, intent(in) :: interpolation    !< one of the numbers above
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: tangents(:, :), fine_md(:), fine_tangents(:, :)
+      character(120) :: place
+      logical :: usable
+      integer :: i
+      call check_stations(md, inclination, azimuth, error)
+      if (allocated(error)) return
+      allocate (tangents(3, size(md)))
+      do i = 1, size(md)
+         tangents(:, i) = tangent_of(inclination(i), azimuth(i))
+      end do
+      do i = 2, size(md)
+         if (dogleg_between(tangents(:, i - 1), tangents(:, i)) <= largest_dogleg) cycle
+         write (place, '(a,g0.8,a,g0.8,a)') 'survey: between ', md(i - 1), ' and ', md(i), ' m'
+         call raise(error, status_bad_input, trim(place)// &
+                    ' the hole turns by more than 170 deg, so that no arc is defined; add a station between')
+         return
+      end do
+      self%md = md
+      self%inclination = inclination
+      self%azimuth = azimuth
+      if (interpolation == interpolation_spline) then
+         call resample_spline(md, tangents, fine_md, fine_tangents, usable)
+         if (.not. usable) then
+            call raise(error, status_bad_input, 'survey: stations turn too sharply for a spline; '// &
+                       "add stations or use interpolation = 'minimum_curvature'")
+            return
+         end if
+         allocate (self%arcs(size(fine_md) - 1))
+         self%arcs = chain_of_arcs(fine_md, fine_tangents)
+      else
+         allocate (self%arcs(size(md) - 1))
+         self%arcs = chain_of_arcs(md, tangents)
+      end if
+   end subroutine new_trajectory
+
+   !> Measured depth of the first station [m].
+   pure function top_md(trajectory) result(md)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp) :: md
+      md = trajectory%md(1)
+   end function top_md
+
+   !> Measured depth of the last station [m].
+   pure function bottom_md(trajectory) result(md)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp) :: md
+      md = trajectory%md(size(trajectory%md))
+   end function bottom_md
+
+   !> Index of the arc that holds a measured depth [m]; at a joint the lower one, outside the first or last.
+   pure function arc_at(trajectory, md) result(index)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md
+      integer :: index
+      integer :: above, middle
+      index = 1
+      above = size(trajectory%arcs) + 1
+      do while (above - index > 1)
+         middle = (index + above)/2
+         if (trajectory%arcs(middle)%md <= md) then
+            index = middle
+         else
+            above = middle
+         end if
+      end do
+   end function arc_at
+
+   !> Foot of the perpendicular from a point on the hole axis. Beyond its ends the axis goes on as the circles
+   !> (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller who keeps the
+   !> index pays for one arc.
+   pure subroutine closest_point(trajectory, index, point, offset, gap, tangent, curvature)
+      type(trajectory_type), intent(in) :: trajectory
+      integer, intent(inout) :: index           !< arc to start from; on return the one that holds the foot
+      real(wp), intent(inout) :: point(3)       !< relative to the origin of arc `index` [m], before and after
+      real(wp), intent(out) :: offset           !< of the foot from the start of that arc [m]
+      real(wp), intent(out) :: gap(3)           !< from the foot to the point, across the tangent [m]
+      real(wp), intent(out) :: tangent(3)       !< unit, at the foot
+      real(wp), intent(out) :: curvature(3)     !< dt/ds at the foot [1/m]
+      integer :: direction, wanted
+      direction = 0
+      do
+         call foot_on_arc(trajectory%arcs(index), point, offset, gap, tangent, curvature)
+         wanted = 0
+         if (offset > trajectory%arcs(index)%length .and. index < size(trajectory%arcs)) wanted = 1
+         if (offset < 0.0_wp .and. index > 1) wanted = -1
+         ! A foot within round-off of a joint, or a point beyond the centre of a bend, would be handed to and
+         ! fro: once moved one way never go back.
+         if (wanted == 0 .or. wanted*direction < 0) return
+         direction = wanted
+         if (wanted > 0) then
+            point = point - trajectory%arcs(index)%chord
+            index = index + 1
+         else
+            index = index - 1
+            point = point + trajectory%arcs(index)%chord
+         end if
+      end do
+   end subroutine closest_point
+
+   !> Position, north-east-down from the first station [m], and unit tangent at a measured depth [m].
+   pure subroutine position_at(trajectory, md, position, tangent)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md
+      real(wp), intent(out) :: position(3)
+      real(wp), intent(out) :: tangent(3)
+      real(wp) :: curvature(3)
+      integer :: index
+      index = arc_at(trajectory, md)
+      call point_on_arc(trajectory%arcs(index), md - trajectory%arcs(index)%md, position, tangent, curvature)
+      position = trajectory%arcs(index)%origin + position
+   end subroutine position_at
+
+   !> Rotation-minimising frame at a measured depth [m].
+   pure subroutine frame_at(trajectory, md, tangent, lateral_1, lateral_2)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md
+      real(wp), intent(out) :: tangent(3), lateral_1(3), lateral_2(3)
+      integer :: index
+      index = arc_at(trajectory, md)
+      call frame_on_arc(trajectory%arcs(index), md - trajectory%arcs(index)%md, tangent, lateral_1, lateral_2)
+   end subroutine frame_at
+
+   !> True vertical depth below the first station [m] at a measured depth [m].
+   pure function true_vertical_depth(trajectory, md) result(tvd)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md
+      real(wp) :: tvd
+      real(wp) :: position(3), tangent(3)
+      call position_at(trajectory, md, position, tangent)
+      tvd = position(3)
+   end function true_vertical_depth
+end module dg_trajectory
