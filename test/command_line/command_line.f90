@@ -1,0 +1,14 @@
+!> Tests of the built program: decks in, exit status and files out. Every test module of this folder is registered here.
+program command_line
+   use funit, only: run
+   implicit none
+   if (.not. run(load_tests)) error stop 1
+
+contains
+
+   function load_tests() result(suite)
+      use funit, only: TestSuite
+      type(TestSuite) :: suite
+      suite = TestSuite('command_line')
+   end function load_tests
+end program command_line

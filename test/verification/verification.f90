@@ -1,0 +1,14 @@
+!> Tests against closed forms and published answers. Every test module of this folder is registered here.
+program verification
+   use funit, only: run
+   implicit none
+   if (.not. run(load_tests)) error stop 1
+
+contains
+
+   function load_tests() result(suite)
+      use funit, only: TestSuite
+      type(TestSuite) :: suite
+      suite = TestSuite('verification')
+   end function load_tests
+end program verification
