@@ -8,9 +8,11 @@ contains
 
    function load_tests() result(suite)
       use funit, only: TestSuite
+      use dg_test_asserts, only: asserts_suite
       use dg_test_units, only: units_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
+      call suite%addTest(asserts_suite())
       call suite%addTest(units_suite())
    end function load_tests
 end program unit
