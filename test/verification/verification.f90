@@ -8,7 +8,9 @@ contains
 
    function load_tests() result(suite)
       use funit, only: TestSuite
+      use dg_test_soft_wells, only: soft_wells_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
+      call suite%addTest(soft_wells_suite())
    end function load_tests
 end program verification

@@ -1,0 +1,140 @@
+!> The flexible model (soft string) of a load case, as a result like any other model's.
+module dg_soft_string
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_component, only: bending_stiffness, contact_diameter
+   use dg_drillstring, only: component_at, component_tops
+   use dg_error, only: error_type, raise, status_bad_input
+   use dg_hole_section, only: hole_section_at
+   use dg_job, only: model_soft
+   use dg_model, only: model_type, string_index
+   use dg_profile, only: profile_type, new_profile, state_free, state_elastic
+   use dg_soft_string_loads, only: soft_string_at, soft_totals_type, breakpoints
+   use dg_trajectory, only: arc_at, azimuth_of, clock_angle, inclination_of, point_on_arc, position_at, top_md
+   implicit none
+   private
+   public :: solve_soft_string
+
+   !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
+   real(wp), parameter :: contact_threshold = 1.0e-6_wp
+
+contains
+
+   !> Solves a load case with the soft string. There is nothing to iterate: the status is `converged`, or
+   !> `locked_up` where friction in a long bend outgrows all bounds. Refused (bad input): unknown string, bit
+   !> above the first station. A string that must be pushed at surface is said so in `message`.
+   subroutine solve_soft_string(model, case_index, result, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
+      type(soft_totals_type) :: totals
+      integer(int64) :: start, finish, rate
+      character(120) :: text
+      real(wp) :: position(3), tangent(3)
+      call system_clock(start, rate)
+      associate (load_case => model%cases(case_index))
+         if (string_index(model%strings, load_case%string) == 0) then
+            call raise(error, status_bad_input, 'load case '//load_case%name//": there is no string '"//load_case%string//"'")
+            return
+         end if
+         if (load_case%bit_depth <= top_md(model%trajectory)) then
+            call raise(error, status_bad_input, 'load case '//load_case%name//': bit_depth must lie below the first station')
+            return
+         end if
+         md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
+         call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
+         call position_at(model%trajectory, load_case%bit_depth, position, tangent)
+         result%case_index = case_index
+         result%model = model_soft
+         result%inclination = inclination_of(tangent)
+         result%hookload = axial(1)
+         result%friction = totals%weight - load_case%wob - axial(1)
+         result%torque = torque(1)
+         result%normal_force = totals%normal_force
+         result%elements = totals%steps
+         result%status = result_converged
+         result%message = ''
+         if (totals%runaway) then
+            result%status = result_locked_up
+            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
+               ' m; lower the friction or the curvature'
+            result%message = trim(text)
+         else if (axial(1) < 0.0_wp) then
+            result%message = 'the weight of the string does not overcome friction and bit load: '// &
+                             'the string would have to be pushed at surface'
+         end if
+      end associate
+      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      result%states = 0
+      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
+      result%states(state_free) = count(result%profile%gap_state == state_free)
+      allocate (result%history(0))
+      call system_clock(finish)
+      result%seconds = real(finish - start, wp)/real(rate, wp)
+   end subroutine solve_soft_string
+
+   !> Depths with points between, none farther apart than `spacing` [m].
+   pure function subdivided(md, spacing) result(fine)
+      real(wp), intent(in) :: md(:)      !< ascending [m]
+      real(wp), intent(in) :: spacing    !< > 0 [m]
+      real(wp), allocatable :: fine(:)
+      integer :: parts(size(md) - 1)
+      integer :: i, j, k
+      parts = max(1, ceiling((md(2:) - md(:size(md) - 1))/spacing))
+      allocate (fine(sum(parts) + 1))
+      k = 0
+      do i = 1, size(parts)
+         do j = 0, parts(i) - 1
+            k = k + 1
+            fine(k) = md(i) + (md(i + 1) - md(i))*real(j, wp)/real(parts(i), wp)
+         end do
+      end do
+      fine(k + 1) = md(size(md))
+   end function subdivided
+
+   !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is the one that
+   !> the hole's curvature asks of the body: a soft string carries none, a real one that follows the hole does.
+   pure subroutine fill_profile(model, case_index, md, axial, torque, contact, profile)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md(:)          !< [m]
+      real(wp), intent(in) :: axial(:)       !< [N]
+      real(wp), intent(in) :: torque(:)      !< [N.m]
+      real(wp), intent(in) :: contact(:, :)  !< (3, size(md)) [N/m]
+      type(profile_type), intent(out) :: profile
+      real(wp) :: position(3), tangent(3), curvature(3), bit, clearance
+      real(wp), allocatable :: tops(:)
+      integer :: i, arc, hole, part
+      profile = new_profile(size(md))
+      bit = model%cases(case_index)%bit_depth
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         do i = 1, size(md)
+            arc = arc_at(model%trajectory, md(i))
+            hole = hole_section_at(model%holes, md(i))
+            part = component_at(tops, bit - md(i))
+            call point_on_arc(model%trajectory%arcs(arc), md(i) - model%trajectory%arcs(arc)%md, position, tangent, curvature)
+            position = position + model%trajectory%arcs(arc)%origin
+            profile%md(i) = md(i)
+            profile%north(i) = position(1)
+            profile%east(i) = position(2)
+            profile%tvd(i) = position(3)
+            profile%inclination(i) = inclination_of(tangent)
+            profile%azimuth(i) = azimuth_of(tangent)
+            profile%axial(i) = axial(i)
+            profile%torque(i) = torque(i)
+            profile%side_force(i) = norm2(contact(:, i))
+            profile%bending(i) = bending_stiffness(string%components(part))*norm2(curvature)
+            if (profile%side_force(i) <= contact_threshold) cycle
+            clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(string%components(part)))
+            profile%displacement(i) = max(clearance, 0.0_wp)
+            profile%clock(i) = clock_angle(tangent, contact(:, i))
+            profile%gap_state(i) = state_elastic
+         end do
+      end associate
+   end subroutine fill_profile
+end module dg_soft_string

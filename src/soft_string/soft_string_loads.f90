@@ -1,0 +1,264 @@
+!> Forces in a flexible string that lies on the hole axis (soft string), integrated from the bit up.
+!>
+!> Johancsik, Friesen & Dawson 1984 (SPE 11380, Eqs. 1-4) give the force balance of a short piece of string;
+!> Sheppard, Wick & Burgess 1987 (SPE 15463) its limit as the piece shrinks, which is integrated here in
+!> vectors, so that no inclination or azimuth occurs:
+!>     contact force on the wall per metre   c = T k + w (g - (g.t) t),     n = |c|
+!>     dT/ds' = w g.t + f n,      dM/ds' = m r n                     (s' up the hole)
+!> with effective tension T, curvature vector k = dt/ds, unit vector down g, buoyed weight w, radius of contact r,
+!> and the signed shares f, m of friction along and around the hole (friction_split).
+!> Brett et al. 1989 (the paper's flexible type) use the same balance.
+module dg_soft_string_loads
+   use dg_kinds, only: wp
+   use dg_component, only: contact_diameter, buoyed_weight
+   use dg_drillstring, only: component_tops
+   use dg_hole_section, only: hole_section_at
+   use dg_load_case, only: friction_split
+   use dg_model, only: model_type, string_index
+   use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
+   implicit none
+   private
+   public :: soft_string_at, soft_totals_type, breakpoints
+
+   !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
+   !> angle it is exact to 1e-9 even with a friction coefficient of one. What limits it is the kink of n where
+   !> a string in a bend changes sides, which costs less than f |dn/ds| h^2/8 < 1 N once.
+   real(wp), parameter :: longest_step = 5.0_wp
+   real(wp), parameter :: largest_angle = 0.02_wp
+   !> Axial force beyond which the integration stops [N]: no string carries a millionth of it, and friction in
+   !> a long sharp bend grows exponentially until numbers end.
+   real(wp), parameter :: runaway_force = 1.0e15_wp
+
+   !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths, and no row of a
+   !> table worth printing.
+   real(wp), parameter :: shortest_piece = 1.0e-6_wp
+
+   !> Sums over the string between the first of the depths asked for and the bit.
+   type :: soft_totals_type
+      real(wp) :: weight = 0.0_wp        !< buoyed weight along the hole: sum of w dz [N]
+      real(wp) :: normal_force = 0.0_wp  !< integral of n [N]
+      integer :: steps = 0               !< integration steps
+      logical :: runaway = .false.       !< axial force left all bounds
+      real(wp) :: runaway_md = 0.0_wp    !< ... at this depth, above which nothing was integrated [m]
+   end type soft_totals_type
+
+   !> A piece of string of constant properties in one arc and one hole section.
+   type :: piece_type
+      type(arc_type) :: arc
+      real(wp) :: top = 0.0_wp      !< measured depth of its upper end [m]
+      real(wp) :: weight = 0.0_wp   !< buoyed [N/m]
+      real(wp) :: radius = 0.0_wp   !< of contact [m]
+      real(wp) :: axial = 0.0_wp    !< f of the balance above [-]
+      real(wp) :: rotary = 0.0_wp   !< m of the balance above [-]
+   end type piece_type
+
+contains
+
+   !> Axial force, torque and contact of the soft string of a load case at given depths.
+   !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
+   !> The scales serve load increments: both absent or one is the load case itself.
+   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
+      real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
+      real(wp), intent(out) :: torque(:)           !< [N.m]
+      real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
+      real(wp), intent(in), optional :: friction_scale !< on every friction coefficient [-]
+      real(wp), intent(in), optional :: load_scale     !< on weight and torque on bit [-]
+      type(soft_totals_type), intent(out), optional :: totals
+      type(soft_totals_type) :: sums
+      type(piece_type) :: piece
+      real(wp) :: friction, load, position, force, moment
+      integer :: i
+      friction = 1.0_wp
+      if (present(friction_scale)) friction = friction_scale
+      load = 1.0_wp
+      if (present(load_scale)) load = load_scale
+      associate (load_case => model%cases(case_index))
+         position = load_case%bit_depth
+         force = -load*load_case%wob
+         moment = load*load_case%tob
+      end associate
+      piece = piece_above(model, case_index, position, friction)
+      do i = size(md), 1, -1
+         do while (position > md(i))
+            call climb(piece, max(piece%top, md(i)), position, force, moment, sums)
+            if (position > md(i)) piece = piece_above(model, case_index, position, friction)
+         end do
+         axial(i) = force
+         torque(i) = moment
+         contact(:, i) = contact_force(piece, md(i), force)
+         ! The next depth up starts in the piece above.
+         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, friction)
+      end do
+      if (present(totals)) totals = sums
+   end subroutine soft_string_at
+
+   !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
+   pure function piece_above(model, case_index, md, friction_scale) result(piece)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md
+      real(wp), intent(in) :: friction_scale
+      type(piece_type) :: piece
+      real(wp) :: mu_axial, mu_rotary
+      real(wp), allocatable :: tops(:)
+      integer :: i, hole
+      i = arc_at(model%trajectory, md)
+      if (model%trajectory%arcs(i)%md >= md .and. i > 1) i = i - 1
+      piece%arc = model%trajectory%arcs(i)
+      piece%top = piece%arc%md
+      hole = hole_section_at(model%holes, md)
+      if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
+      if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
+      associate (load_case => model%cases(case_index))
+         mu_axial = model%holes(hole)%friction_axial
+         if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
+         mu_rotary = model%holes(hole)%friction_rotary
+         if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
+         associate (string => model%strings(string_index(model%strings, load_case%string)))
+            allocate (tops, source=load_case%bit_depth - component_tops(string, load_case%bit_depth - top_md(model%trajectory)))
+            do i = 1, size(tops) - 1
+               if (tops(i) < md) exit
+            end do
+            if (i < size(tops)) piece%top = max(piece%top, tops(i))
+            piece%weight = buoyed_weight(string%components(i), model%mud_density, model%gravity)
+            piece%radius = 0.5_wp*contact_diameter(string%components(i))
+         end associate
+         call friction_split(load_case, friction_scale*mu_axial, friction_scale*mu_rotary, piece%radius, &
+                             piece%axial, piece%rotary)
+      end associate
+   end function piece_above
+
+   !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
+   !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
+   pure subroutine climb(piece, target, position, force, moment, sums)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: target           !< [m]
+      real(wp), intent(inout) :: position      !< [m]
+      real(wp), intent(inout) :: force         !< [N]
+      real(wp), intent(inout) :: moment        !< [N.m]
+      type(soft_totals_type), intent(inout) :: sums
+      real(wp) :: step, angle, offset, normal
+      real(wp), dimension(3) :: here, half_way, there, across_here, across_half, across_there, &
+                                bend_here, bend_half, bend_there
+      integer :: steps, i
+      if (sums%runaway) then
+         position = target
+         return
+      end if
+      step = position - target
+      angle = step*piece%arc%curvature
+      steps = 1
+      if (angle > 0.0_wp) steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
+      step = step/real(steps, wp)
+      offset = position - piece%arc%md
+      call at_offset(piece, offset, here, across_here, bend_here)
+      do i = 1, steps
+         call at_offset(piece, offset - 0.5_wp*step, half_way, across_half, bend_half)
+         call at_offset(piece, offset - step, there, across_there, bend_there)
+         offset = offset - step
+         block
+            real(wp) :: n1, n2, n3, n4, middle
+            middle = force + piece%weight*(here(3) - half_way(3))
+            n1 = norm2(force*bend_here + across_here)
+            n2 = norm2((middle + 0.5_wp*step*piece%axial*n1)*bend_half + across_half)
+            n3 = norm2((middle + 0.5_wp*step*piece%axial*n2)*bend_half + across_half)
+            force = force + piece%weight*(here(3) - there(3))
+            n4 = norm2((force + step*piece%axial*n3)*bend_there + across_there)
+            normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
+         end block
+         force = force + piece%axial*normal
+         moment = moment + piece%rotary*piece%radius*normal
+         sums%normal_force = sums%normal_force + normal
+         sums%weight = sums%weight + piece%weight*(here(3) - there(3))
+         sums%steps = sums%steps + 1
+         if (abs(force) > runaway_force) then
+            sums%runaway = .true.
+            sums%runaway_md = piece%arc%md + offset
+            exit
+         end if
+         here = there
+         across_here = across_there
+         bend_here = bend_there
+      end do
+      position = target
+   end subroutine climb
+
+   !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
+   pure subroutine at_offset(piece, offset, position, across, bend)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
+      real(wp), intent(out) :: position(3), across(3), bend(3)
+      real(wp) :: tangent(3)
+      call point_on_arc(piece%arc, offset, position, tangent, bend)
+      across = piece%weight*([0.0_wp, 0.0_wp, 1.0_wp] - tangent(3)*tangent)
+   end subroutine at_offset
+
+   !> Force of the string on the wall [N/m] at a depth [m] under an axial force [N].
+   pure function contact_force(piece, md, force) result(contact)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: md
+      real(wp), intent(in) :: force
+      real(wp) :: contact(3)
+      real(wp) :: position(3), across(3), bend(3)
+      call at_offset(piece, md - piece%arc%md, position, across, bend)
+      contact = force*bend + across
+   end function contact_force
+
+   !> Depths between the top of the string and the bit where something changes: first station and bit, survey
+   !> stations, ends of hole sections and components. Ascending, none twice [m].
+   pure function breakpoints(model, case_index) result(md)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), allocatable :: md(:)
+      real(wp), allocatable :: all_md(:), tops(:), hole_tops(:)
+      real(wp) :: top, bit
+      integer :: count, i
+      top = top_md(model%trajectory)
+      bit = model%cases(case_index)%bit_depth
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (tops, source=bit - component_tops(string, bit - top))
+      end associate
+      tops = tops(size(tops):1:-1)
+      allocate (hole_tops(size(model%holes)))
+      hole_tops(:) = model%holes%md_top
+      all_md = merged(model%trajectory%md, merged(hole_tops, tops))
+      allocate (md(size(all_md) + 2))
+      count = 1
+      md(1) = top
+      do i = 1, size(all_md)
+         if (all_md(i) <= md(count) + shortest_piece .or. all_md(i) >= bit - shortest_piece) cycle
+         count = count + 1
+         md(count) = all_md(i)
+      end do
+      count = count + 1
+      md(count) = bit
+      md = md(:count)
+   end function breakpoints
+
+   !> Two ascending lists as one.
+   pure function merged(a, b) result(c)
+      real(wp), intent(in) :: a(:), b(:)
+      real(wp) :: c(size(a) + size(b))
+      integer :: i, j, k
+      i = 1
+      j = 1
+      do k = 1, size(c)
+         if (j > size(b)) then
+            c(k) = a(i)
+            i = i + 1
+         else if (i > size(a)) then
+            c(k) = b(j)
+            j = j + 1
+         else if (a(i) <= b(j)) then
+            c(k) = a(i)
+            i = i + 1
+         else
+            c(k) = b(j)
+            j = j + 1
+         end if
+      end do
+   end function merged
+end module dg_soft_string_loads
