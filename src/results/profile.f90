@@ -2,14 +2,10 @@
 !> special cases. SI units; conversion happens in the report.
 module dg_profile
    use dg_kinds, only: wp
+   use dg_gap_state, only: state_elastic, state_free, state_name, state_rigid
    implicit none
    private
    public :: profile_type, new_profile, state_free, state_elastic, state_rigid, state_name
-
-   integer, parameter :: state_free = 0    !< Eq. 7
-   integer, parameter :: state_elastic = 1 !< Eq. 8
-   integer, parameter :: state_rigid = 2   !< Eq. 8 beyond eps_nmax
-   character(*), parameter :: state_name(0:2) = [character(7) :: 'free', 'elastic', 'rigid']
 
    type :: profile_type
       real(wp), allocatable :: md(:)           !< measured depth [m]

@@ -1,0 +1,50 @@
+!> Scalar function of the angle between a nodal director and the element's chord.
+module dg_beam_angle
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: angle_ratio, angle_square
+
+   !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
+   !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
+   real(wp), parameter :: series_limit = 0.02_wp
+   integer, parameter :: series_terms = 8
+   !> n!/(2n+1)!!: alpha/sin(alpha) = sum c_n u**n.
+   real(wp), parameter :: c(0:series_terms) = [1.0_wp, 1.0_wp/3.0_wp, 2.0_wp/15.0_wp, 2.0_wp/35.0_wp, 8.0_wp/315.0_wp, &
+      8.0_wp/693.0_wp, 16.0_wp/3003.0_wp, 16.0_wp/6435.0_wp, 128.0_wp/109395.0_wp]
+
+contains
+
+   !> g = alpha/sin(alpha) with its first and second derivative by cosine = cos(alpha).
+   !> Regular at alpha = 0, also where round-off puts the cosine a little above one. alpha below 180 deg.
+   pure subroutine angle_ratio(cosine, g, dg, ddg)
+      real(wp), intent(in) :: cosine
+      real(wp), intent(out) :: g, dg, ddg
+      real(wp) :: u, sine_square
+      integer :: n
+      u = 1.0_wp - cosine
+      if (u < series_limit) then
+         g = c(series_terms)
+         dg = 0.0_wp
+         ddg = 0.0_wp
+         do n = series_terms - 1, 0, -1     ! Horner, with both derivatives carried along
+            ddg = ddg*u + 2.0_wp*dg
+            dg = dg*u + g
+            g = g*u + c(n)
+         end do
+         dg = -dg                            ! d/dcos = -d/du
+      else
+         sine_square = max(u*(1.0_wp + cosine), tiny(u))
+         g = acos(max(cosine, -1.0_wp))/sqrt(sine_square)
+         dg = (g*cosine - 1.0_wp)/sine_square
+         ddg = (3.0_wp*cosine*dg + g)/sine_square
+      end if
+   end subroutine angle_ratio
+
+   !> alpha squared [rad2] from the cosine and g of angle_ratio: alpha**2 = g**2 sin(alpha)**2.
+   pure function angle_square(cosine, g) result(square)
+      real(wp), intent(in) :: cosine, g
+      real(wp) :: square
+      square = g*g*(1.0_wp - cosine)*(1.0_wp + cosine)
+   end function angle_square
+end module dg_beam_angle

@@ -1,0 +1,303 @@
+!> The 12-dof beam element: internal forces and the stiffness K0 + KN + Ksigma of Eqs. 9, 10 and 12.
+!>
+!> Everything follows from one energy, written in measures that no rigid motion changes, so that forces and
+!> moments of every element balance to round-off whatever the displacement:
+!>
+!>   e = (x_j - x_i)/l              chord direction, l its length
+!>   c_i = d_i.e, c_j = d_j.e       cosines of the angles alpha_i, alpha_j between nodal tangents and chord
+!>   p = d_i.d_j
+!>   A = alpha_i**2 + alpha_j**2,  B = theta_i.theta_j   with theta the rotation vector from chord to tangent
+!>   b = (2 A - B)/30               shortening of a cubic's chord against its arc: averaged membrane strain, no locking
+!>   epsilon = l (1 + b)/L_m - 1    axial strain
+!>   U = EA L_m/2 epsilon**2 + (2 EI/L)(A + B)
+!>
+!> L is the element's length along the hole, L_m the same by the measure l (1 + b) of the string resting on the
+!> hole axis. So a string on the axis of an arc of radius R carries exactly M = EI/R and no axial force.
+!> In the tangent, U'' at zero displacement is K0, what the axial force N carries is Ksigma, and what displacement
+!> adds beside that is KN.
+!>
+!> Twist phi is a scalar along the string (turned about its own tangent, against a frame that does not spin), and
+!> the torque's own geometry enters as an end-moment vector T (d_i + d_j)/(1 + p): it is the one vector that
+!> balances at both ends and does the work T (phi_j - phi_i).
+!>
+!> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes; dg_assembly turns them into the element's 12 dofs.
+module dg_beam_element
+   use dg_kinds, only: wp
+   use dg_beam_angle, only: angle_ratio, angle_square
+   use dg_vector, only: cross, outer, skew
+   implicit none
+   private
+   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, membrane_length
+   public :: torque_force, torque_tangent
+
+   !> What an element is made of.
+   type :: beam_section_type
+      real(wp) :: length = 0.0_wp           !< L, along the hole [m]
+      real(wp) :: membrane_length = 0.0_wp  !< L_m [m]
+      real(wp) :: axial_stiffness = 0.0_wp     !< EA [N]
+      real(wp) :: bending_stiffness = 0.0_wp   !< EI [N.m2]
+      real(wp) :: torsional_stiffness = 0.0_wp !< GJ [N.m2]
+   end type beam_section_type
+
+   !> The measures of one configuration and the derivatives of A, B and U by them.
+   type :: measure_type
+      real(wp) :: e(3), a_i(3), a_j(3)         ! chord direction, tangents less their part along it
+      real(wp) :: length                       ! l
+      real(wp) :: c_i, c_j, p
+      real(wp) :: g_i, dg_i, ddg_i, g_j, dg_j, ddg_j
+      real(wp) :: s                            ! p - c_i c_j
+      real(wp) :: bowing                       ! b
+      real(wp) :: a_ci, a_cj, b_ci, b_cj, b_p  ! first derivatives of A and B
+   end type measure_type
+
+contains
+
+   !> l (1 + b) of a configuration [m]; with nodes and tangents on the hole axis it is the unstressed length L_m.
+   pure function membrane_length(chord, d_i, d_j) result(length)
+      real(wp), intent(in) :: chord(3)  !< x_j - x_i [m]
+      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp) :: length
+      type(measure_type) :: m
+      m = measure(chord, d_i, d_j)
+      length = m%length*(1.0_wp + m%bowing)
+   end function membrane_length
+
+   pure function measure(chord, d_i, d_j) result(m)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      type(measure_type) :: m
+      real(wp) :: product
+      m%length = sqrt(dot_product(chord, chord))
+      m%e = chord/m%length
+      m%c_i = dot_product(d_i, m%e)
+      m%c_j = dot_product(d_j, m%e)
+      m%p = dot_product(d_i, d_j)
+      m%a_i = d_i - m%c_i*m%e
+      m%a_j = d_j - m%c_j*m%e
+      call angle_ratio(m%c_i, m%g_i, m%dg_i, m%ddg_i)
+      call angle_ratio(m%c_j, m%g_j, m%dg_j, m%ddg_j)
+      m%s = dot_product(m%a_i, m%a_j)          ! = p - c_i c_j without its cancellation
+      product = m%g_i*m%g_j
+      m%bowing = (2.0_wp*(angle_square(m%c_i, m%g_i) + angle_square(m%c_j, m%g_j)) - product*m%s)/30.0_wp
+      m%a_ci = -2.0_wp*m%g_i
+      m%a_cj = -2.0_wp*m%g_j
+      m%b_ci = m%dg_i*m%g_j*m%s - product*m%c_j
+      m%b_cj = m%g_i*m%dg_j*m%s - product*m%c_i
+      m%b_p = product
+   end function measure
+
+   !> Weights of A and B in the energy's derivative, and the axial force.
+   pure subroutine energy_weights(section, m, axial, weight_a, weight_b)
+      type(beam_section_type), intent(in) :: section
+      type(measure_type), intent(in) :: m
+      real(wp), intent(out) :: axial     ! N, tension > 0 [N]
+      real(wp), intent(out) :: weight_a, weight_b
+      real(wp) :: bending
+      axial = section%axial_stiffness*(m%length*(1.0_wp + m%bowing) - section%membrane_length)/section%membrane_length
+      bending = 2.0_wp*section%bending_stiffness/section%length
+      ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m
+      weight_a = axial*m%length/15.0_wp + bending
+      weight_b = -axial*m%length/30.0_wp + bending
+   end subroutine energy_weights
+
+   !> Internal force dU/dy(12) [N; N.m per unit director] of the element, Eq. 9 left-hand side, and its axial force.
+   pure subroutine beam_force(section, chord, d_i, d_j, force, axial)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3)       !< x_j - x_i [m]
+      real(wp), intent(in) :: d_i(3), d_j(3) !< unit tangents of the string at the nodes
+      real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j)
+      real(wp), intent(out) :: axial         !< N, tension > 0 [N]
+      type(measure_type) :: m
+      real(wp) :: weight_a, weight_b
+      m = measure(chord, d_i, d_j)
+      call energy_weights(section, m, axial, weight_a, weight_b)
+      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
+   end subroutine beam_force
+
+   pure subroutine gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
+      type(measure_type), intent(in) :: m
+      real(wp), intent(in) :: d_i(3), d_j(3), axial, weight_a, weight_b
+      real(wp), intent(out) :: force(12)
+      real(wp) :: u_l, u_ci, u_cj, u_p
+      u_l = axial*(1.0_wp + m%bowing)
+      u_ci = weight_a*m%a_ci + weight_b*m%b_ci
+      u_cj = weight_a*m%a_cj + weight_b*m%b_cj
+      u_p = weight_b*m%b_p
+      force(7:9) = u_l*m%e + (u_ci*m%a_i + u_cj*m%a_j)/m%length
+      force(1:3) = -force(7:9)
+      force(4:6) = u_ci*m%e + u_p*d_j
+      force(10:12) = u_cj*m%e + u_p*d_i
+   end subroutine gradient
+
+   !> Internal force and its consistent tangent d2U/dy2(12,12), symmetric: K0 + KN + Ksigma of Eq. 10.
+   pure subroutine beam_tangent(section, chord, d_i, d_j, force, axial, stiffness)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(out) :: force(12)
+      real(wp), intent(out) :: axial
+      real(wp), intent(out) :: stiffness(12, 12)
+      type(measure_type) :: m
+      real(wp) :: weight_a, weight_b, bending, material(4, 4), stressed(4, 4), first(4)
+      m = measure(chord, d_i, d_j)
+      call energy_weights(section, m, axial, weight_a, weight_b)
+      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
+      bending = 2.0_wp*section%bending_stiffness/section%length
+      call scalar_hessian(section, m, axial, bending, material, stressed)
+      first = [axial*(1.0_wp + m%bowing), weight_a*m%a_ci + weight_b*m%b_ci, &
+               weight_a*m%a_cj + weight_b*m%b_cj, weight_b*m%b_p]
+      call space_hessian(m, d_i, d_j, material + stressed, first, stiffness)
+   end subroutine beam_tangent
+
+   !> The tangent in the paper's three parts, for study and test (the solution uses their sum, beam_tangent):
+   !> k0 at the reference configuration, ksigma all that carries the current axial force, kn the rest.
+   pure subroutine beam_tangent_parts(section, chord, d_i, d_j, reference_chord, reference_i, reference_j, k0, kn, ksigma)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(in) :: reference_chord(3), reference_i(3), reference_j(3)
+      real(wp), intent(out), dimension(12, 12) :: k0, kn, ksigma
+      real(wp) :: force(12), axial, total(12, 12)
+      call beam_material_tangent(section, reference_chord, reference_i, reference_j, k0)
+      call beam_material_tangent(section, chord, d_i, d_j, kn)
+      call beam_tangent(section, chord, d_i, d_j, force, axial, total)
+      ksigma = total - kn
+      kn = kn - k0
+   end subroutine beam_tangent_parts
+
+   !> The tangent without what the axial force carries.
+   pure subroutine beam_material_tangent(section, chord, d_i, d_j, stiffness)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(out) :: stiffness(12, 12)
+      type(measure_type) :: m
+      real(wp) :: bending, material(4, 4), stressed(4, 4), first(4)
+      m = measure(chord, d_i, d_j)
+      bending = 2.0_wp*section%bending_stiffness/section%length
+      call scalar_hessian(section, m, 0.0_wp, bending, material, stressed)
+      first = [0.0_wp, bending*(m%a_ci + m%b_ci), bending*(m%a_cj + m%b_cj), bending*m%b_p]
+      call space_hessian(m, d_i, d_j, material, first, stiffness)
+   end subroutine beam_material_tangent
+
+   !> Second derivatives of U by (l, c_i, c_j, p): `material` without, `stressed` with the axial force.
+   pure subroutine scalar_hessian(section, m, axial, bending, material, stressed)
+      type(beam_section_type), intent(in) :: section
+      type(measure_type), intent(in) :: m
+      real(wp), intent(in) :: axial, bending
+      real(wp), intent(out) :: material(4, 4), stressed(4, 4)
+      real(wp) :: strain(4), stiffness, b_x(4), curvature_a(4, 4), curvature_b(4, 4)
+      integer :: i, j
+      stiffness = section%axial_stiffness/section%membrane_length
+      b_x = [0.0_wp, 2.0_wp*m%a_ci - m%b_ci, 2.0_wp*m%a_cj - m%b_cj, -m%b_p]/30.0_wp
+      strain = m%length*b_x
+      strain(1) = 1.0_wp + m%bowing
+      curvature_a = 0.0_wp
+      curvature_a(2, 2) = -2.0_wp*m%dg_i
+      curvature_a(3, 3) = -2.0_wp*m%dg_j
+      curvature_b = 0.0_wp
+      curvature_b(2, 2) = m%ddg_i*m%g_j*m%s - 2.0_wp*m%dg_i*m%g_j*m%c_j
+      curvature_b(3, 3) = m%g_i*m%ddg_j*m%s - 2.0_wp*m%g_i*m%dg_j*m%c_i
+      curvature_b(2, 3) = m%dg_i*m%dg_j*m%s - m%dg_i*m%g_j*m%c_i - m%g_i*m%dg_j*m%c_j - m%g_i*m%g_j
+      curvature_b(3, 2) = curvature_b(2, 3)
+      curvature_b(2, 4) = m%dg_i*m%g_j
+      curvature_b(4, 2) = curvature_b(2, 4)
+      curvature_b(3, 4) = m%g_i*m%dg_j
+      curvature_b(4, 3) = curvature_b(3, 4)
+      do j = 1, 4
+         do i = 1, 4
+            material(i, j) = stiffness*strain(i)*strain(j) + bending*(curvature_a(i, j) + curvature_b(i, j))
+            stressed(i, j) = axial*m%length*(2.0_wp*curvature_a(i, j) - curvature_b(i, j))/30.0_wp
+         end do
+      end do
+      stressed(1, :) = stressed(1, :) + axial*b_x
+      stressed(:, 1) = stressed(:, 1) + axial*b_x
+   end subroutine scalar_hessian
+
+   !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
+   pure subroutine space_hessian(m, d_i, d_j, c, first, k)
+      type(measure_type), intent(in) :: m
+      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp), intent(in) :: c(4, 4), first(4)
+      real(wp), intent(out) :: k(12, 12)
+      real(wp) :: v2(3), v3(3), reciprocal, along, across, q1(3), q2(3), q3(3), r(3), t(3)
+      real(wp) :: chord(3, 3), chord_i(3, 3), chord_j(3, 3)
+      integer :: i, j
+      reciprocal = 1.0_wp/m%length
+      v2 = m%a_i*reciprocal
+      v3 = m%a_j*reciprocal
+      ! chord-chord: columns q multiply e, v2, v3
+      q1 = c(1, 1)*m%e + c(1, 2)*v2 + c(1, 3)*v3
+      q2 = c(2, 1)*m%e + c(2, 2)*v2 + c(2, 3)*v3 - first(2)*reciprocal*m%e
+      q3 = c(3, 1)*m%e + c(3, 2)*v2 + c(3, 3)*v3 - first(3)*reciprocal*m%e
+      q1 = q1 - (first(2)*v2 + first(3)*v3)*reciprocal
+      across = first(1)*reciprocal - (first(2)*m%c_i + first(3)*m%c_j)*reciprocal**2
+      along = -across
+      do j = 1, 3
+         do i = 1, 3
+            chord(i, j) = q1(i)*m%e(j) + q2(i)*v2(j) + q3(i)*v3(j) + along*m%e(i)*m%e(j)
+         end do
+         chord(j, j) = chord(j, j) + across
+      end do
+      ! chord-director
+      q1 = c(1, 2)*m%e + c(2, 2)*v2 + c(3, 2)*v3 - first(2)*reciprocal*m%e
+      r = c(1, 4)*m%e + c(2, 4)*v2 + c(3, 4)*v3
+      q2 = c(1, 3)*m%e + c(2, 3)*v2 + c(3, 3)*v3 - first(3)*reciprocal*m%e
+      do j = 1, 3
+         do i = 1, 3
+            chord_i(i, j) = q1(i)*m%e(j) + r(i)*d_j(j)
+            chord_j(i, j) = q2(i)*m%e(j) + r(i)*d_i(j)
+         end do
+         chord_i(j, j) = chord_i(j, j) + first(2)*reciprocal
+         chord_j(j, j) = chord_j(j, j) + first(3)*reciprocal
+      end do
+      k(7:9, 7:9) = chord
+      k(1:3, 1:3) = chord
+      k(1:3, 7:9) = -chord
+      k(7:9, 1:3) = -chord
+      k(7:9, 4:6) = chord_i
+      k(1:3, 4:6) = -chord_i
+      k(7:9, 10:12) = chord_j
+      k(1:3, 10:12) = -chord_j
+      ! director-director
+      q1 = c(2, 2)*m%e + c(2, 4)*d_j
+      q2 = c(4, 2)*m%e + c(4, 4)*d_j
+      r = c(3, 3)*m%e + c(3, 4)*d_i
+      t = c(4, 3)*m%e + c(4, 4)*d_i
+      do j = 1, 3
+         do i = 1, 3
+            k(3 + i, 3 + j) = q1(i)*m%e(j) + q2(i)*d_j(j)
+            k(9 + i, 9 + j) = r(i)*m%e(j) + t(i)*d_i(j)
+            k(3 + i, 9 + j) = (c(2, 3)*m%e(i) + c(4, 3)*d_j(i))*m%e(j) + (c(2, 4)*m%e(i) + c(4, 4)*d_j(i))*d_i(j)
+         end do
+         k(3 + j, 9 + j) = k(3 + j, 9 + j) + first(4)
+      end do
+      ! the rest by symmetry
+      do j = 1, 3
+         do i = 1, 3
+            k(9 + i, 3 + j) = k(3 + j, 9 + i)
+            k(3 + i, 6 + j) = k(6 + j, 3 + i)
+            k(3 + i, j) = k(j, 3 + i)
+            k(9 + i, 6 + j) = k(6 + j, 9 + i)
+            k(9 + i, j) = k(j, 9 + i)
+         end do
+      end do
+   end subroutine space_hessian
+
+   !> Force on both directors of the torque's end-moment vector: T (d_i x d_j)/(1 + p), the same at both [N.m].
+   !> `torque` is GJ/L (phi_j - phi_i): it acts as -T on phi_i and +T on phi_j.
+   pure function torque_force(torque, d_i, d_j) result(force)
+      real(wp), intent(in) :: torque
+      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp) :: force(3)
+      force = cross(d_i, d_j)*(torque/(1.0_wp + dot_product(d_i, d_j)))
+   end function torque_force
+
+   !> Derivatives of torque_force by d_i, d_j (3,3) at fixed torque, and by torque (3).
+   pure subroutine torque_tangent(torque, d_i, d_j, by_i, by_j, by_torque)
+      real(wp), intent(in) :: torque
+      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp), intent(out) :: by_i(3, 3), by_j(3, 3), by_torque(3)
+      real(wp) :: factor
+      factor = 1.0_wp/(1.0_wp + dot_product(d_i, d_j))
+      by_torque = cross(d_i, d_j)*factor
+      by_i = -torque*factor*(skew(d_j) + outer(by_torque, d_j))
+      by_j = torque*factor*(skew(d_i) - outer(by_torque, d_i))
+   end subroutine torque_tangent
+end module dg_beam_element

@@ -1,0 +1,91 @@
+!> States of the Multi-directional Contact Gap Element (MCGE): Eqs. 3, 7 and 8 and Fig. 2 of the paper.
+!>
+!> Penetration carries force: with |f| the lateral displacement of the string's axis off the hole axis and
+!> c = (D - d)/2 the clearance, the relative compression is eps = |f|/c (Eq. 3) and, per metre of contact,
+!>   free     R = 0                                                     Gk = gk_min
+!>   elastic  R = gk_contact (|f| - c)                                  up to eps - 1 = eps_nmax
+!>   rigid    R = gk_contact c eps_nmax + gk_max (|f| - c (1 + eps_nmax))  beyond
+!> continuous and piecewise linear. gk_min keeps the matrix regular while nothing touches: it stands in the tangent
+!> only, so that a converged string feels nothing of it.
+module dg_gap_state
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: state_free, state_elastic, state_rigid, state_name
+   public :: gap_law_type, next_state, contact_force, relative_compression
+
+   integer, parameter :: state_free = 0    !< Eq. 7
+   integer, parameter :: state_elastic = 1 !< Eq. 8
+   integer, parameter :: state_rigid = 2   !< Eq. 8 beyond eps_nmax
+   !> Names in files, in the order of the numbers above.
+   character(*), parameter :: state_name(0:2) = [character(7) :: 'free', 'elastic', 'rigid']
+
+   !> The law of one gap, per element: rigidities times tributary length.
+   type :: gap_law_type
+      real(wp) :: clearance = 0.0_wp  !< c = (D - d)/2 [m]
+      real(wp) :: minimum = 0.0_wp    !< Gkmin [N/m]
+      real(wp) :: contact = 0.0_wp    !< Gkc [N/m]
+      real(wp) :: maximum = 0.0_wp    !< Gkmax [N/m]
+      real(wp) :: eps_n0 = 0.0_wp     !< threshold of relative compression [-]
+      real(wp) :: eps_nmax = 0.0_wp   !< elastic range of relative compression [-]
+      real(wp) :: r_n0 = 0.0_wp       !< threshold of force [N]
+   end type gap_law_type
+
+contains
+
+   !> eps of Eq. 3 [-] from the lateral displacement |f| [m].
+   pure function relative_compression(displacement, clearance) result(eps)
+      real(wp), intent(in) :: displacement, clearance
+      real(wp) :: eps
+      eps = displacement/clearance
+   end function relative_compression
+
+   !> State that follows from the present one (Eqs. 7 and 8). A change needs both thresholds passed: a free gap
+   !> closes when it is compressed beyond eps_n0 or would carry more than r_n0, a closed one opens when it is open
+   !> beyond eps_n0 and pulls with more than r_n0. Between, the state stays: two points cannot take turns over
+   !> round-off. The thresholds bound the error of a wrong state to r_n0 or gk c eps_n0.
+   pure function next_state(law, state, displacement) result(next)
+      type(gap_law_type), intent(in) :: law
+      integer, intent(in) :: state          !< present state
+      real(wp), intent(in) :: displacement  !< |f| [m]
+      integer :: next
+      real(wp) :: compression, pull
+      compression = relative_compression(displacement, law%clearance) - 1.0_wp
+      pull = -law%contact*(displacement - law%clearance)
+      if (state == state_free) then
+         if (compression > law%eps_n0 .and. -pull > law%r_n0) then
+            next = state_elastic
+         else
+            next = state_free
+         end if
+      else if (compression < -law%eps_n0 .and. pull > law%r_n0) then
+         next = state_free
+      else
+         next = state_elastic
+      end if
+      if (next == state_elastic .and. compression > law%eps_nmax) next = state_rigid
+   end function next_state
+
+   !> Contact force R [N] >= 0 pressing inwards (but for the thresholds' width), and its derivative by |f| [N/m]
+   !> (Eq. 4, Fig. 2).
+   pure subroutine contact_force(law, state, displacement, force, stiffness)
+      type(gap_law_type), intent(in) :: law
+      integer, intent(in) :: state
+      real(wp), intent(in) :: displacement
+      real(wp), intent(out) :: force
+      real(wp), intent(out) :: stiffness
+      real(wp) :: elastic
+      select case (state)
+      case (state_elastic)
+         stiffness = law%contact
+         force = law%contact*(displacement - law%clearance)
+      case (state_rigid)
+         elastic = law%clearance*law%eps_nmax
+         stiffness = law%maximum
+         force = law%contact*elastic + law%maximum*(displacement - law%clearance - elastic)
+      case default
+         stiffness = 0.0_wp
+         force = 0.0_wp
+      end select
+   end subroutine contact_force
+end module dg_gap_state

@@ -1,0 +1,80 @@
+!> The state table: one MCGE an element, its place, its state, and every flip recorded.
+module dg_gap_table
+   use dg_kinds, only: wp
+   use dg_gap_state, only: gap_law_type, next_state, state_free
+   implicit none
+   private
+   public :: gap_table_type, new_gap_table, judge_states, move_gap, count_states
+
+   type :: gap_table_type
+      type(gap_law_type), allocatable :: law(:)  !< of each element's gap
+      real(wp), allocatable :: xi(:)             !< place x0/L [-]
+      integer, allocatable :: state(:)           !< state_free, state_elastic, state_rigid
+      integer, allocatable :: flips(:)           !< changes of state so far
+      integer, allocatable :: moves(:)           !< changes of place so far
+   end type gap_table_type
+
+   !> A gap that keeps moving between two places that are as good is held by a threshold that grows with its moves;
+   !> this bounds the growth (2**20 times the threshold is far beyond any clearance).
+   integer, parameter :: most_doublings = 20
+
+contains
+
+   !> A table of free gaps at xi = `place`.
+   pure function new_gap_table(laws, place) result(table)
+      type(gap_law_type), intent(in) :: laws(:)
+      real(wp), intent(in) :: place
+      type(gap_table_type) :: table
+      integer :: n
+      n = size(laws)
+      table%law = laws
+      allocate (table%xi(n), source=place)
+      allocate (table%state(n), source=state_free)
+      allocate (table%flips(n), table%moves(n), source=0)
+   end function new_gap_table
+
+   !> Re-judges all states from the displacements |f| [m] at the gaps (Eqs. 7 and 8); `changed` counts the flips.
+   pure subroutine judge_states(table, displacement, changed)
+      type(gap_table_type), intent(inout) :: table
+      real(wp), intent(in) :: displacement(:)
+      integer, intent(out) :: changed
+      integer :: e, state
+      changed = 0
+      do e = 1, size(table%state)
+         state = next_state(table%law(e), table%state(e), displacement(e))
+         if (state == table%state(e)) cycle
+         table%state(e) = state
+         table%flips(e) = table%flips(e) + 1
+         changed = changed + 1
+      end do
+   end subroutine judge_states
+
+   !> Moves a gap to the extremum x0 = xi L (Eq. 2) when the string is deeper there than at the present place by more
+   !> than `threshold` times the clearance, doubled with every move the gap has made. Without this hysteresis a
+   !> string at rest sags between its contacts by micrometres and the extremum jumps to and fro for ever.
+   pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
+      type(gap_table_type), intent(inout) :: table
+      integer, intent(in) :: e
+      real(wp), intent(in) :: xi            !< of the extremum
+      real(wp), intent(in) :: at_extremum   !< |f| there [m]
+      real(wp), intent(in) :: at_gap        !< |f| at the present place [m]
+      real(wp), intent(in) :: threshold     !< [-]
+      logical, intent(out) :: moved
+      real(wp) :: least
+      least = threshold*table%law(e)%clearance*2.0_wp**min(table%moves(e), most_doublings)
+      moved = at_extremum - at_gap > least
+      if (.not. moved) return
+      table%xi(e) = xi
+      table%moves(e) = table%moves(e) + 1
+   end subroutine move_gap
+
+   !> Number of gaps in each state, 0:2.
+   pure function count_states(table) result(number)
+      type(gap_table_type), intent(in) :: table
+      integer :: number(0:2)
+      integer :: i
+      do i = 0, 2
+         number(i) = count(table%state == i)
+      end do
+   end function count_states
+end module dg_gap_table

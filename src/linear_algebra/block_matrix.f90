@@ -1,0 +1,40 @@
+!> Matrix of a chain of nodes: 6 x 6 blocks on the diagonal and beside it. The assembly writes it, the linear
+!> solvers read it.
+module dg_block_matrix
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: block_matrix_type, new_block_matrix, block_product, block_size
+
+   integer, parameter :: block_size = 6
+
+   type :: block_matrix_type
+      real(wp), allocatable :: diagonal(:, :, :) !< (6,6,nodes)
+      real(wp), allocatable :: upper(:, :, :)    !< (6,6,nodes-1): row block n, column block n+1
+      real(wp), allocatable :: lower(:, :, :)    !< (6,6,nodes-1): row block n+1, column block n
+   end type block_matrix_type
+
+contains
+
+   !> A zero matrix for so many nodes.
+   pure function new_block_matrix(nodes) result(matrix)
+      integer, intent(in) :: nodes
+      type(block_matrix_type) :: matrix
+      allocate (matrix%diagonal(block_size, block_size, nodes), source=0.0_wp)
+      allocate (matrix%upper(block_size, block_size, nodes - 1), source=0.0_wp)
+      allocate (matrix%lower(block_size, block_size, nodes - 1), source=0.0_wp)
+   end function new_block_matrix
+
+   !> Matrix times vector(6,nodes).
+   pure function block_product(matrix, vector) result(product)
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(in) :: vector(:, :)
+      real(wp) :: product(size(vector, 1), size(vector, 2))
+      integer :: n
+      do n = 1, size(vector, 2)
+         product(:, n) = matmul(matrix%diagonal(:, :, n), vector(:, n))
+         if (n > 1) product(:, n) = product(:, n) + matmul(matrix%lower(:, :, n - 1), vector(:, n - 1))
+         if (n < size(vector, 2)) product(:, n) = product(:, n) + matmul(matrix%upper(:, :, n), vector(:, n + 1))
+      end do
+   end function block_product
+end module dg_block_matrix

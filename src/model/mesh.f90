@@ -1,0 +1,182 @@
+!> The string of one load case cut into beam elements along the hole.
+!>
+!> Nodes stand at survey stations, at ends of hole sections and of components, and between them so that no
+!> element is longer than asked for: no element straddles a change. Element properties are those of the
+!> hole where the string rests on it unstretched.
+module dg_mesh
+   use dg_kinds, only: wp
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
+                           torsional_stiffness
+   use dg_drillstring, only: component_at, component_tops
+   use dg_hole_section, only: hole_section_at
+   use dg_load_case, only: friction_split, load_case_type
+   use dg_model, only: model_type, string_index
+   use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc
+   implicit none
+   private
+   public :: mesh_type, new_mesh, node_depths
+
+   type :: mesh_type
+      integer :: nodes = 0
+      integer :: elements = 0
+      ! nodes
+      real(wp), allocatable :: md(:)             !< measured depth [m]
+      real(wp), allocatable :: frame(:, :, :)    !< columns t, n_1, n_2 of the hole axis (3,3,nodes)
+      real(wp), allocatable :: base(:, :)        !< position relative to the origin of its arc (3,nodes) [m]
+      integer, allocatable :: arc(:)             !< of the trajectory
+      ! elements
+      real(wp), allocatable :: length(:)         !< along the hole [m]
+      real(wp), allocatable :: chord(:, :)       !< between nodes on the axis (3,elements) [m]
+      real(wp), allocatable :: ea(:)             !< [N]
+      real(wp), allocatable :: ei(:)             !< [N.m2]
+      real(wp), allocatable :: gj(:)             !< [N.m2]
+      real(wp), allocatable :: weight(:)         !< buoyed, per length [N/m]
+      real(wp), allocatable :: clearance(:)      !< (D - d)/2 [m]
+      real(wp), allocatable :: radius(:)         !< of contact, d/2 [m]
+      real(wp), allocatable :: axial(:)          !< friction along the hole, > 0 pushes down the hole [-]
+      real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
+      real(wp), allocatable :: wall(:)           !< wall stiffness Gkc [N/m2]
+      real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
+   end type mesh_type
+
+   !> Depths closer than this part of the element length are one node: survey, components and hole sections often
+   !> end at the same depth but for round-off, and a sliver of an element would only spoil the conditioning.
+   real(wp), parameter :: merge_share = 1.0e-3_wp
+
+contains
+
+   !> The mesh of a load case. The case's string and depths have been checked with the deck.
+   pure subroutine new_mesh(model, load_case, element_length, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: element_length   !< longest element [m]
+      type(mesh_type), intent(out) :: mesh
+      real(wp) :: tangent(3), curvature(3), end_point(3), middle, top
+      real(wp), allocatable :: tops(:)
+      type(component_type) :: component
+      integer :: e, n, index
+      index = string_index(model%strings, load_case%string)
+      mesh%md = node_depths(model, load_case, element_length)
+      mesh%nodes = size(mesh%md)
+      mesh%elements = mesh%nodes - 1
+      allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes))
+      do n = 1, mesh%nodes
+         mesh%arc(n) = arc_at(model%trajectory, mesh%md(n))
+         associate (arc => model%trajectory%arcs(mesh%arc(n)))
+            call point_on_arc(arc, mesh%md(n) - arc%md, mesh%base(:, n), tangent, curvature)
+            call frame_on_arc(arc, mesh%md(n) - arc%md, mesh%frame(:, 1, n), mesh%frame(:, 2, n), mesh%frame(:, 3, n))
+         end associate
+      end do
+      n = mesh%elements
+      allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
+                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n))
+      top = mesh%md(1)
+      tops = component_tops(model%strings(index), load_case%bit_depth - top)
+      do e = 1, mesh%elements
+         mesh%length(e) = mesh%md(e + 1) - mesh%md(e)
+         end_point = mesh%base(:, e + 1)
+         do n = mesh%arc(e), mesh%arc(e + 1) - 1
+            end_point = end_point + model%trajectory%arcs(n)%chord
+         end do
+         mesh%chord(:, e) = end_point - mesh%base(:, e)
+         middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
+         component = model%strings(index)%components(component_at(tops, load_case%bit_depth - middle))
+         mesh%ea(e) = axial_stiffness(component)
+         mesh%ei(e) = bending_stiffness(component)
+         mesh%gj(e) = torsional_stiffness(component)
+         mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
+         mesh%radius(e) = 0.5_wp*contact_diameter(component)
+         call put_in_hole(model, load_case, middle, e, mesh)
+      end do
+   end subroutine new_mesh
+
+   !> What the hole at a depth [m] gives to an element whose contact radius is known.
+   pure subroutine put_in_hole(model, load_case, md, e, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: md
+      integer, intent(in) :: e
+      type(mesh_type), intent(inout) :: mesh
+      real(wp) :: mu_axial, mu_rotary
+      associate (hole => model%holes(hole_section_at(model%holes, md)))
+         mesh%clearance(e) = 0.5_wp*hole%diameter - mesh%radius(e)
+         mesh%wall(e) = hole%wall_stiffness
+         if (.not. hole%wall_stiffness > 0.0_wp) mesh%wall(e) = model%numerics%gk_contact
+         mesh%eps_nmax(e) = model%numerics%eps_nmax
+         if (hole%mud_sheath > 0.0_wp) mesh%eps_nmax(e) = hole%mud_sheath/mesh%clearance(e)  ! = 2 t/(D - d)
+         mu_axial = hole%friction_axial
+         mu_rotary = hole%friction_rotary
+      end associate
+      if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
+      if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
+      call friction_split(load_case, mu_axial, mu_rotary, mesh%radius(e), mesh%axial(e), mesh%rotary(e))
+   end subroutine put_in_hole
+
+   !> Depths of the nodes [m], from the first station to the bit.
+   pure function node_depths(model, load_case, element_length) result(depths)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: element_length
+      real(wp), allocatable :: depths(:)
+      real(wp), allocatable :: breaks(:), kept(:), tops(:)
+      real(wp) :: top, bit, gap
+      integer :: i, j, n, pieces, index
+      top = model%trajectory%md(1)
+      bit = load_case%bit_depth
+      index = string_index(model%strings, load_case%string)
+      tops = component_tops(model%strings(index), bit - top)
+      breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
+      breaks = pack(breaks, breaks > top .and. breaks < bit)
+      call sort(breaks)
+      gap = merge_share*element_length
+      allocate (kept(size(breaks) + 2))
+      kept(1) = top
+      n = 1
+      do i = 1, size(breaks)
+         if (breaks(i) - kept(n) <= gap .or. bit - breaks(i) <= gap) cycle
+         n = n + 1
+         kept(n) = breaks(i)
+      end do
+      n = n + 1
+      kept(n) = bit
+      pieces = 0
+      do i = 2, n
+         pieces = pieces + piece_count(kept(i) - kept(i - 1), element_length)
+      end do
+      allocate (depths(pieces + 1))
+      depths(1) = top
+      index = 1
+      do i = 2, n
+         pieces = piece_count(kept(i) - kept(i - 1), element_length)
+         do j = 1, pieces
+            depths(index + j) = kept(i - 1) + (kept(i) - kept(i - 1))*j/pieces
+         end do
+         index = index + pieces
+         depths(index) = kept(i)
+      end do
+   end function node_depths
+
+   !> Elements in a piece of string, none longer than asked for beyond round-off.
+   pure function piece_count(length, element_length) result(pieces)
+      real(wp), intent(in) :: length, element_length
+      integer :: pieces
+      pieces = max(1, ceiling(length/element_length*(1.0_wp - merge_share)))
+   end function piece_count
+
+   !> Ascending order by insertion: a few hundred depths at most, nearly sorted.
+   pure subroutine sort(values)
+      real(wp), intent(inout) :: values(:)
+      real(wp) :: value
+      integer :: i, j
+      do i = 2, size(values)
+         value = values(i)
+         j = i - 1
+         do while (j >= 1)
+            if (values(j) <= value) exit
+            values(j + 1) = values(j)
+            j = j - 1
+         end do
+         values(j + 1) = value
+      end do
+   end subroutine sort
+end module dg_mesh

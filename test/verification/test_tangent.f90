@@ -1,0 +1,196 @@
+!> The consistent tangent against central differences of the residual, entry by entry, on a short curved string
+!> with contact in all states, friction in both directions, torque and supports.
+module dg_test_tangent
+   use funit, only: TestMethod, TestSuite, assertTrue, assertEqual, assertLessThan
+   use dg_kinds, only: wp
+   use dg_constants, only: degree
+   use dg_assembly, only: assemble, load_type, new_workspace, workspace_type
+   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
+   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_error, only: error_type
+   use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
+   use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_mesh, only: mesh_type
+   use dg_trajectory, only: arc_at, frame_on_arc, interpolation_minimum_curvature, new_trajectory, point_on_arc, trajectory_type
+   implicit none
+   private
+   public :: tangent_suite
+
+   !> Step of the central difference: its truncation error goes with the square, its round-off with the inverse.
+   real(wp), parameter :: step = 1.0e-6_wp
+   !> Of an entry against the largest in its unknown's row and column scale. Seen: 3e-9.
+   real(wp), parameter :: tolerance = 1.0e-7_wp
+
+contains
+
+   function tangent_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('tangent')
+      call suite%addTest(TestMethod('beam_parts_sum_to_second_derivative', beam_parts_sum_to_second_derivative))
+      call suite%addTest(TestMethod('whole_string_tangent_matches_differences', whole_string_tangent_matches_differences))
+      call suite%addTest(TestMethod('conservative_tangent_is_symmetric', conservative_tangent_is_symmetric))
+   end function tangent_suite
+
+   !> K0 + KN + Ksigma is the derivative of the internal force.
+   subroutine beam_parts_sum_to_second_derivative()
+      type(beam_section_type) :: section
+      real(wp) :: chord(3), d_i(3), d_j(3), y(12), plus(12), minus(12), axial, force(12)
+      real(wp) :: total(12, 12), k0(12, 12), kn(12, 12), ksigma(12, 12), differences(12, 12), straight(3)
+      integer :: i
+      straight = [0.0_wp, 0.0_wp, 1.0_wp]
+      section = beam_section_type(5.0_wp, 5.0_wp, 7.0e8_wp, 1.2e6_wp, 0.9e6_wp)
+      y = [0.01_wp, -0.02_wp, 0.03_wp, 0.02_wp, -0.01_wp, 1.0_wp, 0.05_wp, 0.02_wp, 5.031_wp, -0.015_wp, 0.03_wp, 0.99_wp]
+      chord = y(7:9) - y(1:3)
+      d_i = y(4:6)
+      d_j = y(10:12)
+      call beam_tangent(section, chord, d_i, d_j, force, axial, total)
+      call beam_tangent_parts(section, chord, d_i, d_j, 5.0_wp*straight, straight, straight, k0, kn, ksigma)
+      do i = 1, 12
+         plus = shifted(i, step)
+         minus = shifted(i, -step)
+         differences(:, i) = (plus - minus)/(2.0_wp*step)
+      end do
+      call assertLessThan(maxval(abs(differences - total))/maxval(abs(total)), tolerance, message='beam tangent')
+      call assertLessThan(maxval(abs(k0 + kn + ksigma - total))/maxval(abs(total)), 1.0e-14_wp, message='sum of parts')
+      call assertTrue(maxval(abs(kn)) > 0.0_wp .and. maxval(abs(ksigma)) > 0.0_wp, message='parts are not empty')
+   contains
+      function shifted(index, amount) result(f)
+         integer, intent(in) :: index
+         real(wp), intent(in) :: amount
+         real(wp) :: f(12), z(12), n
+         z = y
+         z(index) = z(index) + amount
+         call beam_force(section, z(7:9) - z(1:3), z(4:6), z(10:12), f, n)
+      end function shifted
+   end subroutine beam_parts_sum_to_second_derivative
+
+   !> A string of six elements around a bend whose plane turns, with every kind of action on it.
+   subroutine curved_string(trajectory, mesh, gaps, loads, state)
+      type(trajectory_type), intent(out) :: trajectory
+      type(mesh_type), intent(out) :: mesh
+      type(gap_table_type), intent(out) :: gaps
+      type(load_type), intent(out) :: loads
+      real(wp), allocatable, intent(out) :: state(:, :)
+      type(error_type), allocatable :: error
+      type(gap_law_type) :: law
+      real(wp) :: tangent(3), curvature(3), end_point(3)
+      integer, parameter :: elements = 6
+      integer :: e, n, a
+      call new_trajectory(trajectory, [0.0_wp, 11.0_wp, 24.0_wp, 40.0_wp], [20.0_wp, 24.0_wp, 31.0_wp, 36.0_wp]*degree, &
+                          [10.0_wp, 14.0_wp, 11.0_wp, 20.0_wp]*degree, interpolation_minimum_curvature, error)
+      mesh%elements = elements
+      mesh%nodes = elements + 1
+      mesh%md = [(5.0_wp*n, n=0, elements)]
+      allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes), mesh%chord(3, elements))
+      do n = 1, mesh%nodes
+         a = arc_at(trajectory, mesh%md(n))
+         mesh%arc(n) = a
+         call point_on_arc(trajectory%arcs(a), mesh%md(n) - trajectory%arcs(a)%md, mesh%base(:, n), tangent, curvature)
+         call frame_on_arc(trajectory%arcs(a), mesh%md(n) - trajectory%arcs(a)%md, mesh%frame(:, 1, n), mesh%frame(:, 2, n), &
+                           mesh%frame(:, 3, n))
+      end do
+      do e = 1, elements
+         end_point = mesh%base(:, e + 1)
+         do a = mesh%arc(e), mesh%arc(e + 1) - 1
+            end_point = end_point + trajectory%arcs(a)%chord
+         end do
+         mesh%chord(:, e) = end_point - mesh%base(:, e)
+      end do
+      mesh%length = spread(5.0_wp, 1, elements)
+      mesh%ea = spread(7.0e8_wp, 1, elements)
+      mesh%ei = spread(1.2e6_wp, 1, elements)
+      mesh%gj = spread(0.9e6_wp, 1, elements)
+      mesh%weight = spread(260.0_wp, 1, elements)
+      mesh%radius = spread(0.08_wp, 1, elements)
+      mesh%axial = [0.2_wp, -0.2_wp, 0.1_wp, 0.3_wp, 0.2_wp, 0.2_wp]
+      mesh%rotary = [0.2_wp, 0.2_wp, 0.3_wp, 0.0_wp, 0.1_wp, 0.2_wp]
+      law = gap_law_type(clearance=0.045_wp, minimum=0.0_wp, contact=5.0e5_wp, maximum=3.0e6_wp, eps_nmax=0.05_wp)
+      gaps = new_gap_table([(law, e=1, elements)], 0.5_wp)
+      gaps%xi = [0.5_wp, 0.2_wp, 1.0_wp, 0.7_wp, 0.0_wp, 0.4_wp]
+      gaps%state = [state_elastic, state_elastic, state_rigid, state_free, state_elastic, state_rigid]
+      loads = load_type(wob=3.0e4_wp, tob=2.0e3_wp, friction_scale=0.9_wp, top_support=1.0e6_wp, bit_support=1.0e6_wp)
+      allocate (state(6, mesh%nodes))
+      do n = 1, mesh%nodes
+         state(:, n) = [0.001_wp*n, 0.046_wp*cos(0.3_wp*n), 0.047_wp*sin(0.3_wp*n), -0.02_wp*n, 0.004_wp*sin(1.0_wp*n), &
+                        0.003_wp*cos(2.0_wp*n)]
+      end do
+      state(1, 1) = 0.0_wp
+      state(4, 1) = 0.0_wp
+   end subroutine curved_string
+
+   subroutine whole_string_tangent_matches_differences()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(block_matrix_type) :: matrix, spare
+      real(wp), allocatable :: state(:, :), residual(:, :), plus(:, :), minus(:, :), changed(:, :)
+      real(wp), allocatable :: dense(:, :)
+      real(wp) :: worst, scale(6), error
+      integer :: n, i, k, m
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      work = new_workspace(mesh)
+      matrix = new_block_matrix(mesh%nodes)
+      spare = new_block_matrix(mesh%nodes)
+      allocate (residual, plus, minus, mold=state)
+      call assemble(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
+      dense = to_dense(matrix)
+      ! A row or column of forces and metres is stiffer than one of moments and slopes by a length squared.
+      scale = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp]
+      worst = 0.0_wp
+      do n = 1, mesh%nodes
+         do i = 1, 6
+            if (n == 1 .and. (i == 1 .or. i == 4)) cycle   ! held
+            changed = state
+            changed(i, n) = state(i, n) + step
+            call assemble(trajectory, mesh, loads, gaps, changed, .false., work, plus, spare)
+            changed(i, n) = state(i, n) - step
+            call assemble(trajectory, mesh, loads, gaps, changed, .false., work, minus, spare)
+            plus = (plus - minus)/(2.0_wp*step)
+            do m = 1, mesh%nodes
+               do k = 1, 6
+                  if (m == 1 .and. (k == 1 .or. k == 4)) cycle
+                  error = abs(plus(k, m) - dense(6*(m - 1) + k, 6*(n - 1) + i))
+                  error = error/sqrt(abs(dense(6*(m - 1) + k, 6*(m - 1) + k)*dense(6*(n - 1) + i, 6*(n - 1) + i)))
+                  worst = max(worst, error)
+               end do
+            end do
+         end do
+      end do
+      call assertLessThan(worst, tolerance, message='largest deviation of the tangent from differences')
+   end subroutine whole_string_tangent_matches_differences
+
+   !> Without friction and torque the tangent is the second derivative of an energy.
+   subroutine conservative_tangent_is_symmetric()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(block_matrix_type) :: matrix
+      real(wp), allocatable :: state(:, :), residual(:, :), dense(:, :)
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      loads%wob = 0.0_wp     ! along the turning tangent: a follower force, with a small unsymmetric part of its own
+      work = new_workspace(mesh)
+      matrix = new_block_matrix(mesh%nodes)
+      allocate (residual, mold=state)
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, matrix)
+      dense = to_dense(matrix)
+      call assertLessThan(maxval(abs(dense - transpose(dense)))/maxval(abs(dense)), 1.0e-13_wp, message='asymmetry')
+   end subroutine conservative_tangent_is_symmetric
+
+   function to_dense(matrix) result(dense)
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), allocatable :: dense(:, :)
+      integer :: n, a
+      allocate (dense(6*size(matrix%diagonal, 3), 6*size(matrix%diagonal, 3)), source=0.0_wp)
+      do n = 1, size(matrix%diagonal, 3)
+         a = 6*(n - 1)
+         dense(a + 1:a + 6, a + 1:a + 6) = matrix%diagonal(:, :, n)
+         if (n == size(matrix%diagonal, 3)) exit
+         dense(a + 1:a + 6, a + 7:a + 12) = matrix%upper(:, :, n)
+         dense(a + 7:a + 12, a + 1:a + 6) = matrix%lower(:, :, n)
+      end do
+   end function to_dense
+end module dg_test_tangent
