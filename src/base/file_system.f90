@@ -1,0 +1,92 @@
+!> Files that appear whole or not at all: written under another name in the same folder, then renamed
+!> (POSIX rename replaces in one step).
+module dg_file_system
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+   use dg_error, only: error_type, raise, status_failure
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: write_text_file, rename_file, delete_file
+
+   !> Put behind a file's name while it is being written.
+   character(*), parameter :: unfinished_suffix = '.unfinished'
+
+   interface
+      function c_rename(from, to) result(status) bind(c, name='rename')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: from(*), to(*)
+         integer(c_int) :: status
+      end function c_rename
+
+      function c_remove(path) result(status) bind(c, name='remove')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int) :: status
+      end function c_remove
+   end interface
+
+contains
+
+   !> Writes `lines` as the whole content of the file `path`. On any error (no such folder, no right to
+   !> write, disk full) a file of that name stays as it was and nothing unfinished is left.
+   subroutine write_text_file(path, lines, error)
+      character(*), intent(in) :: path
+      type(text_type), intent(in) :: lines(:)
+      type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: unfinished
+      character(256) :: reason
+      integer :: unit, status, i
+      unfinished = path//unfinished_suffix
+      reason = ''
+      open (newunit=unit, file=unfinished, action='write', status='replace', iostat=status, iomsg=reason)
+      if (status /= 0) then
+         call raise(error, status_failure, 'cannot write '//path//': '//trim(reason)//' (is its folder there and writable?)')
+         return
+      end if
+      do i = 1, size(lines)
+         write (unit, '(a)', iostat=status, iomsg=reason) lines(i)%text
+         if (status /= 0) exit
+      end do
+      ! a full disk shows only when buffers are emptied
+      if (status == 0) flush (unit, iostat=status, iomsg=reason)
+      if (status == 0) then
+         close (unit, iostat=status, iomsg=reason)
+      else
+         close (unit, iostat=i)
+      end if
+      if (status /= 0) then
+         call delete_file(unfinished)
+         call raise(error, status_failure, 'writing '//path//' failed: '//trim(reason)//' (is the disk full?)')
+         return
+      end if
+      call rename_file(unfinished, path, error)
+      if (allocated(error)) call delete_file(unfinished)
+   end subroutine write_text_file
+
+   !> Gives a file another name, replacing a file of that name.
+   subroutine rename_file(from, to, error)
+      character(*), intent(in) :: from
+      character(*), intent(in) :: to
+      type(error_type), allocatable, intent(out) :: error
+      if (c_rename(c_text(from), c_text(to)) /= 0) &
+         call raise(error, status_failure, 'cannot rename '//from//' to '//to//' (is that a folder, or not writable?)')
+   end subroutine rename_file
+
+   !> Removes a file; nothing happens where there is none.
+   subroutine delete_file(path)
+      character(*), intent(in) :: path
+      integer(c_int) :: status
+      status = c_remove(c_text(path))
+      if (status /= 0) return ! absent, or not ours to remove: nothing that a caller could do about it
+   end subroutine delete_file
+
+   pure function c_text(text) result(chars)
+      character(*), intent(in) :: text
+      character(kind=c_char) :: chars(len(text) + 1)
+      integer :: i
+      do i = 1, len(text)
+         chars(i) = text(i:i)
+      end do
+      chars(len(text) + 1) = c_null_char
+   end function c_text
+end module dg_file_system

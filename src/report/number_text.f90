@@ -1,0 +1,146 @@
+!> Numbers and texts as cells of tables and of CSV files.
+module dg_number_text
+   use dg_kinds, only: wp
+   use dg_load_case, only: optional_real
+   implicit none
+   private
+   public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
+   public :: csv_number, csv_optional, csv_text
+
+   !> A cell of a table, '-' where there is no value.
+   interface fixed_cell
+      module procedure fixed_cell_of_number, fixed_cell_of_optional
+   end interface fixed_cell
+
+   interface csv_number
+      module procedure csv_real, csv_integer
+   end interface csv_number
+
+   character(*), parameter :: absent = '-'
+
+contains
+
+   !> `value` with `decimals` digits behind the point, right-aligned; in exponent form where it is too
+   !> long for that, and never a negative zero.
+   pure function fixed_cell_of_number(value, width, decimals) result(cell)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: width
+      integer, intent(in) :: decimals
+      character(width) :: cell
+      character(40) :: buffer, form
+      write (form, '(a, i0, a)') '(f40.', decimals, ')'
+      write (buffer, form) value
+      buffer = adjustl(buffer)
+      if (verify(trim(buffer), '-0.') == 0 .and. buffer(1:1) == '-') buffer = buffer(2:)
+      if (len_trim(buffer) >= width) then
+         cell = scientific_cell(value, width)
+      else
+         cell = right_aligned(trim(buffer), width)
+      end if
+   end function fixed_cell_of_number
+
+   !> The same of a number in SI units that may be absent; `unit` is the SI value of one unit shown.
+   pure function fixed_cell_of_optional(number, unit, width, decimals) result(cell)
+      type(optional_real), intent(in) :: number
+      real(wp), intent(in) :: unit
+      integer, intent(in) :: width
+      integer, intent(in) :: decimals
+      character(width) :: cell
+      if (number%present) then
+         cell = fixed_cell_of_number(number%value/unit, width, decimals)
+      else
+         cell = right_aligned(absent, width)
+      end if
+   end function fixed_cell_of_optional
+
+   !> `value` with one digit behind the point and an exponent.
+   pure function scientific_cell(value, width) result(cell)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: width
+      character(width) :: cell
+      character(12) :: buffer
+      write (buffer, '(es12.1e3)') value
+      if (abs(value) < 1.0e99_wp .and. (abs(value) > 1.0e-99_wp .or. abs(value) <= 0.0_wp)) &
+         write (buffer, '(es12.1e2)') value
+      cell = right_aligned(trim(adjustl(buffer)), width)
+   end function scientific_cell
+
+   !> A count; '-' where it does not apply.
+   pure function count_cell(value, width, applies) result(cell)
+      integer, intent(in) :: value
+      integer, intent(in) :: width
+      logical, intent(in), optional :: applies
+      character(width) :: cell
+      character(16) :: buffer
+      write (buffer, '(i0)') value
+      if (present(applies)) then
+         if (.not. applies) buffer = absent
+      end if
+      cell = right_aligned(trim(buffer), width)
+   end function count_cell
+
+   !> Text at the right edge of a cell; cut at its left where it is too long.
+   pure function right_aligned(text, width) result(cell)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(width) :: cell
+      cell = ''
+      if (len(text) <= width) then
+         cell(width - len(text) + 1:) = text
+      else
+         cell = text(len(text) - width + 1:)
+      end if
+   end function right_aligned
+
+   !> Text at the left edge of a cell, one blank behind it; cut with '...' where it is too long.
+   pure function left_aligned(text, width) result(cell)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(width) :: cell
+      cell = text
+      if (len(text) >= width) cell = text(:width - 4)//'...'
+   end function left_aligned
+
+   !> Ten significant digits: users compare files to 1e-6 and better.
+   pure function csv_real(value) result(field)
+      real(wp), intent(in) :: value
+      character(:), allocatable :: field
+      character(40) :: buffer
+      write (buffer, '(g0.10)') value + 0.0_wp ! no negative zero
+      field = trim(adjustl(buffer))
+   end function csv_real
+
+   pure function csv_integer(value) result(field)
+      integer, intent(in) :: value
+      character(:), allocatable :: field
+      character(16) :: buffer
+      write (buffer, '(i0)') value
+      field = trim(buffer)
+   end function csv_integer
+
+   !> A number in SI units over the SI value of one unit, empty where it is absent.
+   pure function csv_optional(number, unit) result(field)
+      type(optional_real), intent(in) :: number
+      real(wp), intent(in) :: unit
+      character(:), allocatable :: field
+      field = ''
+      if (number%present) field = csv_real(number%value/unit)
+   end function csv_optional
+
+   !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180).
+   pure function csv_text(text) result(field)
+      character(*), intent(in) :: text
+      character(:), allocatable :: field
+      integer :: i
+      if (scan(text, ',"'//achar(10)//achar(13)) == 0) then
+         field = text
+         return
+      end if
+      field = '"'
+      do i = 1, len(text)
+         field = field//text(i:i)
+         if (text(i:i) == '"') field = field//'"'
+      end do
+      field = field//'"'
+   end function csv_text
+end module dg_number_text

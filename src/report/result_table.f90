@@ -1,0 +1,339 @@
+!> The tables on standard output: the paper's Table 1, what the run cost, and what was found on the way.
+!> Every line fits 120 columns.
+module dg_result_table
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_comparison, only: moves_axially, percent_error, rotates
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, operation_label, optional_real
+   use dg_model, only: model_type
+   use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: print_result_table, result_table
+
+   integer, parameter :: page_width = 120
+
+   !> Widths of the columns of Table 1; together with the mark they fill the page.
+   integer, parameter :: section_width = 27
+   integer, parameter :: operation_width = 17
+   integer, parameter :: wob_width = 8
+   integer, parameter :: calculated_width = 11
+   integer, parameter :: measured_width = 10
+   integer, parameter :: error_width = 9
+   integer, parameter :: friction_width = 11
+   integer, parameter :: moment_width = 8
+   integer, parameter :: reference_width = 10
+   integer, parameter :: reference_error_width = 7
+
+   !> Widths of the columns of the second table.
+   integer, parameter :: name_width = 24
+   integer, parameter :: status_width = 14
+   integer, parameter :: count_width = 8
+   integer, parameter :: iterations_width = 11
+   integer, parameter :: seconds_width = 9
+   integer, parameter :: residual_width = 10
+
+   !> Behind a row of Table 1 whose numbers are no solution.
+   character(*), parameter :: no_solution_mark = ' !'
+
+contains
+
+   !> Prints the tables of all models of a job, in the job's order, to `unit`.
+   subroutine print_result_table(unit, job, model, results)
+      integer, intent(in) :: unit
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      integer :: i, status
+      allocate (lines, source=result_table(job, model, results))
+      do i = 1, size(lines)
+         write (unit, '(a)', iostat=status) lines(i)%text
+         if (status /= 0) return ! nobody reads on: the files hold the results
+      end do
+   end subroutine print_result_table
+
+   !> The lines of the tables.
+   pure function result_table(job, model, results) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      integer, allocatable :: rows(:)
+      integer :: i, k
+      allocate (lines(0))
+      if (allocated(job%title)) then
+         if (job%title /= '') call append_text(lines, job%title)
+      end if
+      do i = 1, size(job%models)
+         rows = pack([(k, k=1, size(results))], results%model == job%models(i))
+         if (size(rows) == 0) cycle
+         call append_text(lines, '')
+         call append_text(lines, 'Model '//trim(model_name(job%models(i))))
+         call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows))
+         call append_text(lines, '')
+         call append_costs(lines, job%units, model%cases(results(rows)%case_index), results(rows))
+         call append_messages(lines, model%cases(results(rows)%case_index), results(rows))
+      end do
+   end function result_table
+
+   !> Table 1 of the paper; with reference hook loads where any case has one.
+   pure subroutine append_table_1(lines, units, cases, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: cases(:)
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: label(:)
+      logical :: with_reference
+      integer :: first, last, row
+      with_reference = any(cases%reference_hookload%present)
+      call append_table_1_head(lines, units, with_reference)
+      first = 1
+      do while (first <= size(cases))
+         last = end_of_section(cases, first)
+         label = section_label(units, cases(first), results(first))
+         do row = first, max(last, first + size(label) - 1)
+            if (row <= last) then
+               call append_text(lines, label_cell(label, row - first + 1)// &
+                                trim(table_1_row(units, cases(row), results(row), with_reference)))
+            else
+               call append_text(lines, trim(label_cell(label, row - first + 1)))
+            end if
+         end do
+         first = last + 1
+      end do
+      call append_text(lines, repeat('-', table_1_width(with_reference)))
+      call append_error(lines, 'Hook load against measurement', cases, results, &
+                        percent_error(results%hookload, cases%measured_hookload))
+      call append_error(lines, 'Hook load against reference', cases, results, &
+                        percent_error(results%hookload, cases%reference_hookload))
+      call append_error(lines, 'Force moment against measurement', cases, results, &
+                        percent_error(results%torque, cases%measured_torque))
+   end subroutine append_table_1
+
+   pure subroutine append_table_1_head(lines, units, with_reference)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      logical, intent(in) :: with_reference
+      character(:), allocatable :: first, second, third
+      first = left_aligned('Section and well depth', section_width)//left_aligned('Load case', operation_width)// &
+         right_aligned('Drilling', wob_width)//right_aligned('Calculated', calculated_width)// &
+         right_aligned('Measured', measured_width)//right_aligned('Relative', error_width)// &
+         right_aligned('Frictional', friction_width)//right_aligned('Force', moment_width)
+      second = repeat(' ', section_width + operation_width)// &
+         right_aligned('weight', wob_width)//right_aligned('hook load', calculated_width)// &
+         right_aligned('hook load', measured_width)//right_aligned('error', error_width)// &
+         right_aligned('resistance', friction_width)//right_aligned('moment', moment_width)
+      third = repeat(' ', section_width + operation_width)// &
+         right_aligned(trim(units%force_label), wob_width)//right_aligned(trim(units%force_label), calculated_width)// &
+         right_aligned(trim(units%force_label), measured_width)//right_aligned('%', error_width)// &
+         right_aligned(trim(units%force_label), friction_width)//right_aligned(moment_unit(units), moment_width)
+      if (with_reference) then
+         first = first//right_aligned('Reference', reference_width)//right_aligned('Error', reference_error_width)
+         second = second//right_aligned('hook load', reference_width)//right_aligned('of it', reference_error_width)
+         third = third//right_aligned(trim(units%force_label), reference_width)//right_aligned('%', reference_error_width)
+      end if
+      call append_text(lines, repeat('-', table_1_width(with_reference)))
+      call append_text(lines, trim(first))
+      call append_text(lines, trim(second))
+      call append_text(lines, trim(third))
+      call append_text(lines, repeat('-', table_1_width(with_reference)))
+   end subroutine append_table_1_head
+
+   pure function table_1_width(with_reference) result(width)
+      logical, intent(in) :: with_reference
+      integer :: width
+      width = section_width + operation_width + wob_width + calculated_width + measured_width + error_width + &
+         friction_width + moment_width
+      if (with_reference) width = width + reference_width + reference_error_width
+   end function table_1_width
+
+   !> One row without its section label. As in the paper, friction belongs to axial motion and the force
+   !> moment to rotation.
+   pure function table_1_row(units, load_case, result, with_reference) result(row)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      logical, intent(in) :: with_reference
+      character(:), allocatable :: row
+      row = left_aligned(trim(operation_label(load_case%operation)), operation_width)// &
+         fixed_cell(load_case%wob/units%force, wob_width, 1)// &
+         fixed_cell(result%hookload/units%force, calculated_width, 1)// &
+         fixed_cell(load_case%measured_hookload, units%force, measured_width, 1)// &
+         fixed_cell(percent_error(result%hookload, load_case%measured_hookload), 1.0_wp, error_width, 2)// &
+         fixed_cell(optional_real(moves_axially(load_case%operation), result%friction), units%force, friction_width, 2)// &
+         fixed_cell(optional_real(rotates(load_case%operation), result%torque), units%moment, moment_width, 2)
+      if (with_reference) row = row// &
+         fixed_cell(load_case%reference_hookload, units%force, reference_width, 1)// &
+         fixed_cell(percent_error(result%hookload, load_case%reference_hookload), 1.0_wp, reference_error_width, 2)
+      if (result%status /= result_converged) row = row//no_solution_mark
+   end function table_1_row
+
+   !> Index of the last of the cases that follow `first` with the same section label and bit depth.
+   pure function end_of_section(cases, first) result(last)
+      type(load_case_type), intent(in) :: cases(:)
+      integer, intent(in) :: first
+      integer :: last
+      !> Depths closer than this count as one [m]: decks give them in whole centimetres at best.
+      real(wp), parameter :: same_depth = 0.005_wp
+      last = first
+      do while (last < size(cases))
+         if (section_of(cases(last + 1)) /= section_of(cases(first))) return
+         if (abs(cases(last + 1)%bit_depth - cases(first)%bit_depth) > same_depth) return
+         last = last + 1
+      end do
+   end function end_of_section
+
+   pure function section_of(load_case) result(section)
+      type(load_case_type), intent(in) :: load_case
+      character(:), allocatable :: section
+      section = ''
+      if (allocated(load_case%section)) section = load_case%section
+   end function section_of
+
+   !> Section, depth and inclination, as lines that fit their column.
+   pure function section_label(units, load_case, result) result(label)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      type(text_type), allocatable :: label(:)
+      real(wp), parameter :: tenth = 10.0_wp !< depths and angles are shown to one digit behind the point
+      allocate (label(0))
+      if (section_of(load_case) /= '') call append_wrapped(label, '', section_of(load_case), section_width - 1)
+      call append_wrapped(label, '', to_text(anint(tenth*load_case%bit_depth/units%length)/tenth)//' '// &
+                          trim(units%length_label)//', '// &
+                          to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', section_width - 1)
+   end function section_label
+
+   pure function label_cell(label, i) result(cell)
+      type(text_type), intent(in) :: label(:)
+      integer, intent(in) :: i
+      character(section_width) :: cell
+      cell = ''
+      if (i <= size(label)) cell = label(i)%text
+   end function label_cell
+
+   !> Mean and worst of the errors that are there, over the cases that were solved; nothing where no case
+   !> has anything to compare with.
+   pure subroutine append_error(lines, what, cases, results, errors)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: what
+      type(load_case_type), intent(in) :: cases(:)
+      type(case_result_type), intent(in) :: results(:)
+      type(optional_real), intent(in) :: errors(:) !< [%]
+      logical :: counted(size(errors))
+      real(wp) :: mean
+      integer :: n, worst
+      character(:), allocatable :: line
+      if (.not. any(errors%present)) return
+      counted = errors%present .and. results%status == result_converged
+      n = count(counted)
+      line = what//': '
+      if (n > 0) then
+         mean = sum(errors%value, mask=counted)/real(n, wp)
+         worst = maxloc(errors%value, mask=counted, dim=1)
+         line = line//'mean error '//trim(adjustl(fixed_cell(mean, 12, 2)))//' %, worst '// &
+            trim(adjustl(fixed_cell(errors(worst)%value, 12, 2)))//' % ('//cases(worst)%name//'), '//to_text(n)
+         if (n == 1) line = line//' case'
+         if (n /= 1) line = line//' cases'
+      else
+         line = line//'no case solved'
+      end if
+      if (count(errors%present) > n) line = line//', '//to_text(count(errors%present) - n)//' not solved left out'
+      call append_wrapped(lines, '', line, page_width)
+   end subroutine append_error
+
+   !> What each case cost and where its gaps ended; '-' for models without gaps.
+   pure subroutine append_costs(lines, units, cases, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: cases(:)
+      type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: rule
+      logical :: gaps
+      integer :: i
+      rule = repeat('-', name_width + status_width + 6*count_width + iterations_width + seconds_width)
+      call append_text(lines, rule)
+      call append_text(lines, left_aligned('Case', name_width)//left_aligned('Status', status_width)// &
+                       right_aligned('Elements', count_width)//right_aligned('Iterations', iterations_width)// &
+                       right_aligned('Seconds', seconds_width)//right_aligned('Free', count_width)// &
+                       right_aligned('Elastic', count_width)//right_aligned('Rigid', count_width)// &
+                       right_aligned('Flips', count_width)//right_aligned('Moves', count_width))
+      call append_text(lines, rule)
+      do i = 1, size(results)
+         gaps = any(results(i)%states > 0)
+         call append_text(lines, left_aligned(cases(i)%name, name_width)// &
+                          left_aligned(trim(result_status_name(results(i)%status)), status_width)// &
+                          count_cell(results(i)%elements, count_width)// &
+                          count_cell(results(i)%iterations, iterations_width, gaps)// &
+                          fixed_cell(results(i)%seconds, seconds_width, 3)// &
+                          count_cell(results(i)%states(0), count_width, gaps)// &
+                          count_cell(results(i)%states(1), count_width, gaps)// &
+                          count_cell(results(i)%states(2), count_width, gaps)// &
+                          count_cell(results(i)%flips, count_width, gaps)// &
+                          count_cell(results(i)%moves, count_width, gaps))
+      end do
+      call append_text(lines, rule)
+      call append_text(lines, left_aligned('all', name_width)// &
+                       left_aligned(to_text(count(results%status == result_converged))//' of '// &
+                                    to_text(size(results)), status_width)// &
+                       count_cell(sum(results%elements), count_width)// &
+                       count_cell(sum(results%iterations), iterations_width)// &
+                       fixed_cell(sum(results%seconds), seconds_width, 3)// &
+                       '   equilibrium to '//trim(adjustl(scientific_cell( &
+                       maxval(results%equilibrium_force)/units%force, residual_width)))//' '//trim(units%force_label)// &
+                       ', '//trim(adjustl(scientific_cell( &
+                       maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '//moment_unit(units))
+   end subroutine append_costs
+
+   !> What the models had to say, and what the mark in Table 1 means.
+   pure subroutine append_messages(lines, cases, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(load_case_type), intent(in) :: cases(:)
+      type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: message
+      integer :: i
+      do i = 1, size(results)
+         message = ''
+         if (allocated(results(i)%message)) message = results(i)%message
+         if (results(i)%status /= result_converged) then
+            if (message == '') message = 'no reason given'
+            message = trim(result_status_name(results(i)%status))//', numbers are no solution: '//message
+            call append_wrapped(lines, '! '//cases(i)%name//': ', message, page_width)
+         else if (message /= '') then
+            call append_wrapped(lines, cases(i)%name//': ', message, page_width)
+         end if
+      end do
+   end subroutine append_messages
+
+   !> Appends a text in lines of at most `width`, broken at blanks where there are any, later lines
+   !> indented by two.
+   pure subroutine append_wrapped(lines, head, text, width)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(*), parameter :: indent = '  '
+      character(:), allocatable :: rest
+      integer :: cut
+      rest = head//text
+      do while (len_trim(rest) > width)
+         cut = index(rest(:width + 1), ' ', back=.true.)
+         if (cut <= len(indent) + 1) cut = width + 1
+         call append_text(lines, trim(rest(:cut - 1)))
+         rest = indent//trim(adjustl(rest(cut:)))
+      end do
+      call append_text(lines, trim(rest))
+   end subroutine append_wrapped
+
+   !> The moment's unit as text for readers ('kNm' is for file headers).
+   pure function moment_unit(units) result(label)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: label
+      label = 'kN.m'
+      if (units%name == 'field') label = 'kft.lbf'
+   end function moment_unit
+end module dg_result_table
