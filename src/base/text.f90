@@ -1,0 +1,217 @@
+!> Small text tools: letter case, likeness of names, numbers as text with the fewest digits.
+module dg_text
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: text_type, append_text, joined
+   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free
+
+   !> A text of its own length, for lists of texts.
+   type :: text_type
+      character(:), allocatable :: text
+   end type text_type
+
+   !> Digits that a double always keeps through text and back.
+   integer, parameter :: safe_digits = 15
+   !> Longest piece of a user's text that a message repeats.
+   integer, parameter :: quote_limit = 48
+
+   !> A number as text: integers plainly, reals with the fewest digits that give the number back.
+   interface to_text
+      module procedure integer_text
+      module procedure real_text
+   end interface to_text
+
+contains
+
+   !> Puts one text at the end of a list; an unallocated list is an empty one.
+   pure subroutine append_text(list, text)
+      type(text_type), allocatable, intent(inout) :: list(:)
+      character(*), intent(in) :: text
+      type(text_type), allocatable :: longer(:)
+      integer :: n
+      n = 0
+      if (allocated(list)) n = size(list)
+      allocate (longer(n + 1))
+      if (n > 0) longer(:n) = list
+      longer(n + 1)%text = text
+      call move_alloc(longer, list)
+   end subroutine append_text
+
+   !> The texts of a list in one, with `separator` between them.
+   pure function joined(list, separator) result(text)
+      character(*), intent(in) :: list(:)   !< blanks at the end of each are dropped
+      character(*), intent(in) :: separator
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, size(list)
+         if (i > 1) text = text//separator
+         text = text//trim(list(i))
+      end do
+   end function joined
+
+   !> ASCII capitals to small letters; other bytes stay as they are.
+   pure function lower_case(text) result(lower)
+      character(*), intent(in) :: text
+      character(len(text)) :: lower
+      integer, parameter :: shift = iachar('a') - iachar('A')
+      integer :: i
+      do i = 1, len(text)
+         lower(i:i) = text(i:i)
+         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') lower(i:i) = achar(iachar(text(i:i)) + shift)
+      end do
+   end function lower_case
+
+   !> A user's text in quotes for a message: cut to a readable length, control bytes shown as '?'.
+   pure function quoted(text) result(shown)
+      character(*), intent(in) :: text
+      character(:), allocatable :: shown
+      integer :: i
+      if (len(text) > quote_limit) then
+         shown = text(:quote_limit - 3)//'...'
+      else
+         shown = text
+      end if
+      do i = 1, len(shown)
+         if (iachar(shown(i:i)) < iachar(' ') .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
+      end do
+      shown = "'"//shown//"'"
+   end function quoted
+
+   !> Least number of letters put in, left out, changed or swapped with a neighbour that turns `a` into
+   !> `b` (optimal string alignment; Damerau 1964: these four slips make up nearly all misspellings).
+   pure function edit_distance(a, b) result(distance)
+      character(*), intent(in) :: a, b
+      integer :: distance
+      integer :: cost(0:len(a), 0:len(b))
+      integer :: i, j, change
+      cost(:, 0) = [(i, i=0, len(a))]
+      cost(0, :) = [(j, j=0, len(b))]
+      do j = 1, len(b)
+         do i = 1, len(a)
+            change = merge(0, 1, a(i:i) == b(j:j))
+            cost(i, j) = min(cost(i - 1, j) + 1, cost(i, j - 1) + 1, cost(i - 1, j - 1) + change)
+            if (swapped(i, j)) cost(i, j) = min(cost(i, j), cost(max(i - 2, 0), max(j - 2, 0)) + 1)
+         end do
+      end do
+      distance = cost(len(a), len(b))
+   contains
+      !> Whether the letters that end here are two neighbours in the other order.
+      pure function swapped(i, j)
+         integer, intent(in) :: i, j
+         logical :: swapped
+         swapped = i > 1 .and. j > 1
+         if (swapped) swapped = a(i:i) == b(j - 1:j - 1) .and. a(i - 1:i - 1) == b(j:j)
+      end function swapped
+   end function edit_distance
+
+   !> The candidate most like `name` (letter case aside), or '' where none is near: more than two slips and
+   !> more than a third of the letters is another word.
+   pure function nearest_name(name, candidates) result(nearest)
+      character(*), intent(in) :: name
+      character(*), intent(in) :: candidates(:)
+      character(:), allocatable :: nearest
+      integer :: i, distance, best
+      nearest = ''
+      best = max(2, len_trim(name)/3) + 1
+      if (len_trim(name) <= 2) best = 2   ! two slips would turn a two-letter name into any other
+      do i = 1, size(candidates)
+         distance = edit_distance(trim(lower_case(name)), trim(lower_case(candidates(i))))
+         if (distance < best) then
+            best = distance
+            nearest = trim(candidates(i))
+         end if
+      end do
+   end function nearest_name
+
+   !> What to say of an unknown name: the nearest legal one where one is near, else all of them.
+   pure function suggestion(name, candidates) result(advice)
+      character(*), intent(in) :: name
+      character(*), intent(in) :: candidates(:)
+      character(:), allocatable :: advice
+      advice = nearest_name(name, candidates)
+      if (advice /= '') then
+         advice = "did you mean '"//advice//"'?"
+      else
+         advice = 'legal: '//joined(candidates, ', ')
+      end if
+   end function suggestion
+
+   !> Whether a text is safe as part of a file name: letters, digits and _ - . + only, not empty, not a
+   !> dot first.
+   pure function is_separator_free(text) result(safe)
+      character(*), intent(in) :: text
+      logical :: safe
+      character(*), parameter :: allowed = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+'
+      safe = len(text) > 0 .and. verify(text, allowed) == 0
+      if (safe) safe = text(1:1) /= '.'
+   end function is_separator_free
+
+   !> An integer as text.
+   pure function integer_text(number) result(text)
+      integer, intent(in) :: number
+      character(:), allocatable :: text
+      character(16) :: buffer
+      write (buffer, '(i0)') number
+      text = trim(buffer)
+   end function integer_text
+
+   !> A finite real as text with the fewest digits that give it back to `digits` significant ones
+   !> (default 15): plain where it is short, with an exponent else.
+   pure function real_text(number, digits) result(text)
+      real(wp), intent(in) :: number
+      integer, intent(in), optional :: digits
+      character(:), allocatable :: text
+      character(40) :: buffer, longest
+      character(:), allocatable :: mantissa, sign
+      real(wp) :: wanted, found
+      integer :: n, most, exponent, point
+      ! plain notation for 0.0001 up to ten million less one
+      integer, parameter :: least_plain = -4, most_plain = 6
+
+      if (abs(number) <= 0.0_wp) then
+         text = '0'
+         return
+      end if
+      most = safe_digits
+      if (present(digits)) most = max(1, min(digits, safe_digits))
+      call write_digits(number, most, longest)
+      read (longest, *) wanted
+      do n = 1, most
+         call write_digits(number, n, buffer)
+         read (buffer, *) found
+         if (abs(found - wanted) <= 0.0_wp) exit
+      end do
+      sign = ''
+      if (number < 0.0_wp) sign = '-'
+      buffer = adjustl(buffer)
+      if (buffer(1:1) == '-') buffer = buffer(2:)
+      point = index(buffer, 'E')
+      read (buffer(point + 1:), *) exponent
+      mantissa = buffer(1:1)//buffer(3:point - 1)          ! digits without the point
+      n = min(n, most)
+      mantissa = mantissa(:n)
+      if (exponent < least_plain .or. exponent > most_plain) then
+         text = sign//mantissa(1:1)
+         if (n > 1) text = text//'.'//mantissa(2:)
+         text = text//'e'//integer_text(exponent)
+      else if (exponent < 0) then
+         text = sign//'0.'//repeat('0', -exponent - 1)//mantissa
+      else if (n <= exponent + 1) then
+         text = sign//mantissa//repeat('0', exponent + 1 - n)
+      else
+         text = sign//mantissa(:exponent + 1)//'.'//mantissa(exponent + 2:)
+      end if
+   end function real_text
+
+   !> `number` in the form d.ddE+ddd with `digits` digits.
+   pure subroutine write_digits(number, digits, buffer)
+      real(wp), intent(in) :: number
+      integer, intent(in) :: digits
+      character(*), intent(out) :: buffer
+      character(16) :: form
+      write (form, '(a,i0,a)') '(es30.', digits - 1, 'e3)'
+      write (buffer, form) number
+   end subroutine write_digits
+end module dg_text
