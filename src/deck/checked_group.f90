@@ -1,0 +1,122 @@
+!> One group of a deck after checking: a value for each key of its table, with ways to ask for it.
+module dg_checked_group
+   use dg_kinds, only: wp
+   use dg_deck_schema, only: key_rule_type
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: value_type, checked_group_type, rule_index
+   public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of
+
+   !> The value of one key in one group.
+   type :: value_type
+      logical :: given = .false.             !< stands in the deck
+      logical :: sound = .false.             !< holds a legal value, given or by default
+      integer :: line = 0                    !< of the key; of the group where not given
+      real(wp), allocatable :: numbers(:)    !< SI; integers too
+      logical :: flag = .false.
+      type(text_type), allocatable :: texts(:)
+   end type value_type
+
+   !> One group with a value for each of its keys.
+   type :: checked_group_type
+      character(:), allocatable :: name
+      integer :: line = 0
+      type(key_rule_type), allocatable :: rules(:)
+      type(value_type), allocatable :: values(:)  !< in the order of the rules
+   end type checked_group_type
+
+contains
+
+   !> Place of a key in the table, 0 where there is none of that name.
+   pure function rule_index(rules, key) result(index)
+      type(key_rule_type), intent(in) :: rules(:)
+      character(*), intent(in) :: key
+      integer :: index
+      do index = 1, size(rules)
+         if (rules(index)%key == key) return
+      end do
+      index = 0
+   end function rule_index
+
+   !> Whether a key stands in the deck, right or wrong.
+   pure function is_given(group, key) result(given)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical :: given
+      given = group%values(rule_index(group%rules, key))%given
+   end function is_given
+
+   !> Whether a key has a legal value, from the deck or by default.
+   pure function is_sound(group, key) result(sound)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical :: sound
+      sound = group%values(rule_index(group%rules, key))%sound
+   end function is_sound
+
+   !> Line of a key; of its group where it is not given.
+   pure function line_of(group, key) result(line)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      integer :: line
+      line = group%values(rule_index(group%rules, key))%line
+   end function line_of
+
+   !> The number of a key [SI], or `otherwise` where it has no legal one.
+   pure function real_of(group, key, otherwise) result(number)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      real(wp), intent(in) :: otherwise
+      real(wp) :: number
+      number = otherwise
+      if (is_sound(group, key)) number = group%values(rule_index(group%rules, key))%numbers(1)
+   end function real_of
+
+   !> The whole number of a key, or `otherwise`.
+   pure function integer_of(group, key, otherwise) result(number)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      integer, intent(in) :: otherwise
+      integer :: number
+      number = nint(real_of(group, key, real(otherwise, wp)))
+   end function integer_of
+
+   !> The logical of a key, or `otherwise`.
+   pure function logical_of(group, key, otherwise) result(flag)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical, intent(in) :: otherwise
+      logical :: flag
+      flag = otherwise
+      if (is_sound(group, key)) flag = group%values(rule_index(group%rules, key))%flag
+   end function logical_of
+
+   !> The text of a key, or `otherwise`.
+   pure function text_of(group, key, otherwise) result(text)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      character(*), intent(in) :: otherwise
+      character(:), allocatable :: text
+      text = otherwise
+      if (is_sound(group, key)) text = group%values(rule_index(group%rules, key))%texts(1)%text
+   end function text_of
+
+   !> All numbers of a key [SI]; none where it has no legal ones.
+   pure function reals_of(group, key) result(numbers)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      real(wp), allocatable :: numbers(:)
+      allocate (numbers(0))
+      if (is_sound(group, key)) numbers = group%values(rule_index(group%rules, key))%numbers
+   end function reals_of
+
+   !> All texts of a key; none where it has no legal ones.
+   pure function texts_of(group, key) result(texts)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      type(text_type), allocatable :: texts(:)
+      allocate (texts(0))
+      if (is_sound(group, key)) texts = group%values(rule_index(group%rules, key))%texts
+   end function texts_of
+end module dg_checked_group

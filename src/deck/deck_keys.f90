@@ -1,0 +1,201 @@
+!> The tables of all groups and keys of a deck: one place for checking, conversion and documentation.
+!> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
+module dg_deck_keys
+   use dg_kinds, only: wp
+   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical, unit_length, &
+      unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, unit_modulus, unit_stress, unit_wall, &
+      unit_rotation, unit_speed, unit_gravity
+   use dg_load_case, only: operation_count, operation_name, operation_alias
+   use dg_text, only: joined
+   implicit none
+   private
+   public :: group_rules, keys_of, operation_words
+
+   type(group_rule_type), parameter :: group_rules(12) = [ &
+      group_rule_type('job', meaning='what to run, in which units, where results go'), &
+      group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
+      group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
+      group_rule_type('fluid', meaning='the mud'), &
+      group_rule_type('component', repeatable=.true., required=.true., &
+         meaning='a part of a drillstring; listed from the bit upwards'), &
+      group_rule_type('boundary', meaning='supports of the ends of the string'), &
+      group_rule_type('load_case', repeatable=.true., required=.true., &
+         meaning='what is done to the string, at which depth, with which loads'), &
+      group_rule_type('solver', meaning='numbers that steer the solution'), &
+      group_rule_type('sweep', repeatable=.true., available=.false., meaning='hook load and torque against depth'), &
+      group_rule_type('calibrate', repeatable=.true., available=.false., meaning='friction from measured hook load and torque'), &
+      group_rule_type('study', available=.false., meaning='accuracy and cost of models and settings'), &
+      group_rule_type('legacy', repeatable=.true., available=.false., meaning='results of another program, beside ours')]
+
+   ! Bounds [deck units of SI].
+   real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
+   real(wp), parameter :: widest = 5.0e3_wp       ! mm
+   real(wp), parameter :: narrowest = 1.0_wp      ! mm; less is a diameter in metres
+   real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
+   real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
+   real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
+   real(wp), parameter :: stiffest = 1.0e15_wp    ! kN/m2
+   real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller
+   real(wp), parameter :: most_threads = 1024.0_wp
+   real(wp), parameter :: most_iterations = 1.0e6_wp
+   real(wp), parameter :: most_steps = 1.0e4_wp
+
+   type(key_rule_type), parameter :: job_keys(9) = [ &
+      key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
+      key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
+      key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft', later='rigid mixed', &
+         meaning='models to run'), &
+      key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
+      key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
+         meaning='acceleration of gravity'), &
+      key_rule_type('job', 'hdf5', kind_logical, default='.true.', meaning='write results.h5'), &
+      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='write plots'), &
+      key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
+      key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
+         meaning='cases solved at a time; 0: all cores')]
+
+   type(key_rule_type), parameter :: trajectory_keys(5) = [ &
+      key_rule_type('trajectory', 'survey_file', kind_text, &
+         meaning='table with a header naming md, inc, azi; path relative to the deck'), &
+      key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
+         meaning='measured depths of the stations'), &
+      key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &
+         meaning='inclinations at the stations'), &
+      key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
+         meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
+      key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
+         meaning='path between stations')]
+
+   type(key_rule_type), parameter :: hole_keys(9) = [ &
+      key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
+      key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='upper end; default the lower end of the section before'), &
+      key_rule_type('hole', 'md_bottom', unit=unit_length, low=0.0_wp, high=deepest, open=.true., &
+         meaning='lower end; default the upper end of the next section, for the last one the last station'), &
+      key_rule_type('hole', 'diameter', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
+         meaning='inside diameter'), &
+      key_rule_type('hole', 'friction', low=0.0_wp, high=roughest, default='0', &
+         meaning='coefficient of friction, axial and rotary'), &
+      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='mu2 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='mu1 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
+         meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
+      key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section')]
+
+   type(key_rule_type), parameter :: fluid_keys(1) = [ &
+      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the mud')]
+
+   type(key_rule_type), parameter :: component_keys(15) = [ &
+      key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
+      key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
+      key_rule_type('component', 'kind', kind_text, default='drillpipe', &
+         meaning='drillpipe, hwdp, collar, stabilizer, ...: a stabilizer touches at its joint_od'), &
+      key_rule_type('component', 'catalogue', kind_text, later='*', meaning='entry of the catalogue of components'), &
+      key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='0 on the last one: to surface'), &
+      key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=0.0_wp, open=.true., high=widest, &
+         meaning='outside diameter of the body'), &
+      key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
+      key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &
+         meaning='in air, per length; default from od, id and density'), &
+      key_rule_type('component', 'density', unit=unit_density, low=0.0_wp, open=.true., high=heaviest, default='7850', &
+         meaning='of the material, for buoyancy'), &
+      key_rule_type('component', 'youngs', unit=unit_modulus, low=0.0_wp, open=.true., high=1.0e5_wp, default='206', &
+         meaning='Young''s modulus'), &
+      key_rule_type('component', 'poisson', low=0.0_wp, high=0.5_wp, default='0.3', meaning='Poisson''s ratio'), &
+      key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='of tool joints or blades; touches first and sets the torque radius; 0: none'), &
+      key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
+         meaning='of one tool joint'), &
+      key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
+         meaning='distance between tool joints'), &
+      key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
+         meaning='yield strength; 0: not given')]
+
+   type(key_rule_type), parameter :: boundary_keys(2) = [ &
+      key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
+         meaning='lateral support at the top'), &
+      key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
+         meaning='lateral support at the bit')]
+
+   type(key_rule_type), parameter :: load_case_keys(15) = [ &
+      key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
+      key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
+      key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
+      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=0.0_wp, open=.true., high=deepest, &
+         meaning='measured depth of the bit'), &
+      key_rule_type('load_case', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
+      key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
+      key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, meaning='overrides friction of the hole, both ways'), &
+      key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, meaning='overrides mu2 of the hole'), &
+      key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, meaning='overrides mu1 of the hole'), &
+      key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
+      key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string'), &
+      key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='for comparison'), &
+      key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
+      key_rule_type('load_case', 'reference_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='another calculation''s, for comparison')]
+
+   ! Defaults of the solver stand in dg_numerics and are not repeated here.
+   type(key_rule_type), parameter :: solver_keys(17) = [ &
+      key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto standard', later='fast reference', &
+         meaning='set of settings'), &
+      key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
+      key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
+      key_rule_type('solver', 'linear_solver', kind_text, default='banded', choices='banded', later='sparse', &
+         meaning='how the equations are solved'), &
+      key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
+      key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, meaning='of a case'), &
+      key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
+      key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=stiffest, &
+         meaning='rigidity of a free gap: Gkmin, Eq. 7'), &
+      key_rule_type('solver', 'gk_contact', unit=unit_wall, low=0.0_wp, open=.true., high=stiffest, &
+         meaning='rigidity of a wall in elastic contact: Gkc, Eq. 8'), &
+      key_rule_type('solver', 'gk_max', unit=unit_wall, low=0.0_wp, open=.true., high=stiffest, &
+         meaning='rigidity of a rigid wall: Gkmax'), &
+      key_rule_type('solver', 'eps_n0', low=0.0_wp, high=1.0_wp, meaning='threshold of relative compression, Eqs. 7-8'), &
+      key_rule_type('solver', 'eps_nmax', low=0.0_wp, open=.true., high=100.0_wp, &
+         meaning='relative compression at which elastic turns to rigid, Eq. 8'), &
+      key_rule_type('solver', 'r_n0', unit=unit_force, low=0.0_wp, high=1.0e3_wp, meaning='threshold of contact force, Eqs. 7-8'), &
+      key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
+         meaning='a gap moves to an extremum deeper by this part of the clearance'), &
+      key_rule_type('solver', 'step_limit', low=0.0_wp, open=.true., high=1.0e3_wp, &
+         meaning='largest lateral change in an iteration over the clearance'), &
+      key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
+         meaning='lateral offset seeded in compressed parts over the clearance'), &
+      key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
+
+contains
+
+   !> Rules of the keys of a group; none for a group that this version does not have.
+   pure function keys_of(group) result(rules)
+      character(*), intent(in) :: group
+      type(key_rule_type), allocatable :: rules(:)
+      select case (group)
+      case ('job'); rules = job_keys
+      case ('trajectory'); rules = trajectory_keys
+      case ('hole'); rules = hole_keys
+      case ('fluid'); rules = fluid_keys
+      case ('component'); rules = component_keys
+      case ('boundary'); rules = boundary_keys
+      case ('load_case'); rules = load_case_keys
+      case ('solver'); rules = solver_keys
+      case default; allocate (rules(0))
+      end select
+   end function keys_of
+
+   !> Names of all operations with their aliases, blanks between them: too many for a table row.
+   pure function operation_words() result(words)
+      character(:), allocatable :: words
+      integer :: i
+      words = joined(operation_name, ' ')
+      do i = 1, operation_count
+         if (operation_alias(i) /= '') words = words//' '//trim(operation_alias(i))
+      end do
+   end function operation_words
+end module dg_deck_keys

@@ -1,0 +1,71 @@
+!> Makes the model of a draft that is without fault.
+module dg_deck_model
+   use dg_deck_draft, only: draft_type
+   use dg_drillstring, only: drillstring_type
+   use dg_error, only: error_type
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_model, only: model_type
+   use dg_trajectory, only: new_trajectory
+   implicit none
+   private
+   public :: build_model
+
+contains
+
+   !> Builds the model; a path that the stations do not allow is the only fault left to find.
+   subroutine build_model(draft, model, faults)
+      type(draft_type), intent(in) :: draft
+      type(model_type), intent(out) :: model
+      type(fault_list_type), intent(inout) :: faults
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call new_trajectory(model%trajectory, draft%stations%md, draft%stations%inclination, draft%stations%azimuth, &
+                          draft%interpolation, error)
+      if (allocated(error)) then
+         call add_fault(faults, draft%path, draft%trajectory_line, 'group &trajectory: '//error%message)
+         return
+      end if
+      allocate (model%holes(size(draft%holes)), model%cases(size(draft%cases)))
+      do i = 1, size(draft%holes)
+         model%holes(i) = draft%holes(i)%section
+      end do
+      do i = 1, size(draft%cases)
+         model%cases(i) = draft%cases(i)%load_case
+      end do
+      call build_strings(draft, model%strings)
+      model%boundary = draft%boundary
+      model%numerics = draft%numerics
+      model%mud_density = draft%mud_density
+      model%gravity = draft%gravity
+   end subroutine build_model
+
+   !> Components of one name make one string, in the deck's order.
+   pure subroutine build_strings(draft, strings)
+      type(draft_type), intent(in) :: draft
+      type(drillstring_type), allocatable, intent(out) :: strings(:)
+      integer :: string_of(size(draft%components))
+      integer :: i, j, strings_found, part
+      strings_found = 0
+      do i = 1, size(string_of)
+         string_of(i) = 0
+         do j = 1, i - 1
+            if (draft%components(j)%string == draft%components(i)%string) string_of(i) = string_of(j)
+         end do
+         if (string_of(i) > 0) cycle
+         strings_found = strings_found + 1
+         string_of(i) = strings_found
+      end do
+      allocate (strings(strings_found))
+      do j = 1, strings_found
+         allocate (strings(j)%components(count(string_of == j)))
+         part = 0
+         do i = 1, size(string_of)
+            if (string_of(i) /= j) cycle
+            part = part + 1
+            strings(j)%name = draft%components(i)%string
+            strings(j)%components(part) = draft%components(i)%component
+         end do
+      end do
+   end subroutine build_strings
+end module dg_deck_model

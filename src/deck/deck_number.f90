@@ -1,0 +1,77 @@
+!> Numbers and logicals as a namelist writes them. Read with rules of our own, because a processor's
+!> list-directed read takes more than it should (1*, infinities) and says less than a user needs.
+module dg_deck_number
+   use dg_kinds, only: wp
+   use dg_text, only: lower_case
+   implicit none
+   private
+   public :: read_real, read_integer, read_logical
+
+   character(*), parameter :: digits = '0123456789'
+
+contains
+
+   !> A real as Fortran writes one: 1, -1.5, .5, 5., 1e3, 1.5d-3. Infinities and what overflows are none.
+   pure subroutine read_real(text, number, legal)
+      character(*), intent(in) :: text
+      real(wp), intent(out) :: number
+      logical, intent(out) :: legal
+      integer :: at, whole, part, status, exponent
+      !> Beyond this a decimal exponent does not fit a double with any sensible mantissa.
+      integer, parameter :: greatest_exponent = 290
+      integer, parameter :: longest_number = 40
+      number = 0.0_wp
+      legal = .false.
+      if (len(text) == 0 .or. len(text) > longest_number) return
+      at = 1
+      if (scan(text(1:1), '+-') == 1) at = 2
+      whole = verify(text(at:)//' ', digits) - 1
+      at = at + whole
+      part = 0
+      if (at <= len(text)) then
+         if (text(at:at) == '.') then
+            part = verify(text(at + 1:)//' ', digits) - 1
+            at = at + part + 1
+         end if
+      end if
+      if (whole + part == 0) return
+      exponent = 0
+      if (at <= len(text)) then
+         if (scan(text(at:at), 'eEdD') /= 1) return
+         call read_integer(text(at + 1:), exponent, legal)
+         if (.not. legal) return
+      end if
+      legal = abs(exponent) <= greatest_exponent
+      if (.not. legal) return
+      read (text, *, iostat=status) number
+      legal = status == 0
+   end subroutine read_real
+
+   !> A whole number of at most nine digits.
+   pure subroutine read_integer(text, number, legal)
+      character(*), intent(in) :: text
+      integer, intent(out) :: number
+      logical, intent(out) :: legal
+      integer, parameter :: longest = 9
+      integer :: first
+      number = 0
+      legal = len(text) > 0
+      if (.not. legal) return
+      first = merge(2, 1, scan(text(1:1), '+-') == 1)
+      legal = len(text) >= first .and. len(text) - first < longest .and. verify(text(first:), digits) == 0
+      if (legal) read (text, *) number
+   end subroutine read_integer
+
+   !> .true., .t., true, t and the like, letter case aside.
+   pure subroutine read_logical(text, flag, legal)
+      character(*), intent(in) :: text
+      logical, intent(inout) :: flag         !< stays where the text is none
+      logical, intent(out) :: legal
+      legal = .true.
+      select case (lower_case(text))
+      case ('.true.', 'true', '.t.', 't'); flag = .true.
+      case ('.false.', 'false', '.f.', 'f'); flag = .false.
+      case default; legal = .false.
+      end select
+   end subroutine read_logical
+end module dg_deck_number

@@ -1,0 +1,218 @@
+!> Makes holes, components, load cases, boundary and solver settings of checked groups, with the checks that
+!> concern one group alone.
+module dg_deck_parts
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of
+   use dg_component, only: tube_area
+   use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
+   use dg_model, only: boundary_type
+   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes
+   use dg_text, only: is_separator_free, quoted, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
+
+   !> A rigid wall where the deck sets the elastic one alone: stiffer by the ratio of the defaults.
+   real(wp), parameter :: rigid_over_elastic = 10.0_wp
+   !> Digits of a length in a message.
+   integer, parameter :: length_digits = 7
+
+contains
+
+   !> A hole section; its ends may still be open.
+   subroutine draft_hole(group, number, hole)
+      type(checked_group_type), intent(in) :: group
+      integer, intent(in) :: number            !< among the hole sections of the deck
+      type(draft_hole_type), intent(out) :: hole
+      real(wp) :: friction
+      hole%line = group%line
+      hole%line_top = line_of(group, 'md_top')
+      hole%line_bottom = line_of(group, 'md_bottom')
+      hole%has_top = is_given(group, 'md_top')
+      hole%has_bottom = is_given(group, 'md_bottom')
+      hole%sound = all_sound(group)
+      friction = real_of(group, 'friction', 0.0_wp)
+      hole%section%name = text_of(group, 'name', 'hole '//to_text(number))
+      hole%section%md_top = real_of(group, 'md_top', 0.0_wp)
+      hole%section%md_bottom = real_of(group, 'md_bottom', 0.0_wp)
+      hole%section%diameter = real_of(group, 'diameter', 0.0_wp)
+      hole%section%friction_axial = real_of(group, 'friction_axial', friction)
+      hole%section%friction_rotary = real_of(group, 'friction_rotary', friction)
+      hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
+      hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
+   end subroutine draft_hole
+
+   !> A component; checks its diameters and its joints.
+   subroutine draft_component(path, group, units, item, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(draft_component_type), intent(out) :: item
+      type(fault_list_type), intent(inout) :: faults
+      item%line = group%line
+      item%line_length = line_of(group, 'length')
+      item%line_density = line_of(group, 'density')
+      item%line_diameter = line_of(group, 'od')
+      item%sound = all_sound(group)
+      item%string = text_of(group, 'string', 'main')
+      associate (part => item%component)
+         part%kind = text_of(group, 'kind', 'drillpipe')
+         part%name = text_of(group, 'name', part%kind)
+         part%length = real_of(group, 'length', part%length)
+         part%od = real_of(group, 'od', part%od)
+         part%id = real_of(group, 'id', part%id)
+         part%density = real_of(group, 'density', part%density)
+         part%youngs = real_of(group, 'youngs', part%youngs)
+         part%poisson = real_of(group, 'poisson', part%poisson)
+         part%joint_od = real_of(group, 'joint_od', part%joint_od)
+         part%joint_length = real_of(group, 'joint_length', part%joint_length)
+         part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
+         part%yield = real_of(group, 'yield', part%yield)
+         if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
+         if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
+            call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
+         else
+            part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
+         end if
+         if (part%joint_od > 0.0_wp .and. part%joint_od < part%od .and. is_sound(group, 'od')) &
+            call fault(line_of(group, 'joint_od'), 'joint_od = '//wide(part%joint_od)//' is smaller than od = '// &
+                       wide(part%od)//'; 0 or absent: no joints')
+         if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) &
+            call fault(line_of(group, 'joint_length'), 'joint_length = '//to_text(part%joint_length/units%length, &
+                       length_digits)//' is greater than joint_spacing = '// &
+                       to_text(part%joint_spacing/units%length, length_digits))
+      end associate
+
+   contains
+
+      subroutine fault(line, message)
+         integer, intent(in) :: line
+         character(*), intent(in) :: message
+         call add_fault(faults, path, line, 'group &component: '//message)
+         item%sound = .false.
+      end subroutine fault
+
+      function wide(diameter) result(text)
+         real(wp), intent(in) :: diameter
+         character(:), allocatable :: text
+         text = to_text(diameter/units%diameter, length_digits)
+      end function wide
+   end subroutine draft_component
+
+   !> A load case; checks its name and what its operation needs.
+   subroutine draft_case(path, group, item, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(draft_case_type), intent(out) :: item
+      type(fault_list_type), intent(inout) :: faults
+      type(optional_real) :: friction
+      item%line = group%line
+      item%line_name = line_of(group, 'name')
+      item%line_depth = line_of(group, 'bit_depth')
+      item%line_string = line_of(group, 'string')
+      item%sound = all_sound(group)
+      friction = optional_of('friction')
+      associate (case => item%load_case)
+         case%name = text_of(group, 'name', '')
+         case%section = text_of(group, 'section', '')
+         case%string = text_of(group, 'string', 'main')
+         if (is_sound(group, 'operation')) case%operation = operation_from_name(text_of(group, 'operation', ''))
+         case%bit_depth = real_of(group, 'bit_depth', 0.0_wp)
+         case%wob = real_of(group, 'wob', 0.0_wp)
+         case%tob = real_of(group, 'tob', 0.0_wp)
+         case%angular_speed = real_of(group, 'rpm', 0.0_wp)
+         case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
+         case%friction_axial = optional_of('friction_axial')
+         case%friction_rotary = optional_of('friction_rotary')
+         if (.not. case%friction_axial%present) case%friction_axial = friction
+         if (.not. case%friction_rotary%present) case%friction_rotary = friction
+         case%measured_hookload = optional_of('measured_hookload')
+         case%measured_torque = optional_of('measured_torque')
+         case%reference_hookload = optional_of('reference_hookload')
+         if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) &
+            call fault(item%line_name, 'name = '//quoted(case%name)// &
+                       ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+         if (is_sound(group, 'operation') .and. (case%operation == operation_ream .or. &
+                                                 case%operation == operation_backream)) then
+            call need_speed('rpm', case%angular_speed)
+            call need_speed('trip_speed', case%trip_speed)
+         end if
+      end associate
+
+   contains
+
+      subroutine need_speed(key, value)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
+         call fault(line_of(group, key), 'operation '//text_of(group, 'operation', '')//' needs '//key//' > 0')
+      end subroutine need_speed
+
+      subroutine fault(line, message)
+         integer, intent(in) :: line
+         character(*), intent(in) :: message
+         call add_fault(faults, path, line, 'group &load_case: '//message)
+         item%sound = .false.
+      end subroutine fault
+
+      function optional_of(key) result(number)
+         character(*), intent(in) :: key
+         type(optional_real) :: number
+         if (is_sound(group, key)) number = given(real_of(group, key, 0.0_wp))
+      end function optional_of
+   end subroutine draft_case
+
+   !> Supports of the string's ends.
+   function draft_boundary(group) result(boundary)
+      type(checked_group_type), intent(in) :: group
+      type(boundary_type) :: boundary
+      boundary%top_centred = text_of(group, 'top_lateral', 'centred') == 'centred'
+      boundary%bit_centred = text_of(group, 'bit_lateral', 'centred') == 'centred'
+   end function draft_boundary
+
+   !> Settings of the solver; checks their order.
+   subroutine draft_numerics(path, group, numerics, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(numerics_type), intent(out) :: numerics
+      type(fault_list_type), intent(inout) :: faults
+      numerics%element_length = real_of(group, 'element_length', numerics%element_length)
+      if (is_sound(group, 'gap_location')) &
+         numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
+      numerics%tolerance = real_of(group, 'tolerance', numerics%tolerance)
+      numerics%max_iterations = integer_of(group, 'max_iterations', numerics%max_iterations)
+      numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)
+      numerics%gk_min = real_of(group, 'gk_min', numerics%gk_min)
+      numerics%gk_contact = real_of(group, 'gk_contact', numerics%gk_contact)
+      ! a stiff wall may pass the default of the rigid one, which then goes with it
+      numerics%gk_max = real_of(group, 'gk_max', max(numerics%gk_max, rigid_over_elastic*numerics%gk_contact))
+      numerics%eps_n0 = real_of(group, 'eps_n0', numerics%eps_n0)
+      numerics%eps_nmax = real_of(group, 'eps_nmax', numerics%eps_nmax)
+      numerics%r_n0 = real_of(group, 'r_n0', numerics%r_n0)
+      numerics%relocation = real_of(group, 'relocation', numerics%relocation)
+      numerics%step_limit = real_of(group, 'step_limit', numerics%step_limit)
+      numerics%imperfection = real_of(group, 'imperfection', numerics%imperfection)
+      numerics%history = logical_of(group, 'history', numerics%history)
+      if (numerics%gk_min >= numerics%gk_contact) call fault('gk_min', 'gk_min must be smaller than gk_contact')
+      if (numerics%gk_contact > numerics%gk_max) call fault('gk_max', 'gk_max must be at least gk_contact')
+      if (numerics%eps_n0 >= numerics%eps_nmax) call fault('eps_n0', 'eps_n0 must be smaller than eps_nmax')
+
+   contains
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key
+         character(*), intent(in) :: message
+         call add_fault(faults, path, line_of(group, key), 'group &solver: '//message)
+      end subroutine fault
+   end subroutine draft_numerics
+
+   !> Whether every key of a group that is given or required has a legal value.
+   pure function all_sound(group) result(sound)
+      type(checked_group_type), intent(in) :: group
+      logical :: sound
+      sound = all(group%values%sound .or. .not. (group%values%given .or. group%rules%required))
+   end function all_sound
+end module dg_deck_parts

@@ -1,0 +1,175 @@
+!> What a deck may hold: the kinds of groups, keys, values and units. The tables themselves are in
+!> dg_deck_keys; checking, conversion of units and documentation all read the same tables.
+module dg_deck_schema
+   use dg_kinds, only: wp
+   use dg_units, only: unit_system_type
+   use dg_text, only: to_text, joined
+   implicit none
+   private
+   public :: group_rule_type, key_rule_type, unit_factor, unit_label, range_text, split_words, listed
+   public :: kind_text, kind_real, kind_integer, kind_logical
+   public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
+      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+   public :: name_length, words_length
+
+   integer, parameter :: kind_text = 1
+   integer, parameter :: kind_real = 2
+   integer, parameter :: kind_integer = 3
+   integer, parameter :: kind_logical = 4
+
+   integer, parameter :: unit_none = 0
+   integer, parameter :: unit_length = 1
+   integer, parameter :: unit_diameter = 2
+   integer, parameter :: unit_angle = 3
+   integer, parameter :: unit_mass = 4       !< mass per length
+   integer, parameter :: unit_density = 5
+   integer, parameter :: unit_force = 6
+   integer, parameter :: unit_moment = 7
+   integer, parameter :: unit_modulus = 8
+   integer, parameter :: unit_stress = 9
+   integer, parameter :: unit_wall = 10      !< wall stiffness
+   integer, parameter :: unit_rotation = 11
+   integer, parameter :: unit_speed = 12
+   integer, parameter :: unit_gravity = 13   !< m/s2 in both systems
+
+   integer, parameter :: name_length = 20
+   integer, parameter :: words_length = 120
+
+   type :: group_rule_type
+      character(name_length) :: name = ''
+      logical :: repeatable = .false.
+      logical :: required = .false.
+      logical :: available = .true.          !< .false.: part of the contract, but not of this version
+      character(words_length) :: meaning = ''
+   end type group_rule_type
+
+   type :: key_rule_type
+      character(name_length) :: group = ''
+      character(name_length) :: key = ''
+      integer :: kind = kind_real
+      integer :: unit = unit_none
+      logical :: array = .false.
+      logical :: required = .false.
+      character(24) :: default = ''          !< as in a deck with SI units; '': none
+      real(wp) :: low = -huge(1.0_wp)        !< least legal value, in deck units of SI
+      real(wp) :: high = huge(1.0_wp)        !< greatest legal value, in deck units of SI
+      logical :: open = .false.              !< the least value itself is not legal
+      character(words_length) :: choices = ''!< legal names, blanks between them; '': any text
+      character(words_length) :: later = ''  !< names of the contract that this version does not have; '*': the whole key
+      character(words_length) :: meaning = ''
+   end type key_rule_type
+
+   !> Significant digits of a bound in a message: a rounded bound is kinder than 15 digits of feet.
+   integer, parameter :: bound_digits = 5
+
+contains
+
+   !> SI value of one deck unit of a kind.
+   pure function unit_factor(units, unit) result(factor)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      real(wp) :: factor
+      select case (unit)
+      case (unit_length); factor = units%length
+      case (unit_diameter); factor = units%diameter
+      case (unit_angle); factor = units%angle
+      case (unit_mass); factor = units%mass_per_length
+      case (unit_density); factor = units%density
+      case (unit_force); factor = units%force
+      case (unit_moment); factor = units%moment
+      case (unit_modulus); factor = units%modulus
+      case (unit_stress); factor = units%stress
+      case (unit_wall); factor = units%wall_stiffness
+      case (unit_rotation); factor = units%rotation_speed
+      case (unit_speed); factor = units%trip_speed
+      case default; factor = 1.0_wp
+      end select
+   end function unit_factor
+
+   !> Name of a unit for messages; '' for plain numbers.
+   pure function unit_label(units, unit) result(label)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      character(:), allocatable :: label
+      logical :: field
+      field = units%name == 'field'
+      select case (unit)
+      case (unit_length); label = pick('m', 'ft')
+      case (unit_diameter); label = pick('mm', 'in')
+      case (unit_angle); label = 'deg'
+      case (unit_mass); label = pick('kg/m', 'lbm/ft')
+      case (unit_density); label = pick('kg/m3', 'lbm/gal')
+      case (unit_force); label = pick('kN', 'klbf')
+      case (unit_moment); label = pick('kN.m', 'kft.lbf')
+      case (unit_modulus); label = pick('GPa', '1e6 psi')
+      case (unit_stress); label = pick('MPa', 'ksi')
+      case (unit_wall); label = pick('kN/m2', 'klbf/ft2')
+      case (unit_rotation); label = 'rpm'
+      case (unit_speed); label = pick('m/s', 'ft/s')
+      case (unit_gravity); label = 'm/s2'
+      case default; label = ''
+      end select
+   contains
+      pure function pick(si, other) result(one)
+         character(*), intent(in) :: si, other
+         character(:), allocatable :: one
+         if (field) then
+            one = other
+         else
+            one = si
+         end if
+      end function pick
+   end function unit_label
+
+   !> Legal range of a key in words, in the deck's units: '> 0 mm', '0 to 180 deg'.
+   pure function range_text(rule, units, si) result(text)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units  !< of the deck
+      type(unit_system_type), intent(in) :: si     !< in which the table states its bounds
+      character(:), allocatable :: text
+      real(wp) :: scale
+      logical :: has_low, has_high
+      scale = unit_factor(si, rule%unit)/unit_factor(units, rule%unit)
+      has_low = rule%low > -huge(1.0_wp)
+      has_high = rule%high < huge(1.0_wp)
+      text = ''
+      if (has_low .and. has_high .and. .not. rule%open) then
+         text = to_text(rule%low*scale, bound_digits)//' to '//to_text(rule%high*scale, bound_digits)
+      else
+         if (has_low .and. rule%open) text = '> '//to_text(rule%low*scale, bound_digits)
+         if (has_low .and. .not. rule%open) text = '>= '//to_text(rule%low*scale, bound_digits)
+         if (has_low .and. has_high) text = text//' and '
+         if (has_high) text = text//'<= '//to_text(rule%high*scale, bound_digits)
+      end if
+      if (text /= '' .and. rule%unit /= unit_none) text = text//' '//unit_label(units, rule%unit)
+   end function range_text
+
+   !> The words of a text with blanks between them.
+   pure subroutine split_words(text, words)
+      character(*), intent(in) :: text
+      character(name_length), allocatable, intent(out) :: words(:)
+      integer :: at, length, n, pass
+      do pass = 1, 2             ! first count, then take
+         n = 0
+         at = 1
+         do while (at <= len_trim(text))
+            length = index(text(at:)//' ', ' ') - 1
+            if (length > 0) then
+               n = n + 1
+               if (pass == 2) words(n) = text(at:at + length - 1)
+            end if
+            at = at + length + 1
+         end do
+         if (pass == 1) allocate (words(n))
+      end do
+   end subroutine split_words
+
+   !> The words of a text as a list with commas.
+   pure function listed(text) result(list)
+      character(*), intent(in) :: text
+      character(:), allocatable :: list
+      character(name_length), allocatable :: words(:)
+      call split_words(text, words)
+      list = joined(words, ', ')
+   end function listed
+end module dg_deck_schema

@@ -1,0 +1,154 @@
+!> The stations of a deck: from &trajectory itself or from the survey file that it names.
+module dg_deck_survey
+   use dg_kinds, only: wp
+   use dg_constants, only: pi
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, text_of
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_file_lines, only: beside
+   use dg_survey_file, only: station_list_type, read_survey_file
+   use dg_text, only: to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: read_stations
+
+   !> Inclination that counts as vertical where azimuths are missing [rad].
+   real(wp), parameter :: vertical = 1.0e-12_wp
+   !> Depth within which the first station is at surface [m].
+   real(wp), parameter :: at_surface = 1.0e-6_wp
+   !> Digits of a depth in a message.
+   integer, parameter :: depth_digits = 9
+
+contains
+
+   !> Stations of the group &trajectory of the deck `path`, in SI units and fit for new_trajectory where
+   !> `sound`; every fault else.
+   subroutine read_stations(path, group, units, stations, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(station_list_type), intent(out) :: stations
+      logical, intent(out) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      logical :: from_file
+
+      sound = .false.
+      from_file = is_given(group, 'survey_file')
+      if (from_file .and. is_given(group, 'md')) then
+         call fault(line_of(group, 'survey_file'), 'both survey_file and md are given; keep one')
+         return
+      end if
+      if (from_file) then
+         if (.not. is_sound(group, 'survey_file')) return
+         if (text_of(group, 'survey_file', '') == '') then
+            call fault(line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck')
+            return
+         end if
+         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), units, stations, sound, faults)
+      else
+         call take_arrays(sound)
+      end if
+      if (.not. sound) return
+      call check_order()
+
+   contains
+
+      subroutine fault(line, message)
+         integer, intent(in) :: line
+         character(*), intent(in) :: message
+         call add_fault(faults, path, line, 'group &trajectory: '//message)
+         sound = .false.
+      end subroutine fault
+
+      !> A fault of one station, where it stands.
+      subroutine station_fault(i, message)
+         integer, intent(in) :: i
+         character(*), intent(in) :: message
+         if (from_file) then
+            call add_fault(faults, stations%file, stations%lines(i), 'survey: '//message)
+            sound = .false.
+         else
+            call fault(stations%lines(i), message)
+         end if
+      end subroutine station_fault
+
+      subroutine take_arrays(complete)
+         logical, intent(out) :: complete
+         integer :: n
+         stations%file = path
+         stations%md = reals_of(group, 'md')
+         stations%inclination = reals_of(group, 'inc')
+         stations%azimuth = reals_of(group, 'azi')
+         n = size(stations%md)
+         complete = .true.
+         if (.not. is_given(group, 'md')) call missing('md')
+         if (.not. is_given(group, 'inc')) call missing('inc')
+         if (is_given(group, 'md')) complete = complete .and. is_sound(group, 'md')
+         if (is_given(group, 'inc')) complete = complete .and. is_sound(group, 'inc')
+         if (is_given(group, 'azi')) complete = complete .and. is_sound(group, 'azi')
+         if (.not. complete) return
+         stations%has_azimuth = is_given(group, 'azi')
+         if (size(stations%inclination) /= n) call uneven('inc', size(stations%inclination))
+         if (stations%has_azimuth .and. size(stations%azimuth) /= n) call uneven('azi', size(stations%azimuth))
+         if (.not. stations%has_azimuth) stations%azimuth = 0.0_wp*stations%md
+         stations%lines = spread(line_of(group, 'md'), 1, n)
+      end subroutine take_arrays
+
+      subroutine missing(key)
+         character(*), intent(in) :: key
+         call fault(group%line, 'key '//key//' is missing; give md, inc and azi, or a survey_file')
+      end subroutine missing
+
+      subroutine uneven(key, found)
+         character(*), intent(in) :: key
+         integer, intent(in) :: found
+         call fault(line_of(group, key), key//' has '//to_text(found)//' values, md has '// &
+                    to_text(size(stations%md))//'; give one for each station')
+      end subroutine uneven
+
+      subroutine check_order()
+         integer :: i, n
+         n = size(stations%md)
+         if (n < 2) then
+            if (from_file) then
+               call add_fault(faults, stations%file, 0, 'survey: '//to_text(n)//' station(s); at least two are needed')
+               sound = .false.
+            else
+               call fault(line_of(group, 'md'), 'md holds '//to_text(n)//' station; at least two are needed')
+            end if
+            return
+         end if
+         if (abs(stations%md(1)) > at_surface) call station_fault(1, 'the first station is at '//depth(1)// &
+            '; the survey must begin at surface, md = 0')
+         do i = 2, n
+            if (stations%md(i) > stations%md(i - 1)) cycle
+            call station_fault(i, 'station '//to_text(i)//' at '//depth(i)//' is not below station '//to_text(i - 1)// &
+                               ' at '//depth(i - 1)//'; measured depth must increase')
+            exit     ! one such fault makes many
+         end do
+         ! the table of keys has checked the deck's own inclinations
+         do i = 1, merge(n, 0, from_file)
+            if (stations%inclination(i) < 0.0_wp .or. stations%inclination(i) > pi + epsilon(pi)*pi) &
+               call station_fault(i, 'inc = '//to_text(stations%inclination(i)/units%angle, depth_digits)// &
+                                  ' is out of range; needs a number, 0 to 180 deg')
+         end do
+         if (sound) call check_azimuth()
+      end subroutine check_order
+
+      subroutine check_azimuth()
+         if (stations%has_azimuth) return
+         if (all(stations%inclination <= vertical)) return
+         if (from_file) then
+            call station_fault(1, 'the table has no column azi, but the hole is inclined; give azimuths')
+         else
+            call missing('azi')
+         end if
+      end subroutine check_azimuth
+
+      function depth(i) result(text)
+         integer, intent(in) :: i
+         character(:), allocatable :: text
+         text = to_text(stations%md(i)/units%length, depth_digits)//' '//trim(units%length_label)
+      end function depth
+   end subroutine read_stations
+end module dg_deck_survey

@@ -1,0 +1,307 @@
+!> Turns the texts of a group's entries into numbers, logicals and names after the table of keys, and notes
+!> every fault against it. Numbers come out in SI units.
+module dg_deck_values
+   use dg_kinds, only: wp
+   use dg_checked_group, only: value_type, checked_group_type, rule_index
+   use dg_deck_number, only: read_real, read_integer, read_logical
+   use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, unit_factor, unit_label, &
+      range_text, split_words, listed, name_length, unit_none
+   use dg_deck_keys, only: keys_of, operation_words
+   use dg_deck_text, only: group_type, entry_type, value_text_type
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_text, only: text_type, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_units, only: unit_system_type, si_units
+   implicit none
+   private
+   public :: check_group
+
+   !> Values that a message repeats where there are too many.
+   integer, parameter :: values_shown = 3
+
+contains
+
+   !> Checks one group of the deck `path` against the table.
+   subroutine check_group(path, group, units, checked, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(checked_group_type), intent(out) :: checked
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, k, n
+      integer, allocatable :: count_of(:)
+      character(:), allocatable :: place
+
+      place = 'group &'//group%name//': '
+      checked%name = group%name
+      checked%line = group%line
+      checked%rules = keys_of(group%name)
+      n = size(checked%rules)
+      allocate (checked%values(n), count_of(n))
+      checked%values(:)%line = group%line
+      count_of = 0
+      do i = 1, size(group%entries)
+         k = rule_index(checked%rules, group%entries(i)%key)
+         if (k == 0) then
+            call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
+                           '; '//suggestion(group%entries(i)%key, checked%rules%key))
+         else
+            count_of(k) = count_of(k) + 1
+            call take_entry(path, place, group%entries(i), checked%rules(k), units, count_of(k), checked%values(k), faults)
+         end if
+      end do
+      do k = 1, n
+         if (checked%values(k)%given) cycle
+         if (checked%rules(k)%required) then
+            if (.not. misspelt(group, checked%rules, trim(checked%rules(k)%key))) &
+               call add_fault(faults, path, group%line, place//'key '//trim(checked%rules(k)%key)//' is missing; '// &
+                              needed_text(checked%rules(k), units))
+         else if (checked%rules(k)%default /= '') then
+            call set_default(checked%rules(k), checked%values(k))
+         end if
+      end do
+   end subroutine check_group
+
+   !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
+   pure function misspelt(group, rules, key) result(is)
+      type(group_type), intent(in) :: group
+      type(key_rule_type), intent(in) :: rules(:)
+      character(*), intent(in) :: key
+      logical :: is
+      integer :: i
+      is = .false.
+      do i = 1, size(group%entries)
+         if (rule_index(rules, group%entries(i)%key) > 0) cycle
+         if (nearest_name(group%entries(i)%key, rules%key) == key) is = .true.
+      end do
+   end function misspelt
+
+   !> Reads the values of one entry; `times` counts the entries of this key so far.
+   subroutine take_entry(path, place, entry, rule, units, times, value, faults)
+      character(*), intent(in) :: path
+      character(*), intent(in) :: place
+      type(entry_type), intent(in) :: entry
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: times
+      type(value_type), intent(inout) :: value
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, held
+      character(:), allocatable :: message, name, shown
+
+      if (times > 1 .and. (entry%first == 0 .or. .not. rule%array)) then
+         call fault(entry%key//' is given a second time, first in line '//to_text(value%line)//'; keep one')
+         return
+      end if
+      if (times == 1) then
+         value%given = .true.
+         value%line = entry%line
+         value%sound = .true.
+         if (rule%kind == kind_text) allocate (value%texts(0))
+         if (rule%kind == kind_real .or. rule%kind == kind_integer) allocate (value%numbers(0))
+      end if
+      if (.not. entry%sound) then
+         value%sound = .false.
+         return
+      end if
+      if (trim(rule%later) == '*') then
+         call fault(entry%key//' is not available in this version; leave it out')
+         return
+      end if
+      if (.not. rule%array) then
+         if (entry%first > 0) then
+            call fault(entry%key//' takes one value and no subscript')
+            return
+         end if
+         if (size(entry%values) > 1) then
+            shown = entry%values(1)%text
+            do i = 2, min(values_shown, size(entry%values))
+               shown = shown//', '//entry%values(i)%text
+            end do
+            if (size(entry%values) > values_shown) shown = shown//', ...'
+            call fault(entry%key//' takes one value, '//to_text(size(entry%values))//' given ('//shown//')')
+            return
+         end if
+      else if (value%sound) then
+         held = 0
+         if (allocated(value%numbers)) held = size(value%numbers)
+         if (allocated(value%texts)) held = size(value%texts)
+         if (max(entry%first, 1) /= held + 1) then
+            call fault(entry%key//'('//to_text(entry%first)//') comes after '//to_text(held)// &
+                       ' values; give the values in order, without gaps')
+            return
+         end if
+      end if
+      if (.not. value%sound) return
+      do i = 1, size(entry%values)
+         name = entry%key
+         if (rule%array .and. rule%kind /= kind_text) name = name//'('//to_text(i + max(entry%first, 1) - 1)//')'
+         call take_value(entry%values(i), name, rule, units, value, message)
+         if (message == '') cycle
+         if (entry%values(i)%line /= entry%line) message = message//' [line '//to_text(entry%values(i)%line)//']'
+         call fault(message)
+      end do
+
+   contains
+
+      subroutine fault(text)
+         character(*), intent(in) :: text
+         value%sound = .false.
+         call add_fault(faults, path, entry%line, place//text)
+      end subroutine fault
+   end subroutine take_entry
+
+   !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
+   subroutine take_value(item, name, rule, units, value, message)
+      type(value_text_type), intent(in) :: item
+      character(*), intent(in) :: name
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      type(value_type), intent(inout) :: value
+      character(:), allocatable, intent(out) :: message
+      real(wp) :: number, scale
+      integer :: whole
+      logical :: legal
+
+      message = ''
+      select case (rule%kind)
+      case (kind_text)
+         call take_text(item, name, rule, value, message)
+      case (kind_logical)
+         legal = .not. item%in_quotes
+         if (legal) call read_logical(item%text, value%flag, legal)
+         if (.not. legal) message = name//' = '//shown(item)//' is no logical; write .true. or .false.'
+      case default
+         legal = .not. item%in_quotes
+         number = 0.0_wp
+         if (legal) then
+            if (rule%kind == kind_integer) then
+               call read_integer(item%text, whole, legal)
+               if (legal) number = real(whole, wp)
+            else
+               call read_real(item%text, number, legal)
+            end if
+         end if
+         if (.not. legal) then
+            message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)
+            return
+         end if
+         scale = unit_factor(si_units(), rule%unit)
+         number = number*unit_factor(units, rule%unit)
+         ! a hair of room for the rounding of converted units
+         if (number < rule%low*scale - spacing(rule%low*scale) .or. number > rule%high*scale + spacing(rule%high*scale) &
+             .or. (rule%open .and. number <= rule%low*scale)) then
+            message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
+            return
+         end if
+         value%numbers = [value%numbers, number]
+      end select
+   end subroutine take_value
+
+   !> Reads one text, as a name from a list where the key has one.
+   subroutine take_text(item, name, rule, value, message)
+      type(value_text_type), intent(in) :: item
+      character(*), intent(in) :: name
+      type(key_rule_type), intent(in) :: rule
+      type(value_type), intent(inout) :: value
+      character(:), allocatable, intent(out) :: message
+      character(name_length), allocatable :: choices(:), later(:)
+      character(:), allocatable :: chosen
+      integer :: i
+      message = ''
+      chosen = item%text
+      if (.not. item%in_quotes) then
+         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
+         return
+      end if
+      if (rule%choices /= '') then
+         if (rule%choices == '*') then
+            call split_words(operation_words(), choices)
+         else
+            call split_words(rule%choices, choices)
+         end if
+         call split_words(rule%later, later)
+         chosen = ''
+         do i = 1, size(choices)
+            if (lower_case(item%text) == lower_case(trim(choices(i)))) chosen = trim(choices(i))
+         end do
+         if (chosen == '') then
+            do i = 1, size(later)
+               if (lower_case(item%text) == trim(later(i))) message = name//' = '//quoted(item%text)// &
+                  ' is not available in this version; available: '//joined(choices, ', ')
+            end do
+            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//suggestion(item%text, choices)
+            return
+         end if
+      else if (rule%required .and. item%text == '') then
+         message = name//' is empty; give a text'
+         return
+      end if
+      value%texts = [value%texts, text_type(chosen)]
+   end subroutine take_text
+
+   !> Sets the default of a key, which the table states in units of SI.
+   subroutine set_default(rule, value)
+      type(key_rule_type), intent(in) :: rule
+      type(value_type), intent(inout) :: value
+      real(wp) :: number
+      logical :: legal
+      legal = .true.
+      select case (rule%kind)
+      case (kind_text)
+         value%texts = [text_type(trim(rule%default))]
+      case (kind_logical)
+         call read_logical(trim(rule%default), value%flag, legal)
+      case default
+         call read_real(trim(rule%default), number, legal)
+         value%numbers = [number*unit_factor(si_units(), rule%unit)]
+      end select
+      value%sound = legal
+   end subroutine set_default
+
+   !> A value as the user wrote it.
+   pure function shown(item) result(text)
+      type(value_text_type), intent(in) :: item
+      character(:), allocatable :: text
+      if (item%in_quotes) then
+         text = quoted(item%text)
+      else
+         text = quoted(item%text)
+         text = text(2:len(text) - 1)
+      end if
+   end function shown
+
+   !> 'whole number' or 'number'.
+   pure function needed_number(rule) result(text)
+      type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: text
+      text = 'number'
+      if (rule%kind == kind_integer) text = 'whole number'
+   end function needed_number
+
+   !> What a key needs, with its range: 'needs a number, > 0 mm'.
+   pure function needed_text(rule, units) result(text)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text, range
+      select case (rule%kind)
+      case (kind_text)
+         text = 'needs a text in quotes'
+         if (rule%choices == '*') then
+            text = text//': '//listed(operation_words())
+         else if (rule%choices /= '') then
+            text = text//': '//listed(rule%choices)
+         end if
+      case (kind_logical)
+         text = 'needs .true. or .false.'
+      case default
+         text = 'needs a '//needed_number(rule)
+         range = range_text(rule, units, si_units())
+         if (range /= '') then
+            text = text//', '//range
+         else if (rule%unit /= unit_none) then
+            text = text//' ['//unit_label(units, rule%unit)//']'
+         end if
+      end select
+   end function needed_text
+
+end module dg_deck_values

@@ -1,0 +1,79 @@
+!> Faults of the input, gathered so that one run tells them all.
+module dg_fault_list
+   use dg_text, only: to_text
+   implicit none
+   private
+   public :: fault_type, fault_list_type, add_fault, sorted_faults, fault_text
+
+   type :: fault_type
+      character(:), allocatable :: file     !< as the user knows it
+      integer :: line = 0                   !< 0: the file as a whole
+      character(:), allocatable :: message
+   end type fault_type
+
+   type :: fault_list_type
+      integer :: count = 0
+      type(fault_type), allocatable :: items(:) !< the first `count` are meant
+   end type fault_list_type
+
+   integer, parameter :: first_capacity = 16
+
+contains
+
+   !> Notes one fault.
+   pure subroutine add_fault(list, file, line, message)
+      type(fault_list_type), intent(inout) :: list
+      character(*), intent(in) :: file
+      integer, intent(in) :: line
+      character(*), intent(in) :: message
+      type(fault_type), allocatable :: longer(:)
+      if (.not. allocated(list%items)) allocate (list%items(first_capacity))
+      if (list%count == size(list%items)) then
+         allocate (longer(2*list%count))
+         longer(:list%count) = list%items
+         call move_alloc(longer, list%items)
+      end if
+      list%count = list%count + 1
+      list%items(list%count)%file = file
+      list%items(list%count)%line = line
+      list%items(list%count)%message = message
+   end subroutine add_fault
+
+   !> The faults in the order of their lines, file after file.
+   pure function sorted_faults(list) result(faults)
+      type(fault_list_type), intent(in) :: list
+      type(fault_type), allocatable :: faults(:)
+      integer :: place(list%count), i, j
+      type(fault_type) :: moving
+      allocate (faults(list%count))
+      do i = 1, list%count
+         faults(i) = list%items(i)
+      end do
+      ! files in the order in which they first came up
+      do i = 1, list%count
+         do j = 1, i
+            if (faults(j)%file == faults(i)%file) exit
+         end do
+         place(i) = j
+      end do
+      do i = 2, list%count
+         do j = i, 2, -1
+            if (place(j - 1) < place(j)) exit
+            if (place(j - 1) == place(j) .and. faults(j - 1)%line <= faults(j)%line) exit
+            moving = faults(j)
+            faults(j) = faults(j - 1)
+            faults(j - 1) = moving
+            place([j - 1, j]) = place([j, j - 1])
+         end do
+      end do
+   end function sorted_faults
+
+   !> FILE:LINE: message.
+   pure function fault_text(fault) result(text)
+      type(fault_type), intent(in) :: fault
+      character(:), allocatable :: text
+      text = fault%file//':'
+      if (fault%line > 0) text = text//to_text(fault%line)//':'
+      text = text//' '//fault%message
+   end function fault_text
+end module dg_fault_list

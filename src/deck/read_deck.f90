@@ -1,0 +1,245 @@
+!> The door of this folder: reads a deck with all that it names, checks it, and builds what is to be
+!> computed, in SI units. All faults come back together; nothing is built where there is one.
+module dg_read_deck
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
+   use dg_deck_check, only: close_holes, check_draft
+   use dg_deck_draft, only: draft_type
+   use dg_deck_keys, only: group_rules
+   use dg_deck_model, only: build_model
+   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
+   use dg_deck_survey, only: read_stations
+   use dg_deck_text, only: group_type, parse_groups
+   use dg_deck_token, only: token_type, tokenize
+   use dg_deck_values, only: check_group
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_file_lines, only: read_lines
+   use dg_job, only: job_type, model_count, model_name
+   use dg_model, only: model_type
+   use dg_text, only: text_type, append_text, lower_case, quoted, suggestion, to_text
+   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
+   use dg_units, only: unit_system_type, si_units, field_units
+   implicit none
+   private
+   public :: read_deck
+
+contains
+
+   !> Reads the deck `path`. `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
+   !> this version will leave undone although the deck asks for it.
+   subroutine read_deck(path, model, job, notes, faults)
+      character(*), intent(in) :: path
+      type(model_type), intent(out) :: model
+      type(job_type), intent(out) :: job
+      type(text_type), allocatable, intent(out) :: notes(:)
+      type(fault_list_type), intent(out) :: faults
+      type(text_type), allocatable :: lines(:)
+      type(token_type), allocatable :: tokens(:)
+      type(group_type), allocatable :: groups(:)
+      type(checked_group_type), allocatable :: checked(:)
+      type(draft_type) :: draft
+      character(:), allocatable :: failure
+      integer :: i
+
+      allocate (notes(0))
+      call read_lines(path, lines, failure)
+      if (failure /= '') then
+         call add_fault(faults, path, 0, 'deck '//failure)
+         return
+      end if
+      call tokenize(lines, tokens)
+      call parse_groups(path, tokens, groups, faults)
+      call check_group_names(path, groups, faults)
+      draft%path = path
+      draft%units = units_of(groups)
+      allocate (checked(size(groups)))
+      do i = 1, size(groups)
+         if (is_available(groups(i)%name)) then
+            call check_group(path, groups(i), draft%units, checked(i), faults)
+         else
+            checked(i)%name = ''        ! said already
+         end if
+      end do
+      call take_job(path, draft%units, checked, job, notes)
+      call take_draft(checked, draft, faults)
+      call close_holes(draft, faults)
+      call check_draft(draft, faults)
+      if (faults%count == 0) call build_model(draft, model, faults)
+   end subroutine read_deck
+
+   !> Groups: known, of this version, not given twice where once is enough, none missing.
+   subroutine check_group_names(path, groups, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: groups(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, j, k, slips
+      slips = 0
+      do i = 1, size(groups)
+         k = group_rule(groups(i)%name)
+         if (k == 0) then
+            slips = slips + 1
+            call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
+                           suggestion(groups(i)%name, group_rules%name))
+            cycle
+         end if
+         if (.not. group_rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': not available in this version; leave it out')
+         if (group_rules(k)%repeatable) cycle
+         do j = 1, i - 1
+            if (groups(j)%name /= groups(i)%name) cycle
+            call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name//': given a second time, first in line '// &
+                           to_text(groups(j)%line)//'; keep one')
+            exit
+         end do
+      end do
+      ! a misspelt group is most likely the missing one
+      if (slips > 0) return
+      do k = 1, size(group_rules)
+         if (.not. group_rules(k)%required) cycle
+         do i = 1, size(groups)
+            if (groups(i)%name == group_rules(k)%name) exit
+         end do
+         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(group_rules(k)%name)// &
+            ': missing; a deck needs it ('//trim(group_rules(k)%meaning)//')')
+      end do
+   end subroutine check_group_names
+
+   !> Place of a group in the table of groups, 0 where there is none of that name.
+   pure function group_rule(name) result(index)
+      character(*), intent(in) :: name
+      integer :: index
+      do index = 1, size(group_rules)
+         if (group_rules(index)%name == name) return
+      end do
+      index = 0
+   end function group_rule
+
+   !> Whether this version knows and has a group.
+   pure function is_available(name) result(available)
+      character(*), intent(in) :: name
+      logical :: available
+      integer :: k
+      k = group_rule(name)
+      available = k > 0
+      if (available) available = group_rules(k)%available
+   end function is_available
+
+   !> Units of the deck: needed before anything else is read. SI where the deck is silent or wrong.
+   pure function units_of(groups) result(units)
+      type(group_type), intent(in) :: groups(:)
+      type(unit_system_type) :: units
+      integer :: i, j
+      units = si_units()
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         do j = 1, size(groups(i)%entries)
+            if (groups(i)%entries(j)%key /= 'units' .or. size(groups(i)%entries(j)%values) == 0) cycle
+            if (lower_case(groups(i)%entries(j)%values(1)%text) == 'field') units = field_units()
+            return
+         end do
+      end do
+   end function units_of
+
+   !> Fills the job from &job, or from defaults where the deck has none.
+   subroutine take_job(path, units, groups, job, notes)
+      character(*), intent(in) :: path
+      type(unit_system_type), intent(in) :: units
+      type(checked_group_type), intent(in) :: groups(:)
+      type(job_type), intent(inout) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(text_type), allocatable :: models(:)
+      integer :: i, k, m
+      job%deck_path = path
+      job%units = units
+      job%title = ''
+      job%output_dir = default_folder(path)
+      job%models = [1]
+      allocate (models(0))
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         job%title = text_of(groups(i), 'title', '')
+         job%output_dir = text_of(groups(i), 'output_dir', job%output_dir)
+         if (job%output_dir == '') job%output_dir = default_folder(path)
+         job%profiles = logical_of(groups(i), 'profiles', .true.)
+         if (is_given(groups(i), 'hdf5') .and. logical_of(groups(i), 'hdf5', .false.)) &
+            call append_text(notes, 'hdf5 = .true.: this version writes no results.h5')
+         if (is_given(groups(i), 'plots') .and. logical_of(groups(i), 'plots', .false.)) &
+            call append_text(notes, 'plots = .true.: this version writes no plots')
+         if (real_of(groups(i), 'threads', 0.0_wp) > 1.0_wp) &
+            call append_text(notes, 'threads: this version solves one case at a time')
+         if (.not. is_sound(groups(i), 'models')) return
+         models = texts_of(groups(i), 'models')
+         deallocate (job%models)
+         allocate (job%models(0))
+         do k = 1, size(models)
+            do m = 1, model_count
+               ! a model named twice runs once
+               if (models(k)%text == model_name(m) .and. .not. any(job%models == m)) job%models = [job%models, m]
+            end do
+         end do
+         return
+      end do
+   end subroutine take_job
+
+   !> output/<name of the deck without .nml>.
+   pure function default_folder(path) result(folder)
+      character(*), intent(in) :: path
+      character(:), allocatable :: folder
+      character(:), allocatable :: name
+      name = path(index(path, '/', back=.true.) + 1:)
+      if (len(name) > 4) then
+         if (lower_case(name(len(name) - 3:)) == '.nml') name = name(:len(name) - 4)
+      end if
+      folder = 'output/'//name
+   end function default_folder
+
+   !> Fills the draft from all groups but &job.
+   subroutine take_draft(groups, draft, faults)
+      type(checked_group_type), intent(in) :: groups(:)
+      type(draft_type), intent(inout) :: draft
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, holes, components, cases
+      allocate (draft%holes(count_of('hole')), draft%components(count_of('component')), draft%cases(count_of('load_case')))
+      holes = 0
+      components = 0
+      cases = 0
+      do i = 1, size(groups)
+         select case (groups(i)%name)
+         case ('job')
+            draft%gravity = real_of(groups(i), 'gravity', draft%gravity)
+         case ('trajectory')
+            if (draft%trajectory_line > 0) cycle     ! a second one is a fault already
+            draft%trajectory_line = groups(i)%line
+            draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
+                                        text_of(groups(i), 'interpolation', '') == 'spline')
+            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, faults)
+         case ('hole')
+            holes = holes + 1
+            call draft_hole(groups(i), holes, draft%holes(holes))
+         case ('fluid')
+            draft%mud_density = real_of(groups(i), 'density', draft%mud_density)
+         case ('component')
+            components = components + 1
+            call draft_component(draft%path, groups(i), draft%units, draft%components(components), faults)
+         case ('load_case')
+            cases = cases + 1
+            call draft_case(draft%path, groups(i), draft%cases(cases), faults)
+         case ('boundary')
+            draft%boundary = draft_boundary(groups(i))
+         case ('solver')
+            call draft_numerics(draft%path, groups(i), draft%numerics, faults)
+         case default
+         end select
+      end do
+   contains
+      pure function count_of(name) result(number)
+         character(*), intent(in) :: name
+         integer :: number
+         integer :: k
+         number = 0
+         do k = 1, size(groups)
+            if (groups(k)%name == name) number = number + 1
+         end do
+      end function count_of
+   end subroutine take_draft
+end module dg_read_deck
