@@ -34,10 +34,11 @@ contains
    pure function history_header(units) result(header)
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: header
-      associate (force => trim(units%force_label), moment => trim(units%moment_label))
-         header = 'increment,iteration,residual_'//force//',residual_'//moment//',lateral_step_'//trim(units%diameter_label)// &
-            ',viscosity_'//force//'_'//trim(units%length_label)//'2,contacts,flips,moves,hookload_'//force
-      end associate
+      character(:), allocatable :: force, moment
+      force = trim(units%force_label)
+      moment = trim(units%moment_label)
+      header = 'increment,iteration,residual_'//force//',residual_'//moment//',lateral_step_'//trim(units%diameter_label)// &
+         ',viscosity_'//force//'_'//trim(units%length_label)//'2,contacts,flips,moves,hookload_'//force
    end function history_header
 
    pure function history_row(units, step) result(row)

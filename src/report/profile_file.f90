@@ -35,12 +35,13 @@ contains
    pure function profile_header(units) result(header)
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: header
-      associate (length => '_'//trim(units%length_label), force => '_'//trim(units%force_label), &
-                 moment => '_'//trim(units%moment_label))
-         header = 'md'//length//',tvd'//length//',north'//length//',east'//length//',inclination_deg,azimuth_deg,axial'// &
-            force//',torque'//moment//',side_force_'//trim(units%force_per_length_label)//',bending'//moment// &
-            ',displacement_'//trim(units%diameter_label)//',clock_deg,gap_state'
-      end associate
+      character(:), allocatable :: length, force, moment
+      length = '_'//trim(units%length_label)
+      force = '_'//trim(units%force_label)
+      moment = '_'//trim(units%moment_label)
+      header = 'md'//length//',tvd'//length//',north'//length//',east'//length//',inclination_deg,azimuth_deg,axial'// &
+         force//',torque'//moment//',side_force_'//trim(units%force_per_length_label)//',bending'//moment// &
+         ',displacement_'//trim(units%diameter_label)//',clock_deg,gap_state'
    end function profile_header
 
    pure function profile_row(units, profile, i) result(row)

@@ -39,14 +39,15 @@ contains
    pure function summary_header(units) result(header)
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: header
-      associate (length => '_'//trim(units%length_label), force => '_'//trim(units%force_label), &
-                 moment => '_'//trim(units%moment_label))
-         header = 'case,section,model,operation,bit_depth'//length//',inclination_deg,wob'//force//',hookload'//force// &
-            ',measured'//force//',error_pct,reference'//force//',reference_error_pct,friction'//force// &
-            ',torque'//moment//',normal_force'//force//',status,iterations,elements,seconds'// &
-            ',measured_torque'//moment//',torque_error_pct,gaps_free,gaps_elastic,gaps_rigid,flips,moves'// &
-            ',equilibrium'//force//',equilibrium'//moment//',message'
-      end associate
+      character(:), allocatable :: length, force, moment
+      length = '_'//trim(units%length_label)
+      force = '_'//trim(units%force_label)
+      moment = '_'//trim(units%moment_label)
+      header = 'case,section,model,operation,bit_depth'//length//',inclination_deg,wob'//force//',hookload'//force// &
+         ',measured'//force//',error_pct,reference'//force//',reference_error_pct,friction'//force// &
+         ',torque'//moment//',normal_force'//force//',status,iterations,elements,seconds'// &
+         ',measured_torque'//moment//',torque_error_pct,gaps_free,gaps_elastic,gaps_rigid,flips,moves'// &
+         ',equilibrium'//force//',equilibrium'//moment//',message'
    end function summary_header
 
    pure function summary_row(units, load_case, result) result(row)

@@ -1,0 +1,95 @@
+module dg_test_report_cells
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_comparison, only: moves_axially, percent_error, rotates
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
+      operation_static, operation_trip_out, optional_real
+   use dg_number_text, only: count_cell, csv_number, csv_optional, csv_text, fixed_cell, left_aligned, right_aligned, &
+      scientific_cell
+   implicit none
+   private
+   public :: report_cells_suite
+
+   type(optional_real), parameter :: nothing = optional_real()
+   character(*), parameter :: line_break = achar(10)
+
+contains
+
+   function report_cells_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('report_cells')
+      call suite%addTest(TestMethod('fixed', test_fixed))
+      call suite%addTest(TestMethod('other_cells', test_other_cells))
+      call suite%addTest(TestMethod('csv_numbers', test_csv_numbers))
+      call suite%addTest(TestMethod('csv_text', test_csv_text))
+      call suite%addTest(TestMethod('percent_error', test_percent_error))
+      call suite%addTest(TestMethod('which_column_applies', test_which_column_applies))
+   end function report_cells_suite
+
+   !> Brackets make leading blanks count.
+   subroutine test_fixed()
+      call assertEqual('[   733.4]', '['//fixed_cell(733.4_wp, 8, 1)//']')
+      call assertEqual('[  -17.29]', '['//fixed_cell(-17.294_wp, 8, 2)//']')
+      call assertEqual('[    0.50]', '['//fixed_cell(0.5_wp, 8, 2)//']', message='zero before the point')
+      call assertEqual('[    0.00]', '['//fixed_cell(-0.001_wp, 8, 2)//']', message='no negative zero')
+      call assertEqual('[ 1.2E+09]', '['//fixed_cell(1.2e9_wp, 8, 1)//']', message='too long for its cell')
+      call assertEqual('[       -]', '['//fixed_cell(nothing, 1.0_wp, 8, 2)//']', message='absent')
+      call assertEqual('[   745.0]', '['//fixed_cell(given(745.0e3_wp), 1.0e3_wp, 8, 1)//']')
+   end subroutine test_fixed
+
+   subroutine test_other_cells()
+      call assertEqual('[  1.5E-12]', '['//scientific_cell(1.5e-12_wp, 9)//']')
+      call assertEqual('[  0.0E+00]', '['//scientific_cell(0.0_wp, 9)//']')
+      call assertEqual('[   12]', '['//count_cell(12, 5)//']')
+      call assertEqual('[    -]', '['//count_cell(12, 5, .false.)//']')
+      call assertEqual('[ab   ]', '['//left_aligned('ab', 5)//']')
+      call assertEqual('[abcd... ]', '['//left_aligned('abcdefghij', 8)//']')
+      call assertEqual('[   ab]', '['//right_aligned('ab', 5)//']')
+   end subroutine test_other_cells
+
+   !> What is read back differs by less than the 1e-9 promised.
+   subroutine test_csv_numbers()
+      real(wp), parameter :: values(6) = [733.123456789012_wp, -1.0e-7_wp/3.0_wp, 3190.0_wp, 2.0e5_wp/3.0_wp, 1.0e30_wp, 0.1_wp]
+      real(wp), parameter :: promised = 1.0e-9_wp
+      character(40) :: field
+      real(wp) :: found
+      integer :: i
+      do i = 1, size(values)
+         field = csv_number(values(i))
+         read (field, *) found
+         call assertEqual(values(i), found, promised*abs(values(i)), message=csv_number(values(i)))
+      end do
+      call assertEqual('0.000000000', csv_number(-0.0_wp))
+      call assertEqual('12', csv_number(12))
+      call assertEqual('', csv_optional(nothing, 1.0_wp))
+      call assertEqual(csv_number(0.5_wp), csv_optional(given(500.0_wp), 1.0e3_wp))
+   end subroutine test_csv_numbers
+
+   !> RFC 4180.
+   subroutine test_csv_text()
+      call assertEqual('plain text', csv_text('plain text'))
+      call assertEqual('"a,b"', csv_text('a,b'))
+      call assertEqual('"5"" pipe"', csv_text('5" pipe'))
+      call assertEqual('"a'//line_break//'b"', csv_text('a'//line_break//'b'))
+      call assertEqual('', csv_text(''))
+   end subroutine test_csv_text
+
+   !> First row of the paper's Table 1: 733.4 against 745.0 kN is 1.56 %.
+   subroutine test_percent_error()
+      type(optional_real) :: error
+      error = percent_error(733.4e3_wp, given(745.0e3_wp))
+      call assertTrue(error%present)
+      call assertEqual(1.56_wp, error%value, 0.005_wp)
+      error = percent_error(1.0_wp, nothing)
+      call assertFalse(error%present)
+      error = percent_error(1.0_wp, given(0.0_wp))
+      call assertFalse(error%present, message='no error of nothing')
+   end subroutine test_percent_error
+
+   subroutine test_which_column_applies()
+      call assertTrue(moves_axially([operation_trip_out, operation_sliding_drilling, operation_backream]))
+      call assertFalse(moves_axially([operation_rotary_drilling, operation_static]))
+      call assertTrue(rotates([operation_rotary_drilling, operation_backream]))
+      call assertFalse(rotates([operation_trip_out, operation_sliding_drilling, operation_static]))
+   end subroutine test_which_column_applies
+end module dg_test_report_cells
