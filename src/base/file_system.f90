@@ -2,6 +2,7 @@
 !> (POSIX rename replaces in one step).
 module dg_file_system
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_error, only: error_type, raise, status_failure
    use dg_text, only: text_type
    implicit none
@@ -14,12 +15,14 @@ module dg_file_system
    interface
       function c_rename(from, to) result(status) bind(c, name='rename')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: from(*), to(*)
          integer(c_int) :: status
       end function c_rename
 
       function c_remove(path) result(status) bind(c, name='remove')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: status
       end function c_remove
@@ -35,7 +38,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(:), allocatable :: unfinished
       character(256) :: reason
-      integer :: unit, status, i
+      integer :: unit, status, closing, i
+      integer(int64) :: expected, found
       unfinished = path//unfinished_suffix
       reason = ''
       open (newunit=unit, file=unfinished, action='write', status='replace', iostat=status, iomsg=reason)
@@ -43,18 +47,16 @@ contains
          call raise(error, status_failure, 'cannot write '//path//': '//trim(reason)//' (is its folder there and writable?)')
          return
       end if
+      expected = 0
       do i = 1, size(lines)
          write (unit, '(a)', iostat=status, iomsg=reason) lines(i)%text
          if (status /= 0) exit
+         expected = expected + len(lines(i)%text) + len(new_line('a'))
       end do
-      ! a full disk shows only when buffers are emptied
-      if (status == 0) flush (unit, iostat=status, iomsg=reason)
-      if (status == 0) then
-         close (unit, iostat=status, iomsg=reason)
-      else
-         close (unit, iostat=i)
-      end if
-      if (status /= 0) then
+      close (unit, iostat=closing)
+      ! A full disk cuts the file and raises no status (seen with gfortran 12): the size tells.
+      inquire (file=unfinished, size=found)
+      if (status /= 0 .or. closing /= 0 .or. found /= expected) then
          call delete_file(unfinished)
          call raise(error, status_failure, 'writing '//path//' failed: '//trim(reason)//' (is the disk full?)')
          return

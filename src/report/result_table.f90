@@ -132,8 +132,8 @@ contains
          right_aligned(trim(units%force_label), measured_width)//right_aligned('%', error_width)// &
          right_aligned(trim(units%force_label), friction_width)//right_aligned(moment_unit(units), moment_width)
       if (with_reference) then
-         first = first//right_aligned('Reference', reference_width)//right_aligned('Error', reference_error_width)
-         second = second//right_aligned('hook load', reference_width)//right_aligned('of it', reference_error_width)
+         first = first//right_aligned('Reference', reference_width)//right_aligned('Ref.', reference_error_width)
+         second = second//right_aligned('hook load', reference_width)//right_aligned('error', reference_error_width)
          third = third//right_aligned(trim(units%force_label), reference_width)//right_aligned('%', reference_error_width)
       end if
       call append_text(lines, repeat('-', table_1_width(with_reference)))

@@ -19,7 +19,7 @@ module funit_exception
       module procedure catch_any, catch_message
    end interface catch
 
-   type(Exception), allocatable, save :: pending(:)
+   type(Exception), allocatable :: pending(:)
 
 contains
 

@@ -12,6 +12,7 @@ module funit_runner
    abstract interface
       function load_tests_interface() result(suite)
          import :: TestSuite
+         implicit none
          type(TestSuite) :: suite
       end function load_tests_interface
    end interface

@@ -7,6 +7,7 @@ module funit_suite
 
    abstract interface
       subroutine test_procedure()
+         implicit none
       end subroutine test_procedure
    end interface
 
