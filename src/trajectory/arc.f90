@@ -5,7 +5,7 @@
 !> of angle 2 h has the length s sin(h)/h and points along the tangent turned by h.
 module dg_arc
    use dg_kinds, only: wp
-   use dg_survey, only: cross
+   use dg_vector, only: cross
    implicit none
    private
    public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc

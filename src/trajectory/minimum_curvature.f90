@@ -3,7 +3,8 @@
 module dg_minimum_curvature
    use dg_kinds, only: wp
    use dg_arc, only: arc_type, point_on_arc, frame_on_arc
-   use dg_survey, only: cross, unit, high_side
+   use dg_survey, only: unit, high_side
+   use dg_vector, only: cross
    implicit none
    private
    public :: dogleg_between, chain_of_arcs

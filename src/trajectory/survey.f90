@@ -2,12 +2,14 @@
 !> Everything downstream works with unit vectors, so that a vertical hole, a hole past 90 deg and an azimuth
 !> passing north need no special cases; angles exist in decks and tables only.
 module dg_survey
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use dg_kinds, only: wp
    use dg_constants, only: pi
    use dg_error, only: error_type, raise, status_bad_input
+   use dg_vector, only: cross
    implicit none
    private
-   public :: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle, cross, unit, north
+   public :: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle, unit, north
 
    !> Unit vector to the north.
    real(wp), parameter :: north(3) = [1.0_wp, 0.0_wp, 0.0_wp]
@@ -38,8 +40,7 @@ contains
       end if
       do i = 1, size(md)
          write (place, '(a,i0)') 'survey: station ', i
-         ! Written so that a NaN fails too.
-         if (.not. (abs(md(i)) <= huge(md) .and. abs(inclination(i)) <= huge(md) .and. abs(azimuth(i)) <= huge(md))) then
+         if (.not. all(ieee_is_finite([md(i), inclination(i), azimuth(i)]))) then
             call raise(error, status_bad_input, trim(place)//' holds a number that is not finite')
             return
          end if
@@ -119,13 +120,6 @@ contains
       if (angle < 0.0_wp) positive = angle + 2.0_wp*pi
       if (positive >= 2.0_wp*pi) positive = 0.0_wp
    end function positive_angle
-
-   !> Vector product.
-   pure function cross(a, b) result(c)
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: c(3)
-      c = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross
 
    !> A vector scaled to length one; it must have a length.
    pure function unit(a) result(scaled)

@@ -17,6 +17,8 @@ contains
       use dg_test_report_files, only: report_files_suite
       use dg_test_report_table, only: report_table_suite
       use dg_test_units, only: units_suite
+      use dg_test_trajectory, only: trajectory_suite
+      use dg_test_soft_string, only: soft_string_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -28,5 +30,7 @@ contains
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
       call suite%addTest(units_suite())
+      call suite%addTest(trajectory_suite())
+      call suite%addTest(soft_string_suite())
    end function load_tests
 end program unit
