@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Checks what a reader relies on when looking for something: names of files and modules, sizes, rules of the sources."""
+import pathlib
+import re
+import sys
+
+TOP = {"fpm.toml", "README.md", "CHANGELOG.md", "LICENSE", "src", "app", "test", "input", "output", "build"}
+LONGEST = 600   # lines a file
+PREFIX = "dg_"
+
+MODULE = re.compile(r"^\s*module\s+(?!procedure\b|subroutine\b|function\b)(\w+)\s*$", re.I | re.M)
+USE_ALL = re.compile(r"^\s*use\s*(?:,\s*(?:non_)?intrinsic\s*)?(?:::)?\s*\w+\s*(?:!.*)?$", re.I | re.M)
+STOP = re.compile(r"^\s*(?:if\s*\(.*\)\s*)?(?:error\s+)?stop\b", re.I | re.M)
+OLD = re.compile(r"^\s*(?:common\s*/|go\s*to\s|equivalence\s*\()", re.I | re.M)
+MARK = re.compile(r"\b(?:TODO|FIXME|XXX)\b|not implemented|placeholder", re.I)
+SAVED = re.compile(r"^\s*(?:integer|real|logical|character|type)\b(?!.*\bparameter\b)[^!]*::[^!]*?\b\w+(?:\([^)]*\))?\s*=[^>=]", re.I)
+
+
+def saved_locals(text):
+    """Variables of procedures that are given a value where they are declared: Fortran keeps those between calls."""
+    inside, in_type, found = False, False, []
+    for number, line in enumerate(text.splitlines(), 1):
+        bare = line.split("!")[0].strip().lower()
+        if re.match(r"type\s*(?:,[^:]*)?(?:::)?\s*\w+$", bare) and not re.match(r"type\s+is\b", bare):
+            in_type = True
+        elif re.match(r"end\s*type\b", bare):
+            in_type = False
+        elif bare == "contains":
+            inside = True
+        if inside and not in_type and SAVED.match(line):
+            found.append(number)
+    return found
+
+
+def check(root):
+    faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
+              if not p.name.startswith(".") and p.name not in TOP]
+    for top in ("src", "app", "test"):
+        for path in sorted((root / top).rglob("*.f90")):
+            if "build" in path.relative_to(root).parts:
+                continue
+            name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
+            lines = text.count("\n")
+            if lines > LONGEST:
+                faults.append(f"{name}: {lines} lines, more than {LONGEST}")
+            if "implicit none" not in text.lower():
+                faults.append(f"{name}: no implicit none")
+            modules = MODULE.findall(text)
+            stand_in = name.startswith("test/funit/")
+            wanted = ("" if stand_in else PREFIX) + path.stem
+            if top == "src" and modules != [wanted]:
+                faults.append(f"{name}: holds {modules}, expected one module {wanted}")
+            elif modules and modules != [wanted]:
+                faults.append(f"{name}: holds {modules}, expected {wanted}")
+            if modules and not re.search(r"^\s*private\s*$", text, re.M):
+                faults.append(f"{name}: not private by default")
+            if USE_ALL.search(text):
+                faults.append(f"{name}: use without only: {USE_ALL.search(text).group().strip()}")
+            if top == "src" and STOP.search(text):
+                faults.append(f"{name}: {STOP.search(text).group().strip()}: errors are returned, only the main program stops")
+            if OLD.search(text):
+                faults.append(f"{name}: {OLD.search(text).group().strip()}")
+            if top != "test" and MARK.search(text):
+                faults.append(f"{name}: unfinished: {MARK.search(text).group()}")
+            faults += [f"{name}:{number}: a value at the declaration is kept between calls" for number in saved_locals(text)]
+    return faults
+
+
+def main():
+    faults = check(pathlib.Path(__file__).resolve().parent.parent)
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
