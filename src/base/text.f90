@@ -106,13 +106,14 @@ contains
       end function swapped
    end function edit_distance
 
-   !> The candidate most like `name` (letter case aside), or '' where none is near: more than two slips and
-   !> more than a third of the letters is another word.
+   !> The candidate most like `name` (letter case aside), or '' where none is near: one that goes on where the
+   !> name ends, or differs by at most two slips or a third of the letters.
    pure function nearest_name(name, candidates) result(nearest)
       character(*), intent(in) :: name
       character(*), intent(in) :: candidates(:)
       character(:), allocatable :: nearest
       integer :: i, distance, best
+      integer, parameter :: shortest_stem = 3   ! of fewer letters too many names begin alike
       nearest = ''
       best = max(2, len_trim(name)/3) + 1
       if (len_trim(name) <= 2) best = 2   ! two slips would turn a two-letter name into any other
@@ -122,6 +123,10 @@ contains
             best = distance
             nearest = trim(candidates(i))
          end if
+      end do
+      if (nearest /= '' .or. len_trim(name) < shortest_stem) return
+      do i = 1, size(candidates)
+         if (index(lower_case(candidates(i)), trim(lower_case(name))) == 1) nearest = trim(candidates(i))
       end do
    end function nearest_name
 

@@ -67,7 +67,7 @@ contains
             end if
          end associate
       end do
-      if (.not. all(draft%holes%sound)) return
+      if (n == 0 .or. .not. all(draft%holes%sound)) return
       do i = 2, n
          do j = i, 2, -1
             if (draft%holes(j - 1)%section%md_top <= draft%holes(j)%section%md_top) exit

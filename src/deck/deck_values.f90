@@ -29,6 +29,7 @@ contains
       type(fault_list_type), intent(inout) :: faults
       integer :: i, k, n
       integer, allocatable :: count_of(:)
+      character(name_length), allocatable :: keys(:)   ! a copy: plain arrays pass without a temporary
       character(:), allocatable :: place
 
       place = 'group &'//group%name//': '
@@ -36,14 +37,15 @@ contains
       checked%line = group%line
       checked%rules = keys_of(group%name)
       n = size(checked%rules)
-      allocate (checked%values(n), count_of(n))
+      allocate (checked%values(n), count_of(n), keys(n))
+      keys = checked%rules%key
       checked%values(:)%line = group%line
       count_of = 0
       do i = 1, size(group%entries)
          k = rule_index(checked%rules, group%entries(i)%key)
          if (k == 0) then
             call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
-                           '; '//suggestion(group%entries(i)%key, checked%rules%key))
+                           '; '//suggestion(group%entries(i)%key, keys))
          else
             count_of(k) = count_of(k) + 1
             call take_entry(path, place, group%entries(i), checked%rules(k), units, count_of(k), checked%values(k), faults)
@@ -52,7 +54,7 @@ contains
       do k = 1, n
          if (checked%values(k)%given) cycle
          if (checked%rules(k)%required) then
-            if (.not. misspelt(group, checked%rules, trim(checked%rules(k)%key))) &
+            if (.not. misspelt(group, keys, trim(keys(k)))) &
                call add_fault(faults, path, group%line, place//'key '//trim(checked%rules(k)%key)//' is missing; '// &
                               needed_text(checked%rules(k), units))
          else if (checked%rules(k)%default /= '') then
@@ -62,16 +64,16 @@ contains
    end subroutine check_group
 
    !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
-   pure function misspelt(group, rules, key) result(is)
+   pure function misspelt(group, keys, key) result(is)
       type(group_type), intent(in) :: group
-      type(key_rule_type), intent(in) :: rules(:)
+      character(*), intent(in) :: keys(:)
       character(*), intent(in) :: key
       logical :: is
       integer :: i
       is = .false.
       do i = 1, size(group%entries)
-         if (rule_index(rules, group%entries(i)%key) > 0) cycle
-         if (nearest_name(group%entries(i)%key, rules%key) == key) is = .true.
+         if (any(keys == group%entries(i)%key)) cycle
+         if (nearest_name(group%entries(i)%key, keys) == key) is = .true.
       end do
    end function misspelt
 

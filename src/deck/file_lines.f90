@@ -1,6 +1,7 @@
 !> Reads a text file into lines.
 module dg_file_lines
    use, intrinsic :: iso_fortran_env, only: iostat_end, iostat_eor
+   use dg_folder, only: is_folder
    use dg_text, only: text_type
    implicit none
    private
@@ -29,6 +30,11 @@ contains
       failure = ''
       allocate (lines(first_capacity))
       count = 0
+      if (is_folder(path)) then
+         failure = 'cannot be read (it is a folder)'
+         lines = lines(:0)
+         return
+      end if
       open (newunit=unit, file=path, status='old', action='read', form='formatted', iostat=status, iomsg=message)
       if (status /= 0) then
          failure = 'cannot be opened ('//reason(message)//')'

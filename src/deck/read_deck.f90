@@ -8,6 +8,7 @@ module dg_read_deck
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
+   use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
@@ -72,14 +73,16 @@ contains
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
       type(fault_list_type), intent(inout) :: faults
+      character(name_length) :: names(size(group_rules))
       integer :: i, j, k, slips
+      names = group_rules%name
       slips = 0
       do i = 1, size(groups)
          k = group_rule(groups(i)%name)
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
-                           suggestion(groups(i)%name, group_rules%name))
+                           suggestion(groups(i)%name, names))
             cycle
          end if
          if (.not. group_rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &

@@ -1,0 +1,128 @@
+!> The command line.
+module dg_arguments
+   use dg_error, only: error_type, raise, status_bad_input
+   use dg_text, only: quoted, suggestion
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: arguments_type, read_arguments, print_usage
+
+   type :: arguments_type
+      character(:), allocatable :: deck
+      character(:), allocatable :: output_dir !< '': as the deck says
+      integer :: threads = 0                  !< 0: as many as there are cores
+      logical :: check = .false.
+      logical :: quiet = .false.
+      logical :: help = .false.
+      logical :: version = .false.
+   end type arguments_type
+
+   character(*), parameter :: options(6) = [character(9) :: '--check', '--output', '--threads', '--quiet', '--help', &
+                                            '--version']
+   !> Most digits of a number of threads.
+   integer, parameter :: longest_count = 4
+
+contains
+
+   !> Reads the command line. Bad input: unknown option, option without its value, no deck or two.
+   subroutine read_arguments(arguments, error)
+      type(arguments_type), intent(out) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: word, option, value
+      integer :: i, equals
+      logical :: only_decks
+
+      arguments%deck = ''
+      arguments%output_dir = ''
+      only_decks = .false.
+      i = 0
+      do while (i < command_argument_count())
+         i = i + 1
+         word = argument(i)
+         if (word == '--' .and. len(word) == 2 .and. .not. only_decks) then
+            only_decks = .true.
+            cycle
+         end if
+         if (index(word, '-') /= 1 .or. len(word) == 1 .or. only_decks) then
+            if (arguments%deck /= '') then
+               call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'; give one')
+            else if (word == '') then
+               call refuse('the name of the deck is empty')
+            end if
+            if (allocated(error)) return
+            arguments%deck = word
+            cycle
+         end if
+         option = word
+         equals = index(word, '=')
+         if (equals > 0) option = word(:equals - 1)
+         select case (option)
+         case ('--output', '--threads')
+            if (equals > 0) then
+               value = word(equals + 1:)
+            else
+               i = i + 1
+               value = ''
+               if (i <= command_argument_count()) value = argument(i)
+            end if
+            if (value == '') then
+               call refuse(option//' needs a value')
+            else if (option == '--output') then
+               arguments%output_dir = value
+            else
+               call read_threads(value)
+            end if
+         case ('--check', '--quiet', '--help', '--version', '-h')
+            if (equals > 0) call refuse(option//' takes no value')
+            if (option == '--check') arguments%check = .true.
+            if (option == '--quiet') arguments%quiet = .true.
+            if (option == '--help' .or. option == '-h') arguments%help = .true.
+            if (option == '--version') arguments%version = .true.
+         case default
+            call refuse('unknown option '//quoted(option)//'; '//suggestion(option, options))
+         end select
+         if (allocated(error)) return
+      end do
+      if (arguments%deck == '' .and. .not. (arguments%help .or. arguments%version)) call refuse('no deck given')
+
+   contains
+
+      subroutine refuse(message)
+         character(*), intent(in) :: message
+         call raise(error, status_bad_input, message)
+      end subroutine refuse
+
+      subroutine read_threads(text)
+         character(*), intent(in) :: text
+         if (verify(text, '0123456789') == 0 .and. len(text) <= longest_count) then
+            read (text, *) arguments%threads
+         else
+            call refuse('--threads '//text//' is no number of threads; give 0 (all cores) to 9999')
+         end if
+      end subroutine read_threads
+   end subroutine read_arguments
+
+   !> One argument at its own length.
+   function argument(number) result(word)
+      integer, intent(in) :: number
+      character(:), allocatable :: word
+      integer :: length
+      call get_command_argument(number, length=length)
+      allocate (character(length) :: word)
+      if (length > 0) call get_command_argument(number, value=word)
+   end function argument
+
+   !> Prints how the program is called.
+   subroutine print_usage(unit)
+      integer, intent(in) :: unit
+      write (unit, '(a)') &
+         'usage: '//program_name//' DECK.nml [options]', &
+         '  --check        read and validate the deck, print what would be run, solve nothing', &
+         '  --output DIR   folder of results instead of the deck''s output_dir', &
+         '  --threads N    cases solved at a time (0: all cores); this version solves one', &
+         '  --quiet        no notes, no progress', &
+         '  --help         this text', &
+         '  --version      name and version', &
+         'exit status: 0 all cases solved, 2 bad command line, deck or data file, 3 a case did not converge, 1 else'
+   end subroutine print_usage
+end module dg_arguments

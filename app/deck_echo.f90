@@ -1,0 +1,194 @@
+!> Prints what a deck asks for as the program understood it, in the deck's units.
+module dg_deck_echo
+   use dg_kinds, only: wp
+   use dg_component, only: component_type
+   use dg_deck_schema, only: unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
+      unit_wall
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_model, only: model_type, boundary_type
+   use dg_numerics, only: numerics_type, gap_at_nodes
+   use dg_text, only: text_type, to_text
+   use dg_trajectory, only: position_at
+   use dg_units, only: unit_system_type
+   use dg_version, only: program_name, program_version
+   implicit none
+   private
+   public :: print_echo
+
+   !> Significant digits of a number in the echo.
+   integer, parameter :: digits = 7
+
+contains
+
+   !> Prints the whole of a deck to `unit`.
+   subroutine print_echo(unit, job, model, notes)
+      integer, intent(in) :: unit
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), intent(in) :: notes(:)
+      character(:), allocatable :: models
+      integer :: i
+      models = ''
+      do i = 1, size(job%models)
+         if (i > 1) models = models//', '
+         models = models//trim(model_name(job%models(i)))
+      end do
+      write (unit, '(a)') program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved'
+      if (job%title /= '') write (unit, '(a)') 'title       '//job%title
+      write (unit, '(a)') 'models      '//models
+      write (unit, '(a)') 'units       '//trim(job%units%name)
+      write (unit, '(a)') 'results in  '//job%output_dir
+      call print_hole(unit, job%units, model)
+      do i = 1, size(model%strings)
+         call print_string(unit, job%units, model, i)
+      end do
+      write (unit, '(a)') 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
+         lateral(model%boundary%bit_centred)
+      write (unit, '(a)') 'load cases  '//to_text(size(model%cases))
+      do i = 1, size(model%cases)
+         call print_case(unit, job%units, model%cases(i))
+      end do
+      call print_numerics(unit, job%units, model%numerics)
+      do i = 1, size(notes)
+         write (unit, '(a)') 'note        '//notes(i)%text
+      end do
+   end subroutine print_echo
+
+   !> Path, sections of the hole, mud.
+   subroutine print_hole(unit, units, model)
+      integer, intent(in) :: unit
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      real(wp) :: position(3), tangent(3)
+      integer :: i, n
+      associate (path => model%trajectory)
+         n = size(path%md)
+         call position_at(path, path%md(n), position, tangent)
+         write (unit, '(a)') 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
+            ', '//quantity(position(3), units%length, 'vertical')//', '//quantity(position(1), units%length, 'north')// &
+            ', '//quantity(position(2), units%length, 'east')//' ['//unit_label(units, unit_length)//'], inclination up to '// &
+            quantity(maxval(path%inclination), units%angle, 'deg')
+      end associate
+      do i = 1, size(model%holes)
+         associate (hole => model%holes(i))
+            write (unit, '(a)') 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
+               quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', friction axial '// &
+               to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)// &
+               optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
+               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter))
+         end associate
+      end do
+      write (unit, '(a)') 'fluid       '//quantity(model%mud_density, units%density, unit_label(units, unit_density))// &
+         ', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
+   end subroutine print_hole
+
+   !> A string with its components, from the bit upwards.
+   subroutine print_string(unit, units, model, number)
+      integer, intent(in) :: unit
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number
+      integer :: i
+      character(:), allocatable :: length
+      associate (string => model%strings(number))
+         write (unit, '(a)') 'string      '//string%name//', from the bit upwards'
+         do i = 1, size(string%components)
+            associate (part => string%components(i))
+               length = 'to surface'
+               if (part%length > 0.0_wp) length = quantity(part%length, units%length, unit_label(units, unit_length))
+               write (unit, '(a)') '  '//part%name//' ('//part%kind//'): '//length//', od '// &
+                  quantity(part%od, units%diameter, unit_label(units, unit_diameter))//', id '// &
+                  quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
+                  quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
+                  quantity(part%density, units%density, unit_label(units, unit_density))// &
+                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))
+            end associate
+         end do
+      end associate
+   end subroutine print_string
+
+   !> One load case.
+   subroutine print_case(unit, units, case)
+      integer, intent(in) :: unit
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: case
+      write (unit, '(a)') '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
+         quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
+         optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
+         optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
+         given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
+         given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
+         optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &
+         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))
+   end subroutine print_case
+
+   !> Settings of the solver.
+   subroutine print_numerics(unit, units, numerics)
+      integer, intent(in) :: unit
+      type(unit_system_type), intent(in) :: units
+      type(numerics_type), intent(in) :: numerics
+      character(:), allocatable :: location
+      location = 'extremum'
+      if (numerics%gap_location == gap_at_nodes) location = 'nodes'
+      write (unit, '(a)') 'solver      elements to '// &
+         quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location// &
+         ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
+         ', load steps '//to_text(numerics%load_steps)
+      write (unit, '(a)') '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
+         quantity(numerics%gk_contact, units%wall_stiffness, '')//', gk_max '// &
+         quantity(numerics%gk_max, units%wall_stiffness, unit_label(units, unit_wall))//', eps_n0 '// &
+         to_text(numerics%eps_n0, digits)//', eps_nmax '//to_text(numerics%eps_nmax, digits)//', r_n0 '// &
+         quantity(numerics%r_n0, units%force, unit_label(units, unit_force))
+   end subroutine print_numerics
+
+   !> An SI value in the deck's unit with its label.
+   pure function quantity(value, unit, label) result(text)
+      real(wp), intent(in) :: value
+      real(wp), intent(in) :: unit       !< SI value of the deck's unit
+      character(*), intent(in) :: label
+      character(:), allocatable :: text
+      real(wp), parameter :: round_off = 1.0e-9_wp ! metres and the like: nothing that a deck can mean
+      real(wp) :: shown
+      shown = value
+      if (abs(value) < round_off*unit .and. label /= '') shown = 0.0_wp
+      text = trim(to_text(shown/unit, digits)//' '//label)
+   end function quantity
+
+   !> `head` and a quantity, or nothing where it is zero.
+   pure function optional(head, value, unit, label) result(text)
+      character(*), intent(in) :: head
+      real(wp), intent(in) :: value, unit
+      character(*), intent(in) :: label
+      character(:), allocatable :: text
+      text = ''
+      if (abs(value) > 0.0_wp) text = head//quantity(value, unit, label)
+   end function optional
+
+   !> `head` and a quantity, or nothing where it is not given.
+   pure function given_text(head, number, unit, label) result(text)
+      character(*), intent(in) :: head
+      type(optional_real), intent(in) :: number
+      real(wp), intent(in) :: unit
+      character(*), intent(in) :: label
+      character(:), allocatable :: text
+      text = ''
+      if (number%present) text = head//quantity(number%value, unit, label)
+   end function given_text
+
+   !> A range of depths.
+   pure function span(top, bottom, units) result(text)
+      real(wp), intent(in) :: top, bottom
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = quantity(top, units%length, '')//' to '//quantity(bottom, units%length, unit_label(units, unit_length))
+   end function span
+
+   !> A lateral support in words.
+   pure function lateral(centred) result(text)
+      logical, intent(in) :: centred
+      character(:), allocatable :: text
+      text = 'free'
+      if (centred) text = 'centred'
+   end function lateral
+end module dg_deck_echo

@@ -1,0 +1,74 @@
+!> drillgap: torque and drag of drillstrings with beams and multi-directional contact gap elements.
+!> Reads the command line and the deck, hands over, prints what went wrong, ends with the status of the
+!> contract. The only place where the program ends.
+program main
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use dg_arguments, only: arguments_type, read_arguments, print_usage
+   use dg_deck_echo, only: print_echo
+   use dg_error, only: error_type, status_ok, status_bad_input
+   use dg_fault_list, only: fault_list_type, fault_type, sorted_faults, fault_text
+   use dg_job, only: job_type
+   use dg_model, only: model_type
+   use dg_process, only: end_process
+   use dg_read_deck, only: read_deck
+   use dg_run_deck, only: run_deck
+   use dg_text, only: text_type
+   use dg_version, only: program_name, program_version
+   implicit none
+   type(arguments_type) :: arguments
+   type(error_type), allocatable :: error
+   integer :: status
+
+   call read_arguments(arguments, error)
+   if (allocated(error)) then
+      write (error_unit, '(a)') program_name//': '//error%message
+      call print_usage(error_unit)
+      status = error%status
+   else if (arguments%help) then
+      call print_usage(output_unit)
+      status = status_ok
+   else if (arguments%version) then
+      write (output_unit, '(a)') program_name//' '//program_version
+      status = status_ok
+   else
+      call work(arguments, status)
+   end if
+   call end_process(status)
+
+contains
+
+   !> Everything that needs a deck.
+   subroutine work(arguments, status)
+      type(arguments_type), intent(in) :: arguments
+      integer, intent(out) :: status
+      type(model_type) :: model
+      type(job_type) :: job
+      type(text_type), allocatable :: notes(:)
+      type(fault_list_type) :: faults
+      type(fault_type), allocatable :: sorted(:)
+      integer :: i
+
+      call read_deck(arguments%deck, model, job, notes, faults)
+      if (faults%count > 0) then
+         allocate (sorted, source=sorted_faults(faults))
+         do i = 1, size(sorted)
+            write (error_unit, '(a)') fault_text(sorted(i))
+         end do
+         status = status_bad_input
+         return
+      end if
+      if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
+      job%quiet = arguments%quiet
+      if (arguments%check) then
+         call print_echo(output_unit, job, model, notes)
+         status = status_ok
+         return
+      end if
+      if (.not. job%quiet) then
+         do i = 1, size(notes)
+            write (error_unit, '(a)') program_name//': note: '//notes(i)%text
+         end do
+      end if
+      call run_deck(job, model, status)
+   end subroutine work
+end program main

@@ -1,0 +1,41 @@
+!> What a program asks of its operating system: how to end, and whether anybody watches.
+module dg_process
+   use, intrinsic :: iso_c_binding, only: c_int
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   implicit none
+   private
+   public :: end_process, someone_watches
+
+   !> Descriptor of standard error (POSIX).
+   integer(c_int), parameter :: standard_error = 2_c_int
+
+   interface
+      subroutine c_exit(status) bind(c, name='exit')
+         import :: c_int
+         integer(c_int), value :: status
+      end subroutine c_exit
+
+      function c_isatty(descriptor) result(is) bind(c, name='isatty')
+         import :: c_int
+         integer(c_int), value :: descriptor
+         integer(c_int) :: is
+      end function c_isatty
+   end interface
+
+contains
+
+   !> Ends the program with an exit status. C's exit instead of STOP: a `stop` with a number prints 'STOP 2'
+   !> and notes on floating-point flags to standard error, which is kept for diagnostics.
+   subroutine end_process(status)
+      integer, intent(in) :: status
+      flush (output_unit)
+      flush (error_unit)
+      call c_exit(int(status, c_int))
+   end subroutine end_process
+
+   !> Whether standard error is a terminal: only then is progress shown.
+   function someone_watches() result(watches)
+      logical :: watches
+      watches = c_isatty(standard_error) == 1_c_int
+   end function someone_watches
+end module dg_process

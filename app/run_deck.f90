@@ -1,0 +1,165 @@
+!> Runs every case of a deck with every model that it asks for, writes the results as they come.
+module dg_run_deck
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
+   use dg_folder, only: make_folder
+   use dg_history_file, only: write_history
+   use dg_job, only: job_type, model_mcge, model_soft, model_name
+   use dg_model, only: model_type
+   use dg_process, only: someone_watches
+   use dg_profile_file, only: write_profile
+   use dg_result_table, only: print_result_table
+   use dg_soft_string, only: solve_soft_string
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_summary_file, only: write_summary
+   use dg_text, only: quoted, to_text
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: run_deck
+
+contains
+
+   !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
+   !> `status` is the exit status: the gravest of what happened.
+   subroutine run_deck(job, model, status)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(out) :: status
+      type(case_result_type), allocatable :: results(:)
+      type(error_type), allocatable :: error
+      integer :: i, j, row
+      logical :: progress
+
+      status = status_ok
+      call make_folder(job%output_dir, error)
+      if (allocated(error)) then
+         call tell(error%message)
+         status = error%status
+         return
+      end if
+      progress = someone_watches() .and. .not. job%quiet
+      allocate (results(size(job%models)*size(model%cases)))
+      row = 0
+      do i = 1, size(job%models)
+         do j = 1, size(model%cases)
+            row = row + 1
+            if (progress) write (error_unit, '(a)', advance='no') '['//to_text(row)//'/'//to_text(size(results))//'] '// &
+               place(job, model, job%models(i), j)//' ... '
+            flush (error_unit)
+            call solve_case(model, job%models(i), j, results(row), error)
+            if (progress) write (error_unit, '(a)') trim(result_status_name(results(row)%status))
+            call note_outcome(place(job, model, job%models(i), j), results(row), error, status)
+            call write_case_files(job, model, results(row), status)
+         end do
+      end do
+      call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
+      call note_failure(error, status)
+      call print_result_table(output_unit, job, model, results)
+      flush (output_unit)
+   end subroutine run_deck
+
+   !> Solves one case with one model. Where that is refused the result is marked as not converged.
+   subroutine solve_case(model, number, case_index, result, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number            !< of the model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      select case (number)
+      case (model_mcge)
+         call solve_static_analysis(model, case_index, result, error)
+      case (model_soft)
+         call solve_soft_string(model, case_index, result, error)
+      case default
+         call raise(error, status_failure, 'no model of number '//to_text(number))
+      end select
+      if (allocated(error)) then
+         result%status = result_not_converged
+         result%message = error%message
+      end if
+      if (.not. allocated(result%message)) result%message = ''
+      result%case_index = case_index
+      result%model = number
+   end subroutine solve_case
+
+   !> Tells what went wrong with a case and raises the exit status by it.
+   subroutine note_outcome(where, result, error, status)
+      character(*), intent(in) :: where
+      type(case_result_type), intent(in) :: result
+      type(error_type), allocatable, intent(in) :: error
+      integer, intent(inout) :: status
+      if (allocated(error)) then
+         call tell(where//': '//error%message)
+         status = graver(status, error%status)
+      else if (result%status == result_not_converged) then
+         call tell(where//': did not converge; '//result%message)
+         status = graver(status, status_not_converged)
+      end if
+   end subroutine note_outcome
+
+   !> Writes the files of one case; a failure is told and noted in the exit status.
+   subroutine write_case_files(job, model, result, status)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      integer, intent(inout) :: status
+      type(error_type), allocatable :: error
+      character(:), allocatable :: ending
+      ending = '_'//model%cases(result%case_index)%name//'_'//trim(model_name(result%model))//'.csv'
+      if (job%profiles .and. allocated(result%profile%md)) then
+         call write_profile(in_folder(job, 'profile'//ending), job, result, error)
+         call note_failure(error, status)
+      end if
+      if (model%numerics%history .and. allocated(result%history)) then
+         call write_history(in_folder(job, 'history'//ending), job, result, error)
+         call note_failure(error, status)
+      end if
+   end subroutine write_case_files
+
+   !> Tells an error, if there is one, and raises the exit status by it.
+   subroutine note_failure(error, status)
+      type(error_type), allocatable, intent(in) :: error
+      integer, intent(inout) :: status
+      if (.not. allocated(error)) return
+      call tell(error%message)
+      status = graver(status, error%status)
+   end subroutine note_failure
+
+   !> The graver of two exit statuses: failure, then bad input, then a case not converged.
+   pure function graver(one, other) result(status)
+      integer, intent(in) :: one, other
+      integer :: status
+      integer, parameter :: order(4) = [status_failure, status_bad_input, status_not_converged, status_ok]
+      integer :: i
+      do i = 1, size(order)
+         status = order(i)
+         if (one == status .or. other == status) return
+      end do
+   end function graver
+
+   !> Case and model for messages.
+   pure function place(job, model, number, case_index) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number, case_index
+      character(:), allocatable :: text
+      text = 'case '//quoted(model%cases(case_index)%name)
+      if (size(job%models) > 1) text = text//', model '//trim(model_name(number))
+   end function place
+
+   !> Path of a file in the output folder.
+   pure function in_folder(job, name) result(path)
+      type(job_type), intent(in) :: job
+      character(*), intent(in) :: name
+      character(:), allocatable :: path
+      path = job%output_dir//'/'//name
+   end function in_folder
+
+   !> A diagnostic on standard error.
+   subroutine tell(message)
+      character(*), intent(in) :: message
+      write (error_unit, '(a)') program_name//': '//message
+   end subroutine tell
+end module dg_run_deck
