@@ -246,14 +246,15 @@ contains
       call append_wrapped(lines, '', line, page_width)
    end subroutine append_error
 
-   !> What each case cost and where its gaps ended; '-' for models without gaps.
+   !> What each case cost and where its gaps ended; '-' where a model has no gaps or does not iterate.
    pure subroutine append_costs(lines, units, cases, results)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
       character(:), allocatable :: rule
-      logical :: gaps
+      character(:), allocatable :: line
+      logical :: gaps, iterates
       integer :: i
       rule = repeat('-', name_width + status_width + 6*count_width + iterations_width + seconds_width)
       call append_text(lines, rule)
@@ -265,28 +266,31 @@ contains
       call append_text(lines, rule)
       do i = 1, size(results)
          gaps = any(results(i)%states > 0)
+         iterates = results(i)%iterations > 0
          call append_text(lines, left_aligned(cases(i)%name, name_width)// &
                           left_aligned(trim(result_status_name(results(i)%status)), status_width)// &
                           count_cell(results(i)%elements, count_width)// &
-                          count_cell(results(i)%iterations, iterations_width, gaps)// &
+                          count_cell(results(i)%iterations, iterations_width, iterates)// &
                           fixed_cell(results(i)%seconds, seconds_width, 3)// &
                           count_cell(results(i)%states(0), count_width, gaps)// &
                           count_cell(results(i)%states(1), count_width, gaps)// &
                           count_cell(results(i)%states(2), count_width, gaps)// &
-                          count_cell(results(i)%flips, count_width, gaps)// &
-                          count_cell(results(i)%moves, count_width, gaps))
+                          count_cell(results(i)%flips, count_width, iterates)// &
+                          count_cell(results(i)%moves, count_width, iterates))
       end do
       call append_text(lines, rule)
-      call append_text(lines, left_aligned('all', name_width)// &
-                       left_aligned(to_text(count(results%status == result_converged))//' of '// &
-                                    to_text(size(results)), status_width)// &
-                       count_cell(sum(results%elements), count_width)// &
-                       count_cell(sum(results%iterations), iterations_width)// &
-                       fixed_cell(sum(results%seconds), seconds_width, 3)// &
-                       '   equilibrium to '//trim(adjustl(scientific_cell( &
-                       maxval(results%equilibrium_force)/units%force, residual_width)))//' '//trim(units%force_label)// &
-                       ', '//trim(adjustl(scientific_cell( &
-                       maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '//moment_unit(units))
+      iterates = any(results%iterations > 0)
+      line = left_aligned('all', name_width)// &
+         left_aligned(to_text(count(results%status == result_converged))//' of '//to_text(size(results)), status_width)// &
+         count_cell(sum(results%elements), count_width)// &
+         count_cell(sum(results%iterations), iterations_width, iterates)// &
+         fixed_cell(sum(results%seconds), seconds_width, 3)
+      if (iterates) line = line//'   equilibrium to '// &
+         trim(adjustl(scientific_cell(maxval(results%equilibrium_force)/units%force, residual_width)))//' '// &
+         trim(units%force_label)//', '// &
+         trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &
+         moment_unit(units)
+      call append_text(lines, line)
    end subroutine append_costs
 
    !> What the models had to say, and what the mark in Table 1 means.

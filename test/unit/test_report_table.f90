@@ -132,6 +132,7 @@ contains
       do i = 1, 2
          results(i)%model = model_soft
          results(i)%states = 0
+         results(i)%iterations = 0
       end do
       results(4)%status = result_converged
       allocate (lines, source=result_table(job, sample_model(), results))
@@ -139,6 +140,7 @@ contains
       call assertTrue(contains_text(lines, 'Model soft'))
       call assertTrue(has(lines, 'i_up                    converged          208          -    0.250       -       -'// &
                           '       -       -       -'), message='no gaps in this model')
+      call assertTrue(has(lines, 'all                     2 of 2             416          -    0.500'), message='nor iterations')
    end subroutine test_a_table_each_model
 
    subroutine test_prints_its_lines()
