@@ -49,9 +49,10 @@ contains
       end do
    end subroutine judge_states
 
-   !> Moves a gap to the extremum x0 = xi L (Eq. 2) when the string is deeper there than at the present place by more
-   !> than `threshold` times the clearance, doubled with every move the gap has made. Without this hysteresis a
-   !> string at rest sags between its contacts by micrometres and the extremum jumps to and fro for ever.
+   !> Moves a gap to the extremum x0 = xi L (Eq. 2). The paper puts x0 where the element "is to make first contact": a
+   !> free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by
+   !> `threshold` times the clearance. The threshold doubles with every move made, free or closed: an element that wants
+   !> contact at two places would otherwise hand its one gap to and fro for ever.
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
@@ -61,8 +62,9 @@ contains
       real(wp), intent(in) :: threshold     !< [-]
       logical, intent(out) :: moved
       real(wp) :: least
-      least = threshold*table%law(e)%clearance*2.0_wp**min(table%moves(e), most_doublings)
-      moved = at_extremum - at_gap > least
+      least = 2.0_wp**min(table%moves(e), most_doublings)
+      if (table%state(e) == state_free) least = least - 1.0_wp
+      moved = at_extremum - at_gap > least*threshold*table%law(e)%clearance
       if (.not. moved) return
       table%xi(e) = xi
       table%moves(e) = table%moves(e) + 1

@@ -71,13 +71,13 @@ contains
                   solver%unknowns, info)
    end subroutine band_solve
 
-   !> Whether the lower triangle of a symmetric matrix, with `added`(6) on every diagonal block's diagonal times
-   !> the node's weight, is positive definite.
-   function band_positive_definite(solver, matrix, added, weight) result(definite)
+   !> Whether a symmetric matrix (its lower triangle counts) with `factor` times `added`(6,nodes) on its diagonal is
+   !> positive definite.
+   function band_positive_definite(solver, matrix, factor, added) result(definite)
       type(band_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: added(block_size)
-      real(wp), intent(in) :: weight(:)
+      real(wp), intent(in) :: factor
+      real(wp), intent(in) :: added(:, :)
       logical :: definite
       integer :: n, i, j, column, nodes, info
       nodes = solver%unknowns/block_size
@@ -88,7 +88,7 @@ contains
             do i = j, block_size
                solver%symmetric(1 + i - j, column) = matrix%diagonal(i, j, n)
             end do
-            solver%symmetric(1, column) = solver%symmetric(1, column) + added(j)*weight(n)
+            solver%symmetric(1, column) = solver%symmetric(1, column) + factor*added(j, n)
             if (n < nodes) then
                do i = 1, block_size
                   solver%symmetric(1 + block_size + i - j, column) = matrix%lower(i, j, n)

@@ -14,7 +14,7 @@ module dg_mesh
    use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths
+   public :: mesh_type, new_mesh, node_depths, subdivided
 
    type :: mesh_type
       integer :: nodes = 0
@@ -45,18 +45,18 @@ module dg_mesh
 
 contains
 
-   !> The mesh of a load case. The case's string and depths have been checked with the deck.
-   pure subroutine new_mesh(model, load_case, element_length, mesh)
+   !> The mesh of a load case on given nodes. The case's string and depths have been checked with the deck.
+   pure subroutine new_mesh(model, load_case, depths, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
-      real(wp), intent(in) :: element_length   !< longest element [m]
+      real(wp), intent(in) :: depths(:)   !< of the nodes, from the first station to the bit [m]
       type(mesh_type), intent(out) :: mesh
       real(wp) :: tangent(3), curvature(3), end_point(3), middle, top
       real(wp), allocatable :: tops(:)
       type(component_type) :: component
       integer :: e, n, index
       index = string_index(model%strings, load_case%string)
-      mesh%md = node_depths(model, load_case, element_length)
+      mesh%md = depths
       mesh%nodes = size(mesh%md)
       mesh%elements = mesh%nodes - 1
       allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes))
@@ -112,19 +112,19 @@ contains
       call friction_split(load_case, mu_axial, mu_rotary, mesh%radius(e), mesh%axial(e), mesh%rotary(e))
    end subroutine put_in_hole
 
-   !> Depths of the nodes [m], from the first station to the bit.
+   !> Depths of the nodes [m], from the first station to the bit: all breaks, and between them equal parts no longer
+   !> than asked for.
    pure function node_depths(model, load_case, element_length) result(depths)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
-      real(wp), intent(in) :: element_length
+      real(wp), intent(in) :: element_length   !< longest element [m]
       real(wp), allocatable :: depths(:)
       real(wp), allocatable :: breaks(:), kept(:), tops(:)
       real(wp) :: top, bit, gap
-      integer :: i, j, n, pieces, index
+      integer :: i, n
       top = model%trajectory%md(1)
       bit = load_case%bit_depth
-      index = string_index(model%strings, load_case%string)
-      tops = component_tops(model%strings(index), bit - top)
+      tops = component_tops(model%strings(string_index(model%strings, load_case%string)), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)
@@ -139,22 +139,28 @@ contains
       end do
       n = n + 1
       kept(n) = bit
-      pieces = 0
-      do i = 2, n
-         pieces = pieces + piece_count(kept(i) - kept(i - 1), element_length)
-      end do
-      allocate (depths(pieces + 1))
-      depths(1) = top
-      index = 1
-      do i = 2, n
-         pieces = piece_count(kept(i) - kept(i - 1), element_length)
-         do j = 1, pieces
-            depths(index + j) = kept(i - 1) + (kept(i) - kept(i - 1))*j/pieces
-         end do
-         index = index + pieces
-         depths(index) = kept(i)
-      end do
+      depths = subdivided(kept(:n), spread(element_length, 1, n - 1))
    end function node_depths
+
+   !> Depths with every interval cut into equal parts no longer than `longest` of that interval [m].
+   pure function subdivided(depths, longest) result(finer)
+      real(wp), intent(in) :: depths(:), longest(:)
+      real(wp), allocatable :: finer(:)
+      integer :: pieces(size(longest)), i, j, n
+      do i = 1, size(longest)
+         pieces(i) = piece_count(depths(i + 1) - depths(i), longest(i))
+      end do
+      allocate (finer(sum(pieces) + 1))
+      finer(1) = depths(1)
+      n = 1
+      do i = 1, size(longest)
+         do j = 1, pieces(i) - 1
+            finer(n + j) = depths(i) + (depths(i + 1) - depths(i))*j/pieces(i)
+         end do
+         n = n + pieces(i)
+         finer(n) = depths(i + 1)
+      end do
+   end function subdivided
 
    !> Elements in a piece of string, none longer than asked for beyond round-off.
    pure function piece_count(length, element_length) result(pieces)

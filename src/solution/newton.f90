@@ -1,0 +1,177 @@
+!> Newton-Raphson iteration of one load increment (after Eq. 12): solve, re-judge the states and places of the
+!> gaps in the same iteration, repeat until residual, states and places are all at rest.
+!>
+!> Where the string is compressed the tangent may be indefinite and Newton's step leads uphill. A viscous term on the
+!> lateral unknowns (pseudo-transient continuation) is then raised until the tangent without friction and torque,
+!> which is the second derivative of an energy, is positive definite, and lowered again as soon as that allows.
+!> It acts on steps, not on the residual: the converged string feels nothing of it.
+module dg_newton
+   use dg_kinds, only: wp
+   use dg_assembly, only: assemble, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, load_type, place_nodes, workspace_type
+   use dg_band_solver, only: band_factor, band_positive_definite, band_solve, band_solver_type
+   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_case_result, only: iteration_type
+   use dg_gap_survey, only: gap_displacement, relocate_gaps
+   use dg_gap_state, only: state_free
+   use dg_gap_table, only: gap_table_type, judge_states
+   use dg_mesh, only: mesh_type
+   use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_trajectory, only: trajectory_type
+   implicit none
+   private
+   public :: newton_type, iterate, newton_converged, newton_exhausted, newton_singular
+
+   integer, parameter :: newton_converged = 0
+   integer, parameter :: newton_exhausted = 1   !< iterations used up
+   integer, parameter :: newton_singular = 2    !< no unique solution, or numbers out of range
+
+   !> Viscosity first tried when the tangent turns out indefinite, over the wall's stiffness [-]; each further try
+   !> multiplies it, each success divides it.
+   real(wp), parameter :: viscosity_growth = 10.0_wp
+   real(wp), parameter :: viscosity_decay = 0.1_wp
+   !> Under this viscosity [N/m2] the string's own weight gradient (about w/c = 1e3 N/m2) rules and it is dropped.
+   real(wp), parameter :: viscosity_least = 1.0_wp
+   real(wp), parameter :: viscosity_most = 1.0e12_wp
+
+   !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
+   real(wp), parameter :: largest_turn = 0.1_wp
+
+   !> Room and settings of an iteration, made once a case.
+   type :: newton_type
+      type(block_matrix_type) :: matrix
+      type(block_matrix_type) :: conservative
+      type(band_solver_type) :: solver
+      real(wp), allocatable :: residual(:, :)     !< (6,nodes)
+      real(wp), allocatable :: step(:, :)         !< (6,nodes)
+      real(wp), allocatable :: displacement(:)    !< |f| at gaps [m]
+      !> What a unit of viscosity adds to the diagonal (6,nodes): the node's length to lateral unknowns, a part of its
+      !> cube to slopes (as the consistent matrix of a line load has it), so that no pattern of slopes escapes [m, m3].
+      real(wp), allocatable :: lump(:, :)
+      logical :: stabilise = .false.              !< watch definiteness: the string is compressed somewhere
+      real(wp) :: viscosity = 0.0_wp              !< present [N/m2]
+      real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
+      real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
+      type(iteration_type), allocatable :: history(:)
+      integer :: iterations = 0                   !< in all increments so far
+   end type newton_type
+
+contains
+
+   !> Iterates `state` to equilibrium under `loads`. `outcome` is one of the numbers above.
+   subroutine iterate(newton, trajectory, mesh, loads, numerics, tolerance, increment, gaps, state, work, outcome)
+      type(newton_type), intent(inout) :: newton
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: tolerance          !< of the residual over the force scale [-]
+      integer, intent(in) :: increment
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      integer, intent(out) :: outcome
+      type(iteration_type) :: row
+      integer :: info
+      row%increment = increment
+      call place_nodes(mesh, state, work)
+      call judge(trajectory, mesh, numerics, newton, gaps, work, row)
+      do
+         call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix)
+         row%residual_force = maxval(abs(newton%residual(1:3, :)))
+         row%residual_moment = maxval(abs(newton%residual(4:6, :)))
+         row%hookload = work%hookload
+         row%contacts = count(gaps%state /= state_free)
+         row%iteration = newton%iterations
+         newton%history(newton%iterations + 1) = row
+         if (max(row%residual_force, row%residual_moment) <= tolerance*newton%force_scale .and. &
+             ((row%flips == 0 .and. row%moves == 0) .or. tolerance > numerics%tolerance)) then
+            outcome = newton_converged
+            return
+         end if
+         if (newton%iterations >= numerics%max_iterations) then
+            outcome = newton_exhausted
+            return
+         end if
+         if (newton%stabilise) call choose_viscosity(newton, trajectory, mesh, loads, gaps, state, work)
+         row%viscosity = newton%viscosity
+         call add_lateral(newton, newton%viscosity + numerics%gk_min)
+         call band_factor(newton%solver, newton%matrix, info)
+         if (info /= 0) then
+            outcome = newton_singular
+            return
+         end if
+         newton%step = -newton%residual
+         call band_solve(newton%solver, newton%step)
+         row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
+         if (.not. row%lateral_step < huge(row%lateral_step)) then
+            outcome = newton_singular
+            return
+         end if
+         state = state + newton%step*step_share(newton)
+         newton%iterations = newton%iterations + 1
+         call place_nodes(mesh, state, work)
+         call judge(trajectory, mesh, numerics, newton, gaps, work, row)
+      end do
+   end subroutine iterate
+
+   !> Share of the full step that keeps lateral changes within the limit, and slopes within what they are good for.
+   pure function step_share(newton) result(share)
+      type(newton_type), intent(in) :: newton
+      real(wp) :: share
+      real(wp) :: lateral, slope
+      lateral = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))/newton%step_limit
+      slope = maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn
+      share = 1.0_wp/max(1.0_wp, lateral, slope)
+   end function step_share
+
+   !> Re-judges the gaps at the present state; `row` counts what changed.
+   subroutine judge(trajectory, mesh, numerics, newton, gaps, work, row)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(numerics_type), intent(in) :: numerics
+      type(newton_type), intent(inout) :: newton
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(iteration_type), intent(inout) :: row
+      integer :: e
+      do e = 1, mesh%elements
+         newton%displacement(e) = gap_displacement(trajectory, mesh, work, e, gaps%xi(e))
+      end do
+      row%moves = 0
+      if (numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, work, numerics%relocation, gaps, &
+                                                                       newton%displacement, row%moves)
+      call judge_states(gaps, newton%displacement, row%flips)
+   end subroutine judge
+
+   !> Viscosity for the present iteration: lowered a step, then raised until the conservative tangent with it is
+   !> positive definite.
+   subroutine choose_viscosity(newton, trajectory, mesh, loads, gaps, state, work)
+      type(newton_type), intent(inout) :: newton
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%step, newton%conservative)
+      newton%viscosity = newton%viscosity*viscosity_decay
+      if (newton%viscosity < viscosity_least) newton%viscosity = 0.0_wp
+      do
+         if (band_positive_definite(newton%solver, newton%conservative, newton%viscosity, newton%lump)) return
+         if (newton%viscosity > viscosity_most) return
+         newton%viscosity = max(newton%viscosity*viscosity_growth, viscosity_least)
+      end do
+   end subroutine choose_viscosity
+
+   !> Adds a viscous stiffness per length [N/m2] to the lateral unknowns and slopes of every node.
+   pure subroutine add_lateral(newton, viscosity)
+      type(newton_type), intent(inout) :: newton
+      real(wp), intent(in) :: viscosity
+      integer :: n, i
+      do n = 1, size(newton%lump, 2)
+         do i = 1, block_size
+            newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + viscosity*newton%lump(i, n)
+         end do
+      end do
+   end subroutine add_lateral
+end module dg_newton

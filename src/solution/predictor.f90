@@ -1,0 +1,127 @@
+!> Start of the iteration: the soft string laid into the hole as beams.
+!>
+!> The soft string gives axial force, torque and the side on which each place touches. Nodes are laid against that
+!> side, pressed into the wall by the contact force, turned up the wall when the string rotates, and slid along the hole
+!> until every element carries the soft string's axial force; twist follows from the torque. From rest with the full
+!> load the iteration takes many times as long, and may be lost.
+module dg_predictor
+   use dg_kinds, only: wp
+   use dg_assembly, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
+   use dg_beam_element, only: membrane_length
+   use dg_gap_state, only: state_elastic, state_free
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_soft_string_loads, only: soft_string_at
+   use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc, trajectory_type
+   use dg_vector, only: cross
+   implicit none
+   private
+   public :: predict
+
+   !> Secant steps that find an element's slide for its axial force; each gains about six digits.
+   integer, parameter :: slide_steps = 3
+
+contains
+
+   !> Fills state(6,nodes) and the gaps' states from the soft string of the load case, with friction and bit
+   !> loads scaled.
+   pure subroutine predict(model, case_index, mesh, friction_scale, load_scale, wall, state, gaps)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: friction_scale, load_scale
+      real(wp), intent(in) :: wall(:)  !< stiffness of the wall per length, by element [N/m2]
+      real(wp), intent(out) :: state(:, :)
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
+      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), force, n(3), friction
+      integer :: i, e
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale)
+      offset = 0.0_wp
+      do i = 1, mesh%nodes
+         force = norm2(contact(:, i))
+         if (.not. force > 0.0_wp) cycle
+         e = min(i, mesh%elements)
+         friction = mesh%rotary(e)*friction_scale
+         n = contact(:, i)/force
+         n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
+         offset(:, i) = (mesh%clearance(e) + force/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
+                                                                 dot_product(n, mesh%frame(:, 3, i))]
+      end do
+      if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
+      if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
+      call slopes_of(mesh%md, offset, slope)
+      call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
+      do e = 1, mesh%elements
+         state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
+         force = norm2(contact(:, e)) + norm2(contact(:, e + 1))
+         gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
+      end do
+   end subroutine predict
+
+   !> Slopes of lateral offsets (2,nodes) by differences along depth.
+   pure subroutine slopes_of(md, offset, slope)
+      real(wp), intent(in) :: md(:), offset(:, :)
+      real(wp), intent(out) :: slope(:, :)
+      integer :: i, before, after
+      do i = 1, size(md)
+         before = max(i - 1, 1)
+         after = min(i + 1, size(md))
+         slope(:, i) = (offset(:, after) - offset(:, before))/(md(after) - md(before))
+      end do
+   end subroutine slopes_of
+
+   !> Slides node after node along the hole until each element carries its axial force.
+   pure subroutine slide_into_place(trajectory, mesh, axial, offset, slope, state)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:), offset(:, :), slope(:, :)
+      real(wp), intent(out) :: state(:, :)
+      real(wp) :: slide, shift(3), previous(3), d(3), previous_d(3), target, reference
+      integer :: e, step
+      state = 0.0_wp
+      slide = 0.0_wp
+      call place(trajectory, mesh, 1, slide, offset(:, 1), slope(:, 1), state(:, 1), previous, previous_d)
+      do e = 1, mesh%elements
+         reference = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
+         target = reference*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
+         do step = 1, slide_steps
+            call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
+            slide = slide + target - membrane_length(mesh%chord(:, e) + (shift - previous), previous_d, d)
+         end do
+         call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
+         previous = shift
+         previous_d = d
+      end do
+   end subroutine slide_into_place
+
+   !> Puts a node off the hole axis at its depth plus `slide`; returns its unknowns, displacement and director.
+   pure subroutine place(trajectory, mesh, node, slide, offset, slope, unknowns, shift, d)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      real(wp), intent(in) :: slide, offset(2), slope(2)
+      real(wp), intent(inout) :: unknowns(:)
+      real(wp), intent(out) :: shift(3), d(3)
+      real(wp) :: tangent(3), lateral_1(3), lateral_2(3), curvature(3), axis(3), md
+      integer :: arc, a
+      md = mesh%md(node) + slide
+      arc = arc_at(trajectory, md)
+      call point_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, axis, tangent, curvature)
+      call frame_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, tangent, lateral_1, lateral_2)
+      do a = mesh%arc(node), arc - 1
+         axis = axis + trajectory%arcs(a)%chord
+      end do
+      do a = arc, mesh%arc(node) - 1
+         axis = axis - trajectory%arcs(a)%chord
+      end do
+      shift = axis - mesh%base(:, node) + offset(1)*lateral_1 + offset(2)*lateral_2
+      d = tangent + slope(1)*lateral_1 + slope(2)*lateral_2
+      associate (frame => mesh%frame(:, :, node))
+         unknowns([dof_axial, dof_lateral_1, dof_lateral_2]) = matmul(shift, frame)
+         unknowns([dof_slope_1, dof_slope_2]) = matmul(d, frame(:, 2:3))/dot_product(d, frame(:, 1))
+      end associate
+      d = d/norm2(d)
+   end subroutine place
+end module dg_predictor

@@ -1,0 +1,110 @@
+!> From unknowns to what an engineer reads: forces along the string, sums, and the check of global equilibrium.
+module dg_recovery
+   use dg_kinds, only: wp
+   use dg_assembly, only: load_type, workspace_type
+   use dg_gap_survey, only: node_offset
+   use dg_gap_table, only: gap_table_type
+   use dg_hermite, only: hermite_line_load
+   use dg_mesh, only: mesh_type
+   use dg_profile, only: new_profile, profile_type
+   use dg_trajectory, only: azimuth_of, clock_angle, inclination_of, position_at, trajectory_type
+   use dg_vector, only: cross
+   implicit none
+   private
+   public :: recover_profile, check_equilibrium, buoyed_axial_weight
+
+contains
+
+   !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial force and bending
+   !> moment are those of the cross-section at the node: end forces with the element's own loads taken off, the
+   !> mean of both sides. Side force is the gaps' contact force over their length, shared by both ends.
+   pure subroutine recover_profile(trajectory, mesh, gaps, work, profile)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(profile_type), intent(out) :: profile
+      real(wp) :: position(3), tangent(3), gap(3), foot_tangent(3), share, above(3), below(3)
+      integer :: n, e, sides
+      profile = new_profile(mesh%nodes)
+      profile%md = mesh%md
+      do n = 1, mesh%nodes
+         call position_at(trajectory, mesh%md(n), position, tangent)
+         profile%north(n) = position(1)
+         profile%east(n) = position(2)
+         profile%tvd(n) = position(3)
+         profile%inclination(n) = inclination_of(tangent)
+         profile%azimuth(n) = azimuth_of(tangent)
+         call node_offset(trajectory, mesh, work, n, gap, foot_tangent)
+         profile%displacement(n) = norm2(gap)
+         profile%clock(n) = clock_angle(foot_tangent, gap)
+         above = 0.0_wp
+         below = 0.0_wp
+         share = 0.0_wp
+         sides = 0
+         if (n > 1) then
+            e = n - 1
+            sides = sides + 1
+            profile%axial(n) = profile%axial(n) + dot_product(work%end_force(7:9, e), work%d(:, n))
+            profile%torque(n) = profile%torque(n) - work%torque(e)
+            above = cross(work%d(:, n), work%end_force(10:12, e))
+            profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
+            share = share + 0.5_wp*mesh%length(e)
+            profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
+         end if
+         if (n < mesh%nodes) then
+            e = n
+            sides = sides + 1
+            profile%axial(n) = profile%axial(n) - dot_product(work%end_force(1:3, e), work%d(:, n))
+            profile%torque(n) = profile%torque(n) - work%torque(e)
+            below = cross(work%d(:, n), work%end_force(4:6, e))
+            profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
+            share = share + 0.5_wp*mesh%length(e)
+            profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
+         end if
+         profile%axial(n) = profile%axial(n)/sides
+         profile%torque(n) = profile%torque(n)/sides
+         profile%bending(n) = norm2(above - below)/sides
+         profile%side_force(n) = max(profile%side_force(n), 0.0_wp)/share
+      end do
+   end subroutine recover_profile
+
+   !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
+   !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.
+   pure subroutine check_equilibrium(trajectory, mesh, loads, work, force, moment)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: force, moment
+      real(wp) :: forces(3), moments(3), lever(3), weight(4), origin(3), start(3), tangent(3)
+      real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      integer :: e
+      forces = work%reaction
+      call position_at(trajectory, mesh%md(1), origin, tangent)
+      moments = cross(work%shift(:, 1), work%reaction) + work%top_torque*work%d(:, 1)
+      start = 0.0_wp                          ! node on the axis, from the top
+      do e = 1, mesh%elements
+         weight = mesh%weight(e)*hermite_line_load(mesh%length(e))
+         forces = forces + (weight(1) + weight(3))*down
+         moments = moments + cross(start + work%shift(:, e), weight(1)*down) + cross(work%d(:, e), weight(2)*down)
+         lever = start + work%contact_point(:, e)
+         forces = forces + work%contact_force(:, e)
+         moments = moments + cross(lever, work%contact_force(:, e)) + work%contact_moment(:, e)
+         start = start + mesh%chord(:, e)
+         moments = moments + cross(start + work%shift(:, e + 1), weight(3)*down) + cross(work%d(:, e + 1), weight(4)*down)
+      end do
+      lever = start + work%shift(:, mesh%nodes)
+      forces = forces + work%bit_reaction + work%bit_load
+      moments = moments + cross(lever, work%bit_reaction + work%bit_load) - loads%tob*work%d(:, mesh%nodes)
+      force = norm2(forces)
+      moment = norm2(moments)
+   end subroutine check_equilibrium
+
+   !> Weight of the string along the hole [N]: sum of buoyed weight times vertical extent.
+   pure function buoyed_axial_weight(mesh) result(weight)
+      type(mesh_type), intent(in) :: mesh
+      real(wp) :: weight
+      weight = sum(mesh%weight*mesh%chord(3, :))
+   end function buoyed_axial_weight
+end module dg_recovery
