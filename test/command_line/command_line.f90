@@ -8,7 +8,11 @@ contains
 
    function load_tests() result(suite)
       use funit, only: TestSuite
+      use dg_test_bad_decks, only: bad_decks_suite
+      use dg_test_program, only: program_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
+      call suite%addTest(bad_decks_suite())
+      call suite%addTest(program_suite())
    end function load_tests
 end program command_line

@@ -10,6 +10,8 @@ contains
       use funit, only: TestSuite
       use dg_test_asserts, only: asserts_suite
       use dg_test_component, only: component_suite
+      use dg_test_deck_model, only: deck_model_suite
+      use dg_test_deck_text, only: deck_text_suite
       use dg_test_drillstring, only: drillstring_suite
       use dg_test_hole_section, only: hole_section_suite
       use dg_test_load_case, only: load_case_suite
@@ -23,6 +25,8 @@ contains
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
       call suite%addTest(component_suite())
+      call suite%addTest(deck_model_suite())
+      call suite%addTest(deck_text_suite())
       call suite%addTest(drillstring_suite())
       call suite%addTest(hole_section_suite())
       call suite%addTest(load_case_suite())

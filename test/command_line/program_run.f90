@@ -1,0 +1,149 @@
+!> Runs the built program as a user does: a deck in a scratch folder, then status, output and files.
+!> The program is the one named in the environment variable DRILLGAP, or else the one that fpm has built
+!> beside this test program.
+module dg_program_run
+   use dg_file_lines, only: read_lines
+   use dg_file_system, only: write_text_file
+   use dg_folder, only: make_folder, is_folder
+   use dg_error, only: error_type
+   use dg_text, only: text_type, append_text
+   implicit none
+   private
+   public :: run_type, run_program, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, clear_scratch
+
+   !> Below fpm's own folder, which no repository keeps.
+   character(*), parameter :: scratch = 'build/test_command_line'
+   character(*), parameter :: deck_path = scratch//'/deck.nml'
+   character(*), parameter :: results_path = scratch//'/results'
+   character(*), parameter :: newline = achar(10)
+
+   type :: run_type
+      integer :: status = -1
+      character(:), allocatable :: output      !< of standard output, lines ended by LF
+      character(:), allocatable :: diagnostics !< of standard error
+      logical :: has_results = .false.         !< the output folder is there
+   end type run_type
+
+contains
+
+   !> A deck without fault that is solved in no time; 20 lines, which tests of messages count on.
+   function good_deck() result(text)
+      character(:), allocatable :: text
+      text = "&job title = 'a deck', models = 'soft' /"//newline// &
+             "&trajectory"//newline// &
+             "  md  = 0.0, 500.0, 900.0"//newline// &
+             "  inc = 0.0, 0.0, 30.0"//newline// &
+             "  azi = 3*10.0 /"//newline// &
+             "&hole md_top = 0.0, md_bottom = 400.0"//newline// &
+             "  diameter = 220.0, friction = 0.25 /"//newline// &
+             "&hole md_top = 400.0, md_bottom = 900.0"//newline// &
+             "  diameter = 215.9, friction = 0.3 /"//newline// &
+             "&fluid density = 1200.0 /"//newline// &
+             "&component name = 'collars', kind = 'collar', length = 100.0"//newline// &
+             "  od = 171.45, id = 71.4 /"//newline// &
+             "&component od = 127.0, id = 108.6"//newline// &
+             "  joint_od = 168.3 /"//newline// &
+             "&boundary top_lateral = 'centred' /"//newline// &
+             "&load_case name = 'u', operation = 'up'"//newline// &
+             "  bit_depth = 900.0 /"//newline// &
+             "&load_case name = 's', operation = 'sliding', bit_depth = 800.0"//newline// &
+             "  wob = 20.0 /"//newline// &
+             "&solver element_length = 10.0 /"//newline
+   end function good_deck
+
+   !> `text` with the first `old` replaced; `old` that is not there spoils the text, so that the test fails.
+   function replaced(text, old, new) result(changed)
+      character(*), intent(in) :: text, old, new
+      character(:), allocatable :: changed
+      integer :: at
+      at = index(text, old)
+      if (at == 0) then
+         changed = 'nothing to replace: '//old
+      else
+         changed = text(:at - 1)//new//text(at + len(old):)
+      end if
+   end function replaced
+
+   !> Writes `text` as deck and runs it with results below the scratch folder.
+   function run_deck_text(text, options) result(run)
+      character(*), intent(in) :: text
+      character(*), intent(in), optional :: options
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      type(error_type), allocatable :: error
+      integer :: first, length
+      call clear_scratch()
+      allocate (lines(0))
+      first = 1
+      do while (first <= len(text))
+         length = index(text(first:), newline) - 1
+         if (length < 0) length = len(text) - first + 1
+         call append_text(lines, text(first:first + length - 1))
+         first = first + length + 1
+      end do
+      call write_text_file(deck_path, lines, error)
+      if (allocated(error)) then
+         run%diagnostics = error%message
+         run%output = ''
+         return
+      end if
+      if (present(options)) then
+         run = run_program(deck_path//' --output '//results_path//' '//options)
+      else
+         run = run_program(deck_path//' --output '//results_path)
+      end if
+   end function run_deck_text
+
+   !> Runs the program with arguments as a shell takes them.
+   function run_program(arguments) result(run)
+      character(*), intent(in) :: arguments
+      type(run_type) :: run
+      integer :: command_status
+      call execute_command_line("'"//program_path()//"' "//arguments//' > '//scratch//'/output.txt 2> '//scratch// &
+                                '/diagnostics.txt', exitstat=run%status, cmdstat=command_status)
+      if (command_status /= 0) run%status = -1
+      run%output = content(scratch//'/output.txt')
+      run%diagnostics = content(scratch//'/diagnostics.txt')
+      run%has_results = is_folder(results_path)
+   end function run_program
+
+   !> Empties the scratch folder.
+   subroutine clear_scratch()
+      type(error_type), allocatable :: error
+      integer :: status
+      call execute_command_line('rm -rf '//scratch, exitstat=status)
+      call make_folder(scratch, error)
+   end subroutine clear_scratch
+
+   !> The built program.
+   function program_path() result(path)
+      character(:), allocatable :: path
+      integer :: length, status, at
+      call get_environment_variable('DRILLGAP', length=length, status=status)
+      if (status == 0 .and. length > 0) then
+         allocate (character(length) :: path)
+         call get_environment_variable('DRILLGAP', value=path)
+         return
+      end if
+      ! build/<compiler and flags>/test/command_line -> build/<compiler and flags>/app/drillgap
+      call get_command_argument(0, length=length)
+      allocate (character(length) :: path)
+      call get_command_argument(0, value=path)
+      at = index(path, '/test/', back=.true.)
+      path = path(:max(at, 1) - 1)//'/app/drillgap'
+   end function program_path
+
+   !> A whole file; '' where there is none.
+   function content(path) result(text)
+      character(*), intent(in) :: path
+      character(:), allocatable :: text
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: failure
+      integer :: i
+      call read_lines(path, lines, failure)
+      text = ''
+      do i = 1, size(lines)
+         text = text//lines(i)%text//newline
+      end do
+   end function content
+end module dg_program_run

@@ -1,0 +1,216 @@
+!> Decks that must be refused: status 2, a message with file and line, no folder of results, no traceback.
+!> Each fault is one change to a deck that is right.
+module dg_test_bad_decks
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: run_type, run_deck_text, good_deck, replaced, deck_path
+   use dg_text, only: to_text
+   implicit none
+   private
+   public :: bad_decks_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function bad_decks_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('bad_decks')
+      call suite%addTest(TestMethod('good_deck_is_good', test_good))
+      call suite%addTest(TestMethod('form', test_form))
+      call suite%addTest(TestMethod('groups', test_groups))
+      call suite%addTest(TestMethod('keys', test_keys))
+      call suite%addTest(TestMethod('values', test_values))
+      call suite%addTest(TestMethod('later_versions', test_later))
+      call suite%addTest(TestMethod('survey', test_survey))
+      call suite%addTest(TestMethod('holes', test_holes))
+      call suite%addTest(TestMethod('components', test_components))
+      call suite%addTest(TestMethod('load_cases', test_load_cases))
+      call suite%addTest(TestMethod('all_faults_in_one_run', test_all_faults))
+      call suite%addTest(TestMethod('field_units_in_messages', test_field_units))
+   end function bad_decks_suite
+
+   !> The deck with `old` changed to `new` must be refused at `line` with a message that holds `expected`.
+   subroutine refuse(old, new, line, expected)
+      character(*), intent(in) :: old, new
+      integer, intent(in) :: line
+      character(*), intent(in) :: expected
+      call refuse_text(replaced(good_deck(), old, new), line, expected)
+   end subroutine refuse
+
+   subroutine refuse_text(text, line, expected)
+      character(*), intent(in) :: text
+      integer, intent(in) :: line
+      character(*), intent(in) :: expected
+      type(run_type) :: run
+      run = run_deck_text(text)
+      call assertEqual(2, run%status, message='status of: '//expected)
+      call assertTrue(has_message(run%diagnostics, line, expected), &
+                      message='wanted in line '//to_text(line)//': '//expected//'; got: '//run%diagnostics)
+      call assertFalse(run%has_results, message='no folder of results: '//expected)
+      call assertEqual('', run%output, message='nothing on standard output: '//expected)
+      call assertEqual(0, index(run%diagnostics, 'acktrace'), message='no traceback: '//expected)
+      call assertEqual(0, index(run%diagnostics, 'Fortran runtime'), message='no run-time message: '//expected)
+   end subroutine refuse_text
+
+   !> Whether one line of the diagnostics starts with file and line and holds `expected`.
+   pure function has_message(diagnostics, line, expected) result(has)
+      character(*), intent(in) :: diagnostics
+      integer, intent(in) :: line
+      character(*), intent(in) :: expected
+      logical :: has
+      integer :: first, last
+      character(:), allocatable :: place
+      place = deck_path//':'//to_text(line)//': '
+      has = .false.
+      first = 1
+      do while (first <= len(diagnostics))
+         last = first + index(diagnostics(first:), newline) - 2
+         if (index(diagnostics(first:last), place) == 1 .and. index(diagnostics(first:last), expected) > 0) has = .true.
+         first = last + 2
+      end do
+   end function has_message
+
+   subroutine test_good()
+      type(run_type) :: run
+      run = run_deck_text(good_deck(), '--check')
+      call assertEqual(0, run%status)
+      call assertEqual('', run%diagnostics)
+   end subroutine test_good
+
+   subroutine test_form()
+      call refuse("&job title", "title &job title", 1, "text outside any group: 'title'")
+      call refuse("'a deck'", "'a deck", 1, 'is not closed on its line')
+      call refuse("&solver element_length = 10.0 /", "&solver element_length = 10.0", 20, 'group &solver: not closed')
+      call refuse("azi = 3*10.0 /", "azi = 3*10.0", 2, 'group &trajectory: not closed before &hole in line 6')
+      call refuse("density = 1200.0", "density 1200.0", 10, "group &fluid: 'density' belongs to no key")
+      call refuse("density = 1200.0", "density =", 10, 'group &fluid: density: no value')
+      call refuse("0.0, 500.0, 900.0", "0.0,, 500.0, 900.0", 3, 'no value before a comma')
+      call refuse("3*10.0", "3*", 5, 'azi: a repeat count without a value')
+      call refuse("3*10.0", "0*10.0", 5, 'azi: repeat counts are 1 to')
+      call refuse("azi =", "azi(2) =", 5, 'comes after 0 values')
+      call refuse("azi =", "azi(x) =", 5, 'the subscript of')
+      call refuse("azi =", "azi(1:2) =", 5, 'the subscript asks for 2 values, 3 given')
+   end subroutine test_form
+
+   subroutine test_groups()
+      call refuse("&boundary", "&boundry", 15, "unknown group &boundry; did you mean 'boundary'?")
+      call refuse("&hole md_top = 0.0", "&hoel md_top = 0.0", 6, "did you mean 'hole'?")
+      call refuse("&fluid density = 1200.0 /", "&fluid density = 1200.0 /  &fluid /", 10, &
+                  'given a second time, first in line 10')
+      call refuse("&boundary top_lateral = 'centred' /", "&job /", 15, 'group &job: given a second time, first in line 1')
+      call refuse_text("! nothing"//newline, 1, 'group &trajectory: missing')
+   end subroutine test_groups
+
+   subroutine test_keys()
+      call refuse("md_bottom = 400.0", "md_botom = 400.0", 6, "unknown key 'md_botom'; did you mean 'md_bottom'?")
+      call refuse("friction = 0.3", "colour = 0.3", 9, "unknown key 'colour'; legal: name, md_top")
+      call refuse("friction = 0.3", "diameter = 210", 9, 'diameter is given a second time, first in line 9')
+      call refuse("  bit_depth = 900.0 /", "/", 16, 'key bit_depth is missing; needs a number, > 0')
+      call refuse("diameter = 215.9,", "", 8, 'key diameter is missing')
+      call refuse("od = 127.0", "od(1) = 127.0", 13, 'od takes one value and no subscript')
+      call refuse("od = 127.0", "od = 127.0 128.0", 13, 'od takes one value, 2 given')
+   end subroutine test_keys
+
+   subroutine test_values()
+      call refuse("od = 127.0", "od = 'wide'", 13, "od = 'wide' is no number; needs a number, > 0")
+      call refuse("od = 127.0", "od = wide", 13, 'od = wide is no number')
+      call refuse("od = 127.0", "od = 12O.0", 13, 'od = 12O.0 is no number')
+      call refuse("od = 127.0", "od = nan", 13, 'od = nan is no number')
+      call refuse("od = 127.0", "od = 1e999", 13, 'od = 1e999 is no number')
+      call refuse("diameter = 215.9", "diameter = -215.9", 9, 'diameter = -215.9 is out of range; needs a number, 1 to 5000 mm')
+      call refuse("diameter = 215.9", "diameter = 0.2159", 9, 'out of range; needs a number, 1 to 5000 mm')
+      call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 181", 4, 'inc(3) = 181 is out of range; needs a number, 0 to 180 deg')
+      call refuse("friction = 0.3", "friction = 30", 9, 'friction = 30 is out of range; needs a number, 0 to 2')
+      call refuse("wob = 20.0", "wob = 200000.0", 19, 'wob = 200000.0 is out of range')
+      call refuse("wob = 20.0", "tob = -1", 19, 'tob = -1 is out of range')
+      call refuse("element_length = 10.0", "max_iterations = 2.5", 20, 'is no whole number')
+      call refuse("element_length = 10.0", "history = yes", 20, 'history = yes is no logical; write .true. or .false.')
+      call refuse("'a deck'", "a_deck", 1, "is a text without quotes; write title = 'a_deck'")
+      call refuse("title", "units = 'SL', title", 1, "units = 'SL' is unknown; did you mean 'SI'?")
+      call refuse("'soft'", "'sofd'", 1, "models = 'sofd' is unknown; did you mean 'soft'?")
+      call refuse("'centred'", "'fixed'", 15, "top_lateral = 'fixed' is unknown; legal: centred, free")
+      call refuse("operation = 'up'", "operation = 'sideways'", 16, "operation = 'sideways' is unknown; legal: trip_out")
+      call refuse("operation = 'sliding'", "operation = 'slidign'", 18, "did you mean 'sliding'?")
+      call refuse("azi = 3*10.0", "azi = 3*10.0, interpolation = 'splin'", 5, "did you mean 'spline'?")
+      call refuse("element_length = 10.0", "gap_location = 'node'", 20, "did you mean 'nodes'?")
+      call refuse("element_length = 10.0", "gk_contact = 10.0, gk_max = 5.0", 20, 'gk_max must be at least gk_contact')
+   end subroutine test_values
+
+   subroutine test_later()
+      call refuse("'soft'", "'soft', 'rigid'", 1, "models = 'rigid' is not available in this version")
+      call refuse("&boundary top_lateral = 'centred' /", "&sweep name = 'x' /", 15, 'group &sweep: not available in this version')
+      call refuse("element_length = 10.0", "linear_solver = 'sparse'", 20, "'sparse' is not available in this version")
+      call refuse("element_length = 10.0", "fidelity = 'reference'", 20, "'reference' is not available in this version")
+      call refuse("kind = 'collar'", "catalogue = 'DC'", 11, 'catalogue is not available in this version')
+   end subroutine test_later
+
+   subroutine test_survey()
+      call refuse("0.0, 500.0, 900.0", "0.0, 900.0, 500.0", 3, 'station 3 at 500 m is not below station 2 at 900 m')
+      call refuse("0.0, 500.0, 900.0", "100.0, 500.0, 900.0", 3, 'the survey must begin at surface')
+      call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0", 4, 'inc has 2 values, md has 3')
+      call refuse("azi = 3*10.0", "", 2, 'key azi is missing')
+      call refuse("md  = 0.0, 500.0, 900.0", "", 2, 'key md is missing')
+      call refuse("inc = 0.0, 0.0, 30.0", "survey_file = 'x.csv'", 4, 'both survey_file and md are given')
+      call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 175", 2, 'group &trajectory: survey:')
+   end subroutine test_survey
+
+   subroutine test_holes()
+      call refuse("md_top = 400.0", "md_top = 450.0", 8, 'md_top = 450 m leaves a gap below the section above (line 6)')
+      call refuse("md_top = 400.0", "md_top = 350.0", 8, 'leaves an overlap with the section above (line 6)')
+      call refuse("md_top = 0.0", "md_top = 10.0", 6, 'holes must begin at surface')
+      call refuse("md_bottom = 900.0", "md_bottom = 300.0", 8, 'md_bottom = 300 m is not below md_top = 400 m')
+      call refuse("md_bottom = 900.0", "md_bottom = 850.0", 17, 'lies below the lowest hole section, which ends at 850 m')
+   end subroutine test_holes
+
+   subroutine test_components()
+      call refuse("id = 108.6", "id = 130", 13, 'id = 130 is not smaller than od = 127')
+      call refuse("joint_od = 168.3", "joint_od = 100", 14, 'joint_od = 100 is smaller than od = 127')
+      call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
+      call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
+      call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
+      call refuse("joint_od = 168.3", "length = 700.0", 17, "string 'main' is 800 m long and does not reach surface")
+      call refuse("density = 1200.0", "density = 8000.0", 13, 'floats: the mud, 8000')
+   end subroutine test_components
+
+   subroutine test_load_cases()
+      call refuse("name = 's'", "name = 'U'", 18, "name 'U' is taken by the case in line 16")
+      call refuse("name = 's'", "name = 'a/b'", 18, "name = 'a/b' cannot be part of a file name")
+      call refuse("name = 's'", "name = ''", 18, 'name is empty; give a text')
+      call refuse("bit_depth = 800.0", "bit_depth = 1000.0", 18, 'lies below the survey, which ends at 900 m')
+      call refuse("wob = 20.0", "string = 'mian'", 19, "no component belongs to string 'mian'; did you mean 'main'?")
+      call refuse("'sliding'", "'ream'", 18, 'operation ream needs rpm > 0')
+      call refuse("'sliding'", "'backream', rpm = 60", 18, 'operation backream needs trip_speed > 0')
+   end subroutine test_load_cases
+
+   !> Two faults, two messages, in the order of lines; and one slip gives one message.
+   subroutine test_all_faults()
+      type(run_type) :: run
+      run = run_deck_text(replaced(replaced(good_deck(), 'md_bottom = 400.0', 'md_botom = 400.0'), '215.9', '-215.9'))
+      call assertEqual(2, run%status)
+      call assertEqual(2, times(newline, run%diagnostics), message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, deck_path//':6:') < index(run%diagnostics, deck_path//':9:'), &
+                      message=run%diagnostics)
+      run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
+      call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
+   end subroutine test_all_faults
+
+   !> Ranges are told in the deck's units: 1 to 5000 mm is 0.03937 to 196.85 in.
+   subroutine test_field_units()
+      call refuse("title = 'a deck'", "units = 'field'", 7, &
+                  'diameter = 220.0 is out of range; needs a number, 0.03937 to 196.85 in')
+   end subroutine test_field_units
+
+   pure function times(part, text) result(number)
+      character(*), intent(in) :: part, text
+      integer :: number
+      integer :: at, found
+      number = 0
+      at = 1
+      do
+         found = index(text(at:), part)
+         if (found == 0) return
+         number = number + 1
+         at = at + found - 1 + len(part)
+      end do
+   end function times
+end module dg_test_bad_decks

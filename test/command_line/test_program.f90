@@ -1,0 +1,217 @@
+!> The command line as such: options, exit statuses, and what is left on disk.
+module dg_test_program
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_program_run, only: run_type, run_program, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
+      clear_scratch
+   use dg_text, only: text_type, append_text
+   implicit none
+   private
+   public :: program_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function program_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('program')
+      call suite%addTest(TestMethod('no_deck', test_no_deck))
+      call suite%addTest(TestMethod('version_and_help', test_version_and_help))
+      call suite%addTest(TestMethod('bad_options', test_bad_options))
+      call suite%addTest(TestMethod('deck_not_there', test_deck_not_there))
+      call suite%addTest(TestMethod('check_leaves_nothing', test_check))
+      call suite%addTest(TestMethod('solves', test_solves))
+      call suite%addTest(TestMethod('no_profiles', test_no_profiles))
+      call suite%addTest(TestMethod('not_converged', test_not_converged))
+      call suite%addTest(TestMethod('output_not_writable', test_output_not_writable))
+      call suite%addTest(TestMethod('survey_file', test_survey_file))
+      call suite%addTest(TestMethod('forms_of_a_deck', test_forms))
+   end function program_suite
+
+   subroutine test_no_deck()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program('')
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'no deck given') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'usage: drillgap DECK.nml') > 0, message=run%diagnostics)
+      call assertEqual('', run%output)
+   end subroutine test_no_deck
+
+   subroutine test_version_and_help()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program('--version')
+      call assertEqual(0, run%status)
+      call assertEqual('drillgap 0.1.0'//newline, run%output)
+      run = run_program('--help')
+      call assertEqual(0, run%status)
+      call assertTrue(index(run%output, 'usage: drillgap DECK.nml') == 1, message=run%output)
+      call assertEqual('', run%diagnostics)
+   end subroutine test_version_and_help
+
+   subroutine test_bad_options()
+      call clear_scratch()
+      call refuse('deck.nml --chekc', "unknown option '--chekc'; did you mean '--check'?")
+      call refuse('deck.nml --output', '--output needs a value')
+      call refuse('deck.nml --threads two', '--threads two is no number of threads')
+      call refuse('deck.nml --quiet=yes', '--quiet takes no value')
+      call refuse('deck.nml other.nml', "two decks, 'deck.nml' and 'other.nml'; give one")
+   end subroutine test_bad_options
+
+   subroutine refuse(arguments, expected)
+      character(*), intent(in) :: arguments, expected
+      type(run_type) :: run
+      run = run_program(arguments)
+      call assertEqual(2, run%status, message=arguments)
+      call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+   end subroutine refuse
+
+   subroutine test_deck_not_there()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program(scratch//'/absent.nml --output '//results_path)
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, scratch//'/absent.nml: deck cannot be opened') == 1, message=run%diagnostics)
+      call assertFalse(run%has_results)
+      run = run_program(scratch//' --output '//results_path)
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'it is a folder') > 0, message=run%diagnostics)
+   end subroutine test_deck_not_there
+
+   subroutine test_check()
+      type(run_type) :: run
+      run = run_deck_text(good_deck(), '--check')
+      call assertEqual(0, run%status)
+      call assertFalse(run%has_results)
+      call assertTrue(index(run%output, 'sliding_drilling at 800 m') > 0, message=run%output)
+      call assertEqual('', run%diagnostics)
+      ! options before the deck, values behind =
+      run = run_program('--check --output='//results_path//' '//deck_path)
+      call assertEqual(0, run%status)
+      call assertTrue(index(run%output, 'results in  '//results_path) > 0, message=run%output)
+   end subroutine test_check
+
+   subroutine test_solves()
+      type(run_type) :: run
+      run = run_deck_text(good_deck())
+      call assertEqual(0, run%status)
+      call assertTrue(is_file('summary.csv'))
+      call assertTrue(is_file('profile_u_soft.csv'))
+      call assertTrue(is_file('profile_s_soft.csv'))
+      call assertTrue(index(run%output, 'a deck') > 0, message=run%output)
+      call assertEqual('', run%diagnostics, message='no progress where nobody watches')
+   end subroutine test_solves
+
+   subroutine test_no_profiles()
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), 'title', 'profiles = .false., title'))
+      call assertEqual(0, run%status)
+      call assertTrue(is_file('summary.csv'))
+      call assertFalse(is_file('profile_u_soft.csv'))
+   end subroutine test_no_profiles
+
+   !> One iteration is never enough; the other model's results are written all the same.
+   subroutine test_not_converged()
+      type(run_type) :: run
+      run = run_deck_text(replaced(replaced(good_deck(), "'soft'", "'mcge', 'soft'"), 'element_length = 10.0', &
+                                   'element_length = 50.0, max_iterations = 1'))
+      call assertEqual(3, run%status)
+      call assertTrue(index(run%diagnostics, "case 'u', model mcge: did not converge") > 0, message=run%diagnostics)
+      call assertTrue(is_file('profile_u_soft.csv'))
+      call assertTrue(is_file('summary.csv'))
+   end subroutine test_not_converged
+
+   !> A file stands where the folder should be.
+   subroutine test_output_not_writable()
+      type(run_type) :: run
+      run = run_deck_text(good_deck(), '--output '//deck_path//'/results')
+      call assertEqual(1, run%status)
+      call assertTrue(index(run%diagnostics, 'cannot make the output folder') > 0, message=run%diagnostics)
+   end subroutine test_output_not_writable
+
+   !> A table beside the deck: any order and case of columns, other columns, comments, both separators.
+   subroutine test_survey_file()
+      call survey(['# made up             ', 'Azi,MD (m),dogleg,INC ', '10,0,0,0              ', '10,500,0,0            ', &
+                   '10,900,2.2,30         '], 0, '')
+      call survey(['md inc azi            ', '0   0   10            ', '500 0   10 # kick off ', '900 30  10            '], 0, '')
+      call survey(['md;inc;azi            ', '0;0;10                ', '500,5;0;10            ', '900;30;10             '], 0, '')
+      call survey(['md,inc,azi            ', '0,0,10                ', '900,30,10             ', '500,0,10              '], 4, &
+                  'station 3 at 500 m is not below station 2 at 900 m')
+      call survey(['md,inc,azi            ', '0,0,10                ', '900,thirty,10         '], &
+                  3, "inc = 'thirty' is no number")
+      call survey(['md,inc,azi            ', '0,0,10                ', '900,30                '], 3, 'no value for azi')
+      call survey(['md,inc,azi            ', '0,0,10                ', '900,190,10            '], 3, 'inc = 190 is out of range')
+      call survey(['md (ft),inc,azi       ', '0,0,10                ', '900,30,10             '], 1, &
+                  'gives md in ft, the deck has m')
+      call survey(['depth,inc,azi         ', '0,0,10                ', '900,30,10             '], 1, 'the header names no md')
+   end subroutine test_survey_file
+
+   subroutine survey(rows, line, expected)
+      character(*), intent(in) :: rows(:)
+      integer, intent(in) :: line             !< of the fault in the table; 0: none
+      character(*), intent(in) :: expected
+      type(text_type), allocatable :: lines(:)
+      type(error_type), allocatable :: error
+      type(run_type) :: run
+      character(16) :: place
+      character(:), allocatable :: text
+      integer :: i
+      text = replaced(good_deck(), 'md  = 0.0, 500.0, 900.0', "survey_file = 'wells/path.csv'")
+      text = replaced(replaced(text, 'inc = 0.0, 0.0, 30.0', ''), 'azi = 3*10.0', '')
+      ! the table must be there when the deck runs, and writing a deck empties the folder: run twice
+      run = run_deck_text(text, '--check')
+      call assertEqual(2, run%status, message='no table')
+      call assertTrue(index(run%diagnostics, scratch//'/wells/path.csv: survey file cannot be opened') == 1, &
+                      message=run%diagnostics)
+      call execute_command_line('mkdir -p '//scratch//'/wells')
+      allocate (lines(0))
+      do i = 1, size(rows)
+         call append_text(lines, trim(rows(i)))
+      end do
+      call write_text_file(scratch//'/wells/path.csv', lines, error)
+      run = run_program('--check '//deck_path)
+      if (line == 0) then
+         call assertEqual(0, run%status, message=run%diagnostics)
+      else
+         call assertEqual(2, run%status, message=expected)
+         write (place, '(a,i0,a)') ':', line, ':'
+         call assertTrue(index(run%diagnostics, scratch//'/wells/path.csv'//trim(place)) == 1, message=run%diagnostics)
+         call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+      end if
+   end subroutine survey
+
+   !> What a namelist allows: capitals, tabs, CR LF, &end, values over lines, both quotes, quotes doubled,
+   !> subscripts, keys parted by blanks or commas, ! in texts.
+   subroutine test_forms()
+      call accept('&job title', '&JOB Title')
+      call accept("'a deck'", '"it''s ! one / deck"')
+      call accept("'a deck'", "'it''s'")
+      call accept('  md  = 0.0, 500.0, 900.0', achar(9)//'md'//achar(9)//'='//achar(9)//'0.0'//achar(13)//newline// &
+                  '500.0'//newline//'! a comment'//newline//', 900.0'//achar(13))
+      call accept('azi = 3*10.0 /', 'azi(1:2) = 2*10.0, azi(3) = 1.0d1 &end')
+      call accept('azi = 3*10.0', 'azi(:) = 10 +10. 1e1')
+      call accept('&fluid density = 1200.0 /', '&fluid density=1200./&boundary/')
+      call accept("&boundary top_lateral = 'centred' /", '')
+      call accept('0.0, 0.0, 30.0', '0.0, 0.0, 30.0,')
+   end subroutine test_forms
+
+   subroutine accept(old, new)
+      character(*), intent(in) :: old, new
+      type(run_type) :: run
+      character(:), allocatable :: text
+      text = replaced(good_deck(), old, new)
+      if (index(new, '&boundary/') > 0) text = replaced(text, "&boundary top_lateral = 'centred' /", '')
+      run = run_deck_text(text, '--check')
+      call assertEqual(0, run%status, message=new//': '//run%diagnostics)
+   end subroutine accept
+
+   !> Whether a file of that name is among the results.
+   function is_file(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      inquire (file=results_path//'/'//name, exist=is)
+   end function is_file
+end module dg_test_program
