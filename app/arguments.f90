@@ -34,6 +34,7 @@ contains
 
       arguments%deck = ''
       arguments%output_dir = ''
+      value = ''
       only_decks = .false.
       i = 0
       do while (i < command_argument_count())
@@ -58,11 +59,11 @@ contains
          if (equals > 0) option = word(:equals - 1)
          select case (option)
          case ('--output', '--threads')
+            value = ''
             if (equals > 0) then
                value = word(equals + 1:)
             else
                i = i + 1
-               value = ''
                if (i <= command_argument_count()) value = argument(i)
             end if
             if (value == '') then

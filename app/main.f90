@@ -48,6 +48,7 @@ contains
       type(fault_type), allocatable :: sorted(:)
       integer :: i
 
+      allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults)
       if (faults%count > 0) then
          allocate (sorted, source=sorted_faults(faults))
@@ -64,11 +65,16 @@ contains
          status = status_ok
          return
       end if
-      if (.not. job%quiet) then
-         do i = 1, size(notes)
-            write (error_unit, '(a)') program_name//': note: '//notes(i)%text
-         end do
-      end if
+      if (.not. job%quiet) call print_notes(notes)
       call run_deck(job, model, status)
    end subroutine work
+
+   !> What this version leaves undone although the deck asks for it.
+   subroutine print_notes(notes)
+      type(text_type), intent(in) :: notes(:)
+      integer :: i
+      do i = 1, size(notes)
+         write (error_unit, '(a)') program_name//': note: '//notes(i)%text
+      end do
+   end subroutine print_notes
 end program main

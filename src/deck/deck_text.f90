@@ -35,6 +35,7 @@ module dg_deck_text
    character(*), parameter :: digits = '0123456789'
    !> Subscripts of more digits are no station of a deck.
    integer, parameter :: longest_subscript = 6
+   integer, parameter :: first_capacity = 64
 
 contains
 
@@ -47,10 +48,13 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(group_type) :: group
       type(entry_type) :: entry
+      type(value_text_type), allocatable :: values(:)   ! of the entry; the first n_values are meant
+      integer :: n_values
       logical :: in_group, in_entry, lost
       integer :: i, previous, this, next, stray_line
 
-      allocate (groups(0))
+      allocate (groups(0), values(first_capacity))
+      n_values = 0
       in_group = .false.
       in_entry = .false.
       lost = .false.         ! after a fault: nothing more is said until the next key
@@ -91,7 +95,7 @@ contains
                in_group = .false.
             case (token_equals)
                if (in_entry .and. previous == token_word) then
-                  if (size(entry%values) == 0) cycle   ! the key's own
+                  if (n_values == 0) cycle   ! the key's own
                end if
                if (.not. lost) call group_fault(token%line, "'=' without a key before it; write key = value")
                call close_entry()
@@ -142,8 +146,7 @@ contains
          lost = .false.
          entry%line = token%line
          entry%sound = .true.
-         if (allocated(entry%values)) deallocate (entry%values)
-         allocate (entry%values(0))
+         n_values = 0
          call split_subscript(lower_case(token%text), entry%key, entry%first, entry%last, legal)
          if (.not. legal) then
             call entry_fault('the subscript of '//quoted(token%text)//' is none; write key(1) = or key(2:5) =')
@@ -163,12 +166,13 @@ contains
          value%text = token%text
          value%in_quotes = token%kind /= token_word
          value%line = token%line
-         if (entry%sound) call append_values(entry%values, value, token%repeat)
+         if (entry%sound) call append_values(values, n_values, value, token%repeat)
       end subroutine take_value
 
       subroutine close_entry()
          if (in_entry) then
-            if (size(entry%values) == 0) call entry_fault('no value; write '//entry%key//' = value')
+            entry%values = values(:n_values)
+            if (n_values == 0) call entry_fault('no value; write '//entry%key//' = value')
             if (entry%sound .and. entry%last > 0) then
                if (entry%last - entry%first + 1 /= size(entry%values)) call entry_fault('the subscript asks for '// &
                   to_text(entry%last - entry%first + 1)//' values, '//to_text(size(entry%values))//' given')
@@ -221,25 +225,23 @@ contains
       legal = legal .and. number > 0
    end subroutine read_subscript
 
-   !> Puts `count` copies of a value at the end of a list. Lists are short but for stations, of which there
-   !> are some thousands at most.
-   pure subroutine append_values(list, value, count)
+   !> Puts `count` copies of a value behind the first `n` of a list.
+   pure subroutine append_values(list, n, value, count)
       type(value_text_type), allocatable, intent(inout) :: list(:)
+      integer, intent(inout) :: n
       type(value_text_type), intent(in) :: value
       integer, intent(in) :: count
       type(value_text_type), allocatable :: longer(:)
-      integer :: i, n
-      n = size(list)
-      allocate (longer(n + count))
-      do i = 1, n
-         call move_alloc(list(i)%text, longer(i)%text)
-         longer(i)%in_quotes = list(i)%in_quotes
-         longer(i)%line = list(i)%line
-      end do
+      integer :: i
+      if (n + count > size(list)) then
+         allocate (longer(2*(n + count)))
+         longer(:n) = list(:n)
+         call move_alloc(longer, list)
+      end if
       do i = n + 1, n + count
-         longer(i) = value
+         list(i) = value
       end do
-      call move_alloc(longer, list)
+      n = n + count
    end subroutine append_values
 
    !> Puts one entry at the end of a list.

@@ -134,10 +134,11 @@ contains
          end if
       end if
       if (.not. value%sound) return
+      if (allocated(value%numbers)) value%numbers = [value%numbers, spread(0.0_wp, 1, size(entry%values))]
       do i = 1, size(entry%values)
          name = entry%key
          if (rule%array .and. rule%kind /= kind_text) name = name//'('//to_text(i + max(entry%first, 1) - 1)//')'
-         call take_value(entry%values(i), name, rule, units, value, message)
+         call take_value(entry%values(i), name, max(entry%first, 1) + i - 1, rule, units, value, message)
          if (message == '') cycle
          if (entry%values(i)%line /= entry%line) message = message//' [line '//to_text(entry%values(i)%line)//']'
          call fault(message)
@@ -153,9 +154,10 @@ contains
    end subroutine take_entry
 
    !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
-   subroutine take_value(item, name, rule, units, value, message)
+   subroutine take_value(item, name, place, rule, units, value, message)
       type(value_text_type), intent(in) :: item
       character(*), intent(in) :: name
+      integer, intent(in) :: place             !< of the value among those of its key
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       type(value_type), intent(inout) :: value
@@ -195,7 +197,7 @@ contains
             message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
             return
          end if
-         value%numbers = [value%numbers, number]
+         value%numbers(place) = number
       end select
    end subroutine take_value
 
@@ -250,7 +252,10 @@ contains
       legal = .true.
       select case (rule%kind)
       case (kind_text)
-         value%texts = [text_type(trim(rule%default))]
+         ! By component: gfortran 12 gives a deferred-length text in a structure constructor a wrong length.
+         if (allocated(value%texts)) deallocate (value%texts)
+         allocate (value%texts(1))
+         value%texts(1)%text = trim(rule%default)
       case (kind_logical)
          call read_logical(trim(rule%default), value%flag, legal)
       case default
