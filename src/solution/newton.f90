@@ -27,14 +27,22 @@ module dg_newton
 
    !> Viscosity first tried when the tangent turns out indefinite, over the wall's stiffness [-]; each further try
    !> multiplies it, each success divides it.
-   real(wp), parameter :: viscosity_growth = 10.0_wp
-   real(wp), parameter :: viscosity_decay = 0.1_wp
+   real(wp), parameter :: viscosity_growth = 2.0_wp
+   real(wp), parameter :: viscosity_decay = 0.25_wp
    !> Under this viscosity [N/m2] the string's own weight gradient (about w/c = 1e3 N/m2) rules and it is dropped.
    real(wp), parameter :: viscosity_least = 1.0_wp
    real(wp), parameter :: viscosity_most = 1.0e12_wp
 
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
+
+   !> A growing mode is drawn out to this part of the clearance [-], by no more than this factor, when the residual over
+   !> the weight is below this [-].
+   real(wp), parameter :: mode_growth = 0.25_wp
+   real(wp), parameter :: most_drawn = 1.0e3_wp
+   real(wp), parameter :: mode_residual = 1.0e-3_wp
+   !> Iterations in a row with gaps changing after which they are taken to be cycling.
+   integer, parameter :: patience = 8
 
    !> Room and settings of an iteration, made once a case.
    type :: newton_type
@@ -51,6 +59,7 @@ module dg_newton
       real(wp) :: viscosity = 0.0_wp              !< present [N/m2]
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
+      real(wp) :: viscous_limit = 0.0_wp          !< the same while viscosity acts [m]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< in all increments so far
    end type newton_type
@@ -71,8 +80,10 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      integer :: info
+      logical :: stable
+      integer :: info, stalled
       row%increment = increment
+      stalled = 0
       call place_nodes(mesh, state, work)
       call judge(trajectory, mesh, numerics, newton, gaps, work, row)
       do
@@ -85,9 +96,14 @@ contains
          newton%history(newton%iterations + 1) = row
          if (max(row%residual_force, row%residual_moment) <= tolerance*newton%force_scale .and. &
              ((row%flips == 0 .and. row%moves == 0) .or. tolerance > numerics%tolerance)) then
-            outcome = newton_converged
-            return
+            stable = .true.
+            if (newton%stabilise) call check_stability(newton, trajectory, mesh, loads, gaps, state, work, stable)
+            if (stable) then
+               outcome = newton_converged
+               return
+            end if
          end if
+         stalled = merge(stalled + 1, 0, row%flips > 0)
          if (newton%iterations >= numerics%max_iterations) then
             outcome = newton_exhausted
             return
@@ -107,21 +123,35 @@ contains
             outcome = newton_singular
             return
          end if
-         state = state + newton%step*step_share(newton)
+         state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
          call place_nodes(mesh, state, work)
          call judge(trajectory, mesh, numerics, newton, gaps, work, row)
       end do
    end subroutine iterate
 
-   !> Share of the full step that keeps lateral changes within the limit, and slopes within what they are good for.
-   pure function step_share(newton) result(share)
+   !> Share of the full step to take. Lateral changes stay within the limit, and slopes within what they are good for.
+   !> Near an unstable equilibrium, all at rest but held by viscosity, the step is the mode that grows, only small: it
+   !> is drawn out to a visible part of the clearance. Where gaps have taken turns for long, half steps break the cycle.
+   pure function step_share(newton, row, stalled) result(share)
       type(newton_type), intent(in) :: newton
+      type(iteration_type), intent(in) :: row
+      integer, intent(in) :: stalled        !< iterations in a row with gaps changing
       real(wp) :: share
-      real(wp) :: lateral, slope
-      lateral = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))/newton%step_limit
+      real(wp) :: lateral, slope, limit, goal
+      logical :: held
+      held = newton%viscosity > 0.0_wp
+      limit = merge(newton%viscous_limit, newton%step_limit, held)
+      lateral = row%lateral_step/limit
       slope = maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn
       share = 1.0_wp/max(1.0_wp, lateral, slope)
+      goal = mode_growth*newton%viscous_limit
+      if (held .and. row%flips == 0 .and. row%moves == 0 .and. row%lateral_step < goal .and. &
+          row%residual_force < mode_residual*newton%force_scale) then
+         share = min(goal/max(row%lateral_step, goal/most_drawn), 1.0_wp/max(slope, tiny(1.0_wp)))
+      else if (stalled > patience) then
+         share = 0.5_wp*share
+      end if
    end function step_share
 
    !> Re-judges the gaps at the present state; `row` counts what changed.
@@ -142,6 +172,20 @@ contains
                                                                        newton%displacement, row%moves)
       call judge_states(gaps, newton%displacement, row%flips)
    end subroutine judge
+
+   !> Whether the present equilibrium is stable: the conservative tangent without viscosity is positive definite.
+   subroutine check_stability(newton, trajectory, mesh, loads, gaps, state, work, stable)
+      type(newton_type), intent(inout) :: newton
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      logical, intent(out) :: stable
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%step, newton%conservative)
+      stable = band_positive_definite(newton%solver, newton%conservative, 0.0_wp, newton%lump)
+   end subroutine check_stability
 
    !> Viscosity for the present iteration: lowered a step, then raised until the conservative tangent with it is
    !> positive definite.

@@ -17,7 +17,7 @@ module dg_predictor
    use dg_vector, only: cross
    implicit none
    private
-   public :: predict
+   public :: predict, coiling_load
 
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
@@ -35,12 +35,13 @@ contains
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
-      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), force, n(3), friction
+      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
       integer :: i, e
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale)
       offset = 0.0_wp
       do i = 1, mesh%nodes
          force = norm2(contact(:, i))
+         load(i) = force
          if (.not. force > 0.0_wp) cycle
          e = min(i, mesh%elements)
          friction = mesh%rotary(e)*friction_scale
@@ -52,13 +53,56 @@ contains
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slopes_of(mesh%md, offset, slope)
+      call coil(mesh, axial, load, wall, offset, slope)
+      if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         force = norm2(contact(:, e)) + norm2(contact(:, e + 1))
-         gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
+         gaps%state(e) = merge(state_elastic, state_free, load(e) + load(e + 1) > 0.0_wp)
       end do
    end subroutine predict
+
+   !> Axial compression [N] beyond which a string under a side load n per metre in a clearance c coils: 2 sqrt(2 EI n/c)
+   !> (Chen, Lin & Cheatham 1990), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
+   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around.
+   elemental function coiling_load(ei, side_load, weight, clearance) result(load)
+      real(wp), intent(in) :: ei         !< [N.m2]
+      real(wp), intent(in) :: side_load  !< [N/m]
+      real(wp), intent(in) :: weight     !< [N/m]
+      real(wp), intent(in) :: clearance  !< [m]
+      real(wp) :: load
+      load = max(2.0_wp*sqrt(2.0_wp*ei*side_load/clearance), 2.0_wp*1.94_wp*(ei*weight**2)**(1.0_wp/3.0_wp))
+   end function coiling_load
+
+   !> Lays the string as a helix against the wall where the soft string's compression F is beyond the coiling load: pitch
+   !> 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre. From the straight state the iteration would have to grow
+   !> every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
+   pure subroutine coil(mesh, axial, load, wall, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:), wall(:)
+      real(wp), intent(inout) :: load(:)         !< contact force per metre [N/m]
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)
+      real(wp) :: phase, rate, radius, force
+      logical :: coiling
+      integer :: i, e
+      coiling = .false.
+      do i = 1, mesh%nodes
+         e = min(i, mesh%elements)
+         if (-axial(i) <= coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+            coiling = .false.
+            cycle
+         end if
+         if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
+         rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
+         if (coiling) phase = phase + rate*(mesh%md(i) - mesh%md(i - 1))
+         coiling = .true.
+         force = mesh%clearance(e)*axial(i)**2/(4.0_wp*mesh%ei(e))
+         radius = mesh%clearance(e) + force/wall(e)
+         offset(:, i) = radius*[cos(phase), sin(phase)]
+         slope(:, i) = radius*rate*[-sin(phase), cos(phase)]
+         load(i) = max(load(i), force)
+      end do
+   end subroutine coil
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth.
    pure subroutine slopes_of(md, offset, slope)

@@ -2,7 +2,8 @@
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_assembly, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, load_type, new_workspace, workspace_type
+   use dg_assembly, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, load_type, new_workspace, &
+                          workspace_type
    use dg_band_solver, only: new_band_solver
    use dg_block_matrix, only: new_block_matrix
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
@@ -16,7 +17,7 @@ module dg_static_analysis
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
    use dg_numerics, only: gap_at_nodes
-   use dg_predictor, only: predict
+   use dg_predictor, only: coiling_load, predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: inclination_of, position_at
@@ -39,6 +40,7 @@ module dg_static_analysis
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
    !> Longest element over a quarter of the buckling wave [-].
    real(wp), parameter :: quarter_wave_share = 0.9_wp
+   real(wp), parameter :: coil_share = 0.5_wp        !< where the string is expected to coil
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -97,7 +99,7 @@ contains
       integer, intent(in) :: case_index
       type(mesh_type), intent(out) :: mesh
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
-      real(wp) :: compression
+      real(wp) :: compression, side_load, share
       integer :: e
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, model%numerics%element_length), mesh)
@@ -106,7 +108,11 @@ contains
          longest = mesh%length
          do e = 1, mesh%elements
             compression = -min(axial(e), axial(e + 1))
-            if (compression > 0.0_wp) longest(e) = min(longest(e), quarter_wave_share*0.5_wp*pi*sqrt(2.0_wp*mesh%ei(e)/compression))
+            if (.not. compression > 0.0_wp) cycle
+            side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
+            share = quarter_wave_share
+            if (compression > coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))) share = coil_share
+            longest(e) = min(longest(e), share*0.5_wp*pi*sqrt(2.0_wp*mesh%ei(e)/compression))
          end do
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate
@@ -176,6 +182,7 @@ contains
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = sum(mesh%weight*mesh%length) + abs(load_case%wob)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)
+         newton%viscous_limit = numerics%viscous_limit*maxval(mesh%clearance)
       end associate
    end subroutine prepare
 
