@@ -12,11 +12,13 @@ module dg_process
    interface
       subroutine c_exit(status) bind(c, name='exit')
          import :: c_int
+         implicit none
          integer(c_int), value :: status
       end subroutine c_exit
 
       function c_isatty(descriptor) result(is) bind(c, name='isatty')
          import :: c_int
+         implicit none
          integer(c_int), value :: descriptor
          integer(c_int) :: is
       end function c_isatty

@@ -15,6 +15,7 @@ module dg_folder
       ! mode_t is unsigned int on Linux; 0777 is the same in int
       function c_mkdir(path, mode) result(status) bind(c, name='mkdir')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int), value :: mode
          integer(c_int) :: status
@@ -22,6 +23,7 @@ module dg_folder
 
       function c_access(path, mode) result(status) bind(c, name='access')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int), value :: mode
          integer(c_int) :: status

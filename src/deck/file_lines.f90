@@ -57,7 +57,7 @@ contains
          call move_alloc(line, lines(count)%text)
          if (last) exit
       end do
-      close (unit, iostat=status)
+      close (unit)
       lines = lines(:count)
       if (count > 0) then
          if (index(lines(1)%text, byte_order_mark) == 1) lines(1)%text = lines(1)%text(len(byte_order_mark) + 1:)

@@ -27,7 +27,7 @@ contains
       type(gap_table_type) :: table
       integer :: n
       n = size(laws)
-      table%law = laws
+      allocate (table%law, source=laws)
       allocate (table%xi(n), source=place)
       allocate (table%state(n), source=state_free)
       allocate (table%flips(n), table%moves(n), source=0)

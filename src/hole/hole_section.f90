@@ -12,8 +12,8 @@ module dg_hole_section
       real(wp) :: diameter = 0.0_wp        !< inside diameter D [m]
       real(wp) :: friction_axial = 0.0_wp  !< mu2 of Eq. 5 [-]
       real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
-      real(wp) :: wall_stiffness = 0.0_wp  !< force per metre of contact per metre of penetration [N/m2]; 0: gk_contact of the solver
-      real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) for this section
+      real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
+      real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
    end type hole_section_type
 
 contains

@@ -9,6 +9,7 @@ module dg_lapack
       !> LU factors of a general band matrix with partial pivoting.
       subroutine dgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)
          import :: wp
+         implicit none
          integer, intent(in) :: m, n, kl, ku, ldab
          real(wp), intent(inout) :: ab(ldab, *)
          integer, intent(out) :: ipiv(*)
@@ -17,6 +18,7 @@ module dg_lapack
       !> Solution with the factors of dgbtrf.
       subroutine dgbtrs(trans, n, kl, ku, nrhs, ab, ldab, ipiv, b, ldb, info)
          import :: wp
+         implicit none
          character, intent(in) :: trans
          integer, intent(in) :: n, kl, ku, nrhs, ldab, ldb
          real(wp), intent(in) :: ab(ldab, *)
@@ -27,6 +29,7 @@ module dg_lapack
       !> Cholesky factor of a symmetric band matrix; info > 0: not positive definite.
       subroutine dpbtrf(uplo, n, kd, ab, ldab, info)
          import :: wp
+         implicit none
          character, intent(in) :: uplo
          integer, intent(in) :: n, kd, ldab
          real(wp), intent(inout) :: ab(ldab, *)

@@ -71,6 +71,7 @@ contains
       allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
                 mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n))
       top = mesh%md(1)
+      allocate (tops(size(model%strings(index)%components)))
       tops = component_tops(model%strings(index), load_case%bit_depth - top)
       do e = 1, mesh%elements
          mesh%length(e) = mesh%md(e + 1) - mesh%md(e)
@@ -124,7 +125,9 @@ contains
       integer :: i, n
       top = model%trajectory%md(1)
       bit = load_case%bit_depth
-      tops = component_tops(model%strings(string_index(model%strings, load_case%string)), bit - top)
+      n = string_index(model%strings, load_case%string)
+      allocate (tops(size(model%strings(n)%components)))
+      tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)

@@ -69,7 +69,7 @@ contains
          call mesh_for_case(model, case_index, mesh)
          call prepare(model, load_case, mesh, gaps, newton, work)
          allocate (state(6, mesh%nodes))
-         walls = wall_stages(model, mesh)
+         call stage_walls(model, mesh, walls)
          do increment = 1, model%numerics%load_steps
             fraction = real(increment, wp)/model%numerics%load_steps
             call set_loads(model, load_case, fraction, loads)
@@ -122,10 +122,10 @@ contains
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
    !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
    !> stiffer wall then starts from the state before.
-   pure function wall_stages(model, mesh) result(walls)
+   pure subroutine stage_walls(model, mesh, walls)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
-      real(wp), allocatable :: walls(:)
+      real(wp), allocatable, intent(out) :: walls(:)
       real(wp) :: soft, stiff, ratio
       integer :: stages, i
       soft = maxval(mesh%weight/mesh%clearance)/soft_penetration
@@ -138,7 +138,7 @@ contains
       do i = 1, stages - 1
          walls(i) = ratio**(stages - i)
       end do
-   end function wall_stages
+   end subroutine stage_walls
 
    !> Gives every gap its wall, `scale` times the final stiffness.
    pure subroutine set_walls(model, mesh, scale, gaps)

@@ -21,6 +21,17 @@ contains
       use dg_test_units, only: units_suite
       use dg_test_trajectory, only: trajectory_suite
       use dg_test_soft_string, only: soft_string_suite
+      use dg_test_beam_angle, only: beam_angle_suite
+      use dg_test_beam_element, only: beam_element_suite
+      use dg_test_block_matrix, only: block_matrix_suite
+      use dg_test_director, only: director_suite
+      use dg_test_gap_contact, only: gap_contact_suite
+      use dg_test_gap_element, only: gap_element_suite
+      use dg_test_gap_location, only: gap_location_suite
+      use dg_test_gap_state, only: gap_state_suite
+      use dg_test_gap_table, only: gap_table_suite
+      use dg_test_hermite, only: hermite_suite
+      use dg_test_mesh, only: mesh_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -36,5 +47,16 @@ contains
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())
       call suite%addTest(soft_string_suite())
+      call suite%addTest(beam_angle_suite())
+      call suite%addTest(beam_element_suite())
+      call suite%addTest(block_matrix_suite())
+      call suite%addTest(director_suite())
+      call suite%addTest(gap_contact_suite())
+      call suite%addTest(gap_element_suite())
+      call suite%addTest(gap_location_suite())
+      call suite%addTest(gap_state_suite())
+      call suite%addTest(gap_table_suite())
+      call suite%addTest(hermite_suite())
+      call suite%addTest(mesh_suite())
    end function load_tests
 end program unit

@@ -1,0 +1,161 @@
+!> The chain matrix and its banded solution against the same matrix written out in full.
+module dg_test_block_matrix
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
+   use dg_band_solver, only: band_factor, band_positive_definite, band_solve, band_solver_type, new_band_solver
+   use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: block_matrix_suite
+
+   integer, parameter :: nodes = 5, unknowns = block_size*nodes
+
+contains
+
+   function block_matrix_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('block_matrix')
+      call suite%addTest(TestMethod('product', test_product))
+      call suite%addTest(TestMethod('band_solution', test_band_solution))
+      call suite%addTest(TestMethod('row_exchange', test_row_exchange))
+      call suite%addTest(TestMethod('one_node', test_one_node))
+      call suite%addTest(TestMethod('singular', test_singular))
+      call suite%addTest(TestMethod('definiteness', test_definiteness))
+   end function block_matrix_suite
+
+   !> Any numbers, no symmetry.
+   function any_matrix() result(matrix)
+      type(block_matrix_type) :: matrix
+      integer :: k
+      matrix = new_block_matrix(nodes)
+      matrix%diagonal = reshape([(sin(1.7_wp*k*k), k=1, 36*nodes)], [6, 6, nodes])
+      matrix%upper = reshape([(cos(2.3_wp*k*k), k=1, 36*(nodes - 1))], [6, 6, nodes - 1])
+      matrix%lower = reshape([(sin(0.9_wp*k*k + 1.0_wp), k=1, 36*(nodes - 1))], [6, 6, nodes - 1])
+   end function any_matrix
+
+   function full(matrix) result(dense)
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp) :: dense(unknowns, unknowns)
+      integer :: n, a
+      dense = 0.0_wp
+      do n = 1, nodes
+         a = block_size*(n - 1)
+         dense(a + 1:a + 6, a + 1:a + 6) = matrix%diagonal(:, :, n)
+         if (n == nodes) exit
+         dense(a + 1:a + 6, a + 7:a + 12) = matrix%upper(:, :, n)
+         dense(a + 7:a + 12, a + 1:a + 6) = matrix%lower(:, :, n)
+      end do
+   end function full
+
+   subroutine test_product()
+      type(block_matrix_type) :: matrix
+      real(wp) :: x(unknowns)
+      integer :: k
+      matrix = any_matrix()
+      x = [(cos(1.0_wp*k), k=1, unknowns)]
+      call assertEqual(matmul(full(matrix), x), reshape(block_product(matrix, reshape(x, [6, nodes])), [unknowns]), 1.0e-13_wp)
+   end subroutine test_product
+
+   subroutine check_solution(matrix)
+      type(block_matrix_type), intent(in) :: matrix
+      type(band_solver_type) :: solver
+      real(wp) :: b(unknowns), x(6, nodes)
+      integer :: k, info, twice
+      solver = new_band_solver(nodes)
+      do twice = 1, 2       ! nothing of a first matrix is left in a second one
+         call band_factor(solver, matrix, info)
+         call assertEqual(0, info)
+         b = [(sin(3.0_wp*k), k=1, unknowns)]
+         x = reshape(b, [6, nodes])
+         call band_solve(solver, x)
+         ! Backward stable: residual of round-off times |A||x|, about 1e2 here.
+         call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-12_wp)
+      end do
+   end subroutine check_solution
+
+   subroutine test_band_solution()
+      call check_solution(any_matrix())
+   end subroutine test_band_solution
+
+   !> Zero on the whole diagonal: only an exchange of rows gets through.
+   subroutine test_row_exchange()
+      type(block_matrix_type) :: matrix
+      integer :: n, i
+      matrix = any_matrix()
+      do n = 1, nodes
+         do i = 1, 6
+            matrix%diagonal(i, i, n) = 0.0_wp
+         end do
+      end do
+      call check_solution(matrix)
+   end subroutine test_row_exchange
+
+   subroutine test_one_node()
+      type(block_matrix_type) :: matrix
+      type(band_solver_type) :: solver
+      real(wp) :: x(6, 1)
+      integer :: i, info
+      matrix = new_block_matrix(1)
+      do i = 1, 6
+         matrix%diagonal(i, i, 1) = 2.0_wp*i
+      end do
+      solver = new_band_solver(1)
+      call band_factor(solver, matrix, info)
+      x(:, 1) = [(4.0_wp*i, i=1, 6)]
+      call band_solve(solver, x)
+      call assertEqual(2.0_wp, x(:, 1), 1.0e-15_wp)
+   end subroutine test_one_node
+
+   !> An unknown without any row is named.
+   subroutine test_singular()
+      type(block_matrix_type) :: matrix
+      type(band_solver_type) :: solver
+      integer :: info
+      matrix = new_block_matrix(nodes)
+      matrix%diagonal = any_diagonal()
+      matrix%diagonal(:, 2, 3) = 0.0_wp
+      solver = new_band_solver(nodes)
+      call band_factor(solver, matrix, info)
+      call assertEqual(6*2 + 2, info)
+   end subroutine test_singular
+
+   pure function any_diagonal() result(diagonal)
+      real(wp) :: diagonal(6, 6, nodes)
+      integer :: n, i
+      diagonal = 0.0_wp
+      do n = 1, nodes
+         do i = 1, 6
+            diagonal(i, i, n) = 1.0_wp + i + n
+         end do
+      end do
+   end function any_diagonal
+
+   !> A chain of springs, stiffness 1 each and held at one end by 1: the smallest eigenvalue of the 1-d chain of N unknowns
+   !> free at the other end is 2 - 2 cos(pi/(2 N + 1)). Taking more than that off the diagonal is what dpbtrf must see.
+   subroutine test_definiteness()
+      type(block_matrix_type) :: matrix
+      type(band_solver_type) :: solver
+      real(wp) :: ones(6, nodes), least
+      real(wp), parameter :: pi = 3.14159265358979324_wp
+      integer :: n, i
+      matrix = new_block_matrix(nodes)
+      do n = 1, nodes
+         do i = 1, 6
+            matrix%diagonal(i, i, n) = merge(1.0_wp, 2.0_wp, n == nodes)
+            if (n < nodes) matrix%upper(i, i, n) = -1.0_wp
+            if (n < nodes) matrix%lower(i, i, n) = -1.0_wp
+         end do
+      end do
+      ones = 1.0_wp
+      least = 2.0_wp - 2.0_wp*cos(pi/(2*nodes + 1))
+      solver = new_band_solver(nodes)
+      call assertGreaterThan(least, 0.0_wp)
+      call assertTrue(band_positive_definite(solver, matrix, 0.0_wp, ones), message='as it is')
+      call assertTrue(band_positive_definite(solver, matrix, -0.999_wp*least, ones), message='just above')
+      call assertFalse(band_positive_definite(solver, matrix, -1.001_wp*least, ones), message='just below')
+      matrix%diagonal(3, 3, 2) = matrix%diagonal(3, 3, 2) - 10.0_wp
+      call assertFalse(band_positive_definite(solver, matrix, 0.0_wp, ones), message='one soft unknown')
+      call assertTrue(band_positive_definite(solver, matrix, 20.0_wp, ones), message='stiffened')
+      call assertLessThan(least, 0.1_wp)
+   end subroutine test_definiteness
+end module dg_test_block_matrix

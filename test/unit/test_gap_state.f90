@@ -1,0 +1,111 @@
+!> Every row of the state table (Eqs. 7 and 8), and the force law of Fig. 2.
+module dg_test_gap_state
+   use funit, only: assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use dg_gap_state, only: contact_force, gap_law_type, next_state, relative_compression, state_elastic, state_free, state_name, &
+      state_rigid
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: gap_state_suite
+
+   !> c = 0.05 m; the force threshold is reached at 1e-6 m = 2e-5 c, so eps_n0 = 1e-4 decides with this law ...
+   type(gap_law_type), parameter :: by_compression = gap_law_type(clearance=0.05_wp, minimum=1.0_wp, contact=1.0e6_wp, &
+      maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=1.0_wp)
+   !> ... and r_n0, reached at 1e-4 m = 2e-3 c, with this one.
+   type(gap_law_type), parameter :: by_force = gap_law_type(clearance=0.05_wp, minimum=1.0_wp, contact=1.0e6_wp, &
+      maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=100.0_wp)
+   integer, parameter :: f = state_free, e = state_elastic, r = state_rigid
+
+contains
+
+   function gap_state_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('gap_state')
+      call suite%addTest(TestMethod('table_by_compression', test_table_by_compression))
+      call suite%addTest(TestMethod('table_by_force', test_table_by_force))
+      call suite%addTest(TestMethod('no_thresholds', test_no_thresholds))
+      call suite%addTest(TestMethod('settled', test_settled))
+      call suite%addTest(TestMethod('force_is_continuous', test_force_is_continuous))
+      call suite%addTest(TestMethod('names', test_names))
+   end function gap_state_suite
+
+   !> Columns: eps - 1, then the state that follows free, elastic and rigid.
+   subroutine check_table(law, compression, from_free, from_elastic, from_rigid)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: compression(:)
+      integer, intent(in) :: from_free(:), from_elastic(:), from_rigid(:)
+      real(wp) :: displacement
+      integer :: i
+      do i = 1, size(compression)
+         displacement = law%clearance*(1.0_wp + compression(i))
+         call assertEqual(from_free(i), next_state(law, state_free, displacement), message='from free')
+         call assertEqual(from_elastic(i), next_state(law, state_elastic, displacement), message='from elastic')
+         call assertEqual(from_rigid(i), next_state(law, state_rigid, displacement), message='from rigid')
+      end do
+   end subroutine check_table
+
+   subroutine test_table_by_compression()
+      call check_table(by_compression, &
+         [-1.0_wp, -2.0e-4_wp, -0.9e-4_wp, -1.0e-6_wp, 1.0e-6_wp, 0.9e-4_wp, 2.0e-4_wp, 0.049_wp, 0.051_wp, 3.0_wp], &
+         [f, f, f, f, f, f, e, e, r, r], &
+         [f, f, e, e, e, e, e, e, r, r], &
+         [f, f, e, e, e, e, e, e, r, r])
+   end subroutine test_table_by_compression
+
+   subroutine test_table_by_force()
+      call check_table(by_force, &
+         [-1.0_wp, -2.1e-3_wp, -1.9e-3_wp, -2.0e-4_wp, 0.0_wp, 2.0e-4_wp, 1.9e-3_wp, 2.1e-3_wp, 0.051_wp], &
+         [f, f, f, f, f, f, f, e, r], &
+         [f, f, e, e, e, e, e, e, r], &
+         [f, f, e, e, e, e, e, e, r])
+   end subroutine test_table_by_force
+
+   !> With both thresholds zero the sign of the compression decides, but for the point itself, which stays.
+   subroutine test_no_thresholds()
+      type(gap_law_type) :: law
+      law = gap_law_type(clearance=0.5_wp, contact=1.0e6_wp, maximum=1.0e7_wp, eps_nmax=0.05_wp)
+      call check_table(law, [-1.0e-12_wp, 0.0_wp, 1.0e-12_wp], [f, f, e], [f, e, e], [f, e, e])
+   end subroutine test_no_thresholds
+
+   !> A second judgement at the same place changes nothing: no state takes turns with another.
+   subroutine test_settled()
+      integer :: i, state, next
+      real(wp) :: displacement
+      do i = -60, 60
+         displacement = by_force%clearance*(1.0_wp + 1.0e-3_wp*i)
+         do state = state_free, state_rigid
+            next = next_state(by_force, state, displacement)
+            call assertEqual(next, next_state(by_force, next, displacement))
+         end do
+      end do
+   end subroutine test_settled
+
+   !> Fig. 2: zero, then Gkc, then Gkmax, without a step where they join; the force is the integral of the rigidity.
+   subroutine test_force_is_continuous()
+      real(wp) :: force, stiffness, other, edge
+      associate (law => by_compression)
+         call contact_force(law, state_free, 0.03_wp, force, stiffness)
+         call assertEqual(0.0_wp, force, message='free')
+         call assertEqual(0.0_wp, stiffness, message='free: gk_min is the solution''s, not the force''s')
+         call contact_force(law, state_elastic, law%clearance, force, stiffness)
+         call assertEqual(0.0_wp, force, message='touching')
+         call contact_force(law, state_elastic, law%clearance + 1.0e-3_wp, force, stiffness)
+         call assertEqual(1000.0_wp, force, 1.0e-9_wp, message='elastic, 1 mm')
+         call assertEqual(law%contact, stiffness)
+         edge = law%clearance*(1.0_wp + law%eps_nmax)
+         call contact_force(law, state_elastic, edge, force, stiffness)
+         call contact_force(law, state_rigid, edge, other, stiffness)
+         call assertEqual(force, other, 1.0e-9_wp, message='where elastic turns to rigid')
+         call assertEqual(law%maximum, stiffness)
+         call contact_force(law, state_rigid, edge + 1.0e-3_wp, other, stiffness)
+         call assertEqual(force + 1.0e4_wp, other, 1.0e-8_wp, message='rigid, 1 mm further')
+         call assertGreaterThan(force, 0.0_wp)
+      end associate
+   end subroutine test_force_is_continuous
+
+   subroutine test_names()
+      call assertTrue(state_name(state_free) == 'free' .and. state_name(state_elastic) == 'elastic' &
+                      .and. state_name(state_rigid) == 'rigid')
+      call assertEqual(0.8_wp, relative_compression(0.04_wp, 0.05_wp), 1.0e-15_wp, message='Eq. 3')
+   end subroutine test_names
+end module dg_test_gap_state

@@ -1,0 +1,77 @@
+!> The state table: judging, counting, and the rule by which a gap moves.
+module dg_test_gap_table
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
+   use dg_gap_table, only: count_states, gap_table_type, judge_states, move_gap, new_gap_table
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: gap_table_suite
+
+   type(gap_law_type), parameter :: law = gap_law_type(clearance=0.05_wp, minimum=1.0_wp, contact=1.0e6_wp, maximum=1.0e7_wp, &
+                                                       eps_n0=1.0e-6_wp, eps_nmax=0.1_wp, r_n0=1.0e-3_wp)
+
+contains
+
+   function gap_table_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('gap_table')
+      call suite%addTest(TestMethod('judge_and_count', test_judge_and_count))
+      call suite%addTest(TestMethod('move_rule', test_move_rule))
+      call suite%addTest(TestMethod('moves_end', test_moves_end))
+   end function gap_table_suite
+
+   subroutine test_judge_and_count()
+      type(gap_table_type) :: table
+      integer :: changed
+      table = new_gap_table([law, law, law, law], 0.5_wp)
+      call assertEqual([4, 0, 0], count_states(table), message='free at first')
+      call judge_states(table, [0.01_wp, 0.051_wp, 0.06_wp, 0.05_wp], changed)
+      call assertEqual(2, changed)
+      call assertEqual([state_free, state_elastic, state_rigid, state_free], table%state)
+      call assertEqual([2, 1, 1], count_states(table))
+      call judge_states(table, [0.01_wp, 0.051_wp, 0.06_wp, 0.05_wp], changed)
+      call assertEqual(0, changed, message='settled')
+      call judge_states(table, [0.01_wp, 0.049_wp, 0.051_wp, 0.05_wp], changed)
+      call assertEqual([state_free, state_free, state_elastic, state_free], table%state)
+      call assertEqual([0, 2, 2, 0], table%flips, message='every flip is recorded')
+   end subroutine test_judge_and_count
+
+   !> A free gap goes at once the first time; a closed one when it gains `threshold` clearances; either needs twice as
+   !> much with every move made: least gain / (threshold c) = 2**moves, less one while free.
+   subroutine test_move_rule()
+      type(gap_table_type) :: table
+      logical :: moved
+      real(wp), parameter :: unit = 0.5_wp*law%clearance   !< threshold times clearance
+      table = new_gap_table([law], 0.5_wp)
+      call move_gap(table, 1, 0.2_wp, 0.05_wp, 0.05_wp, 0.5_wp, moved)
+      call assertFalse(moved, message='no gain')
+      call move_gap(table, 1, 0.2_wp, 0.051_wp, 0.05_wp, 0.5_wp, moved)
+      call assertTrue(moved, message='free: any gain')
+      call assertEqual(0.2_wp, table%xi(1))
+      call assertEqual(1, table%moves(1))
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 0.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call assertFalse(moved, message='free, second time, below one unit')
+      table%state(1) = state_elastic
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 1.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call assertFalse(moved, message='closed, second time, below two units')
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 2.01_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call assertTrue(moved, message='closed, second time, above two units')
+      call move_gap(table, 1, 0.4_wp, 0.05_wp + 3.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call assertFalse(moved, message='closed, third time, below four units')
+   end subroutine test_move_rule
+
+   !> However long a gap is pulled to and fro between two places, its moves stay few.
+   subroutine test_moves_end()
+      type(gap_table_type) :: table
+      logical :: moved
+      integer :: i
+      table = new_gap_table([law], 0.5_wp)
+      table%state(1) = state_elastic
+      do i = 1, 1000
+         call move_gap(table, 1, 0.1_wp*modulo(i, 2), 0.10_wp, 0.05_wp, 0.1_wp, moved)
+      end do
+      ! 2**n 0.1 c < c for n = 0 to 3
+      call assertEqual(4, table%moves(1))
+   end subroutine test_moves_end
+end module dg_test_gap_table

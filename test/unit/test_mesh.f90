@@ -1,0 +1,197 @@
+!> The mesh of a load case, and the predicted start laid on it.
+module dg_test_mesh
+   use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
+   use dg_assembly, only: assemble, load_type, new_workspace, workspace_type
+   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_component, only: buoyed_weight, component_type
+   use dg_constants, only: degree
+   use dg_error, only: error_type
+   use dg_gap_state, only: gap_law_type, state_elastic, state_free
+   use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
+   use dg_model, only: model_type
+   use dg_predictor, only: predict
+   use dg_soft_string_loads, only: soft_string_at
+   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at
+   implicit none
+   private
+   public :: mesh_suite
+
+contains
+
+   function mesh_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('mesh')
+      call suite%addTest(TestMethod('nodes_at_every_change', test_nodes_at_every_change))
+      call suite%addTest(TestMethod('no_sliver', test_no_sliver))
+      call suite%addTest(TestMethod('subdivided', test_subdivided))
+      call suite%addTest(TestMethod('properties', test_properties))
+      call suite%addTest(TestMethod('geometry', test_geometry))
+      call suite%addTest(TestMethod('predicted_start', test_predicted_start))
+   end function mesh_suite
+
+   !> 300 m of well with a bend, two hole sections, collars of 40 m under pipe.
+   subroutine build(model)
+      type(model_type), intent(out) :: model
+      type(error_type), allocatable :: error
+      call new_trajectory(model%trajectory, [0.0_wp, 101.0_wp, 173.0_wp, 300.0_wp], [30.0_wp, 30.0_wp, 50.0_wp, 60.0_wp]*degree, &
+                          [10.0_wp, 10.0_wp, 25.0_wp, 25.0_wp]*degree, interpolation_minimum_curvature, error)
+      call assertFalse(allocated(error))
+      allocate (model%holes(2), model%strings(1), model%cases(1))
+      model%holes(1) = hole_section_type('cased', 0.0_wp, 130.0_wp, 0.22_wp, 0.2_wp, 0.25_wp, 3.0e7_wp, 0.001_wp)
+      model%holes(2) = hole_section_type('open', 130.0_wp, 300.0_wp, 0.21_wp, 0.3_wp, 0.35_wp)
+      model%strings(1)%name = 'main'
+      allocate (model%strings(1)%components(2))
+      model%strings(1)%components(1) = component_type('collar', 'collar', 40.0_wp, 0.16_wp, 0.07_wp, 130.0_wp)
+      model%strings(1)%components(2) = component_type('pipe', 'drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 31.0_wp, joint_od=0.165_wp)
+      model%cases(1)%name = 'case'
+      model%cases(1)%section = ''
+      model%cases(1)%string = 'main'
+      model%cases(1)%bit_depth = 291.0_wp
+      model%cases(1)%operation = operation_trip_out
+      model%mud_density = 1200.0_wp
+   end subroutine build
+
+   !> Stations 101 and 173, shoe 130, collar top 291 - 40 = 251, between them equal parts of at most 10 m.
+   subroutine test_nodes_at_every_change()
+      type(model_type) :: model
+      real(wp), allocatable :: md(:), gaps(:)
+      real(wp), parameter :: wanted(6) = [0.0_wp, 101.0_wp, 130.0_wp, 173.0_wp, 251.0_wp, 291.0_wp]
+      integer :: i
+      call build(model)
+      allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
+      do i = 1, size(wanted)
+         call assertEqual(1, count(abs(md - wanted(i)) < 1.0e-12_wp), message='a node at every change, once')
+      end do
+      allocate (gaps, source=md(2:) - md(:size(md) - 1))
+      call assertLessThan(maxval(gaps), 10.0_wp*1.0011_wp, message='longest element')
+      call assertLessThan(0.0_wp, minval(gaps), message='ascending')
+      call assertEqual(11 + 3 + 5 + 8 + 4, size(gaps), message='no more elements than asked for')
+      call assertEqual(0.0_wp, md(1))
+      call assertEqual(291.0_wp, md(size(md)), message='the bit, to the last bit')
+   end subroutine test_nodes_at_every_change
+
+   !> A shoe a millimetre under a station makes no element of a millimetre.
+   subroutine test_no_sliver()
+      type(model_type) :: model
+      real(wp), allocatable :: md(:)
+      call build(model)
+      model%holes(:)%md_bottom = [173.001_wp, 300.0_wp]
+      allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
+      call assertEqual(1, count(abs(md - 173.0_wp) < 1.0_wp))
+      model%holes(:)%md_bottom = [290.995_wp, 300.0_wp]
+      deallocate (md)
+      allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
+      call assertEqual(1, count(abs(md - 291.0_wp) < 1.0_wp), message='nor at the bit')
+   end subroutine test_no_sliver
+
+   subroutine test_subdivided()
+      call assertEqual([0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.5_wp, 6.0_wp], &
+                       subdivided([0.0_wp, 3.0_wp, 6.0_wp], [1.0_wp, 2.9_wp]), 1.0e-15_wp)
+      call assertEqual([2.0_wp, 3.0_wp], subdivided([2.0_wp, 3.0_wp], [1.0_wp]), 1.0e-15_wp)
+   end subroutine test_subdivided
+
+   subroutine test_properties()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp) :: middle, w
+      integer :: e
+      call build(model)
+      call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
+      do e = 1, mesh%elements
+         middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
+         if (middle > 251.0_wp) then
+            w = buoyed_weight(model%strings(1)%components(1), 1200.0_wp, model%gravity)
+            call assertEqual(0.08_wp, mesh%radius(e), 1.0e-15_wp, message='collar')
+         else
+            w = buoyed_weight(model%strings(1)%components(2), 1200.0_wp, model%gravity)
+            call assertEqual(0.0825_wp, mesh%radius(e), 1.0e-15_wp, message='joint')
+         end if
+         call assertEqual(w, mesh%weight(e))
+         if (middle < 130.0_wp) then
+            call assertEqual(0.2_wp, mesh%axial(e), message='cased')
+            call assertEqual(0.0275_wp, mesh%clearance(e), 1.0e-15_wp)
+            call assertEqual(3.0e7_wp, mesh%wall(e), message='the section''s wall')
+            call assertEqual(2.0_wp*0.001_wp/(0.22_wp - 0.165_wp), mesh%eps_nmax(e), 1.0e-14_wp, message='2 t/(D - d)')
+         else
+            call assertEqual(0.3_wp, mesh%axial(e), message='open')
+            call assertEqual(model%numerics%gk_contact, mesh%wall(e), message='the solver''s wall')
+            call assertEqual(model%numerics%eps_nmax, mesh%eps_nmax(e))
+         end if
+      end do
+      call assertEqual(0.0_wp, mesh%rotary, message='no rotation')
+      model%cases(1)%operation = operation_rotate_off_bottom
+      model%cases(1)%friction_rotary = given(0.11_wp)
+      call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
+      call assertEqual(0.0_wp, mesh%axial, message='mu2 = 0 when rotating (Eq. 5)')
+      call assertEqual(0.11_wp, mesh%rotary, message='the case''s own friction')
+   end subroutine test_properties
+
+   !> Chords add up to the well path; frames are right-handed and unit.
+   subroutine test_geometry()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp) :: position(3), tangent(3), product(3, 3)
+      integer :: n, i
+      call build(model)
+      call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
+      call position_at(model%trajectory, 291.0_wp, position, tangent)
+      call assertEqual(position, sum(mesh%chord, dim=2), 1.0e-11_wp)
+      do n = 1, mesh%nodes
+         call position_at(model%trajectory, mesh%md(n), position, tangent)
+         call assertEqual(tangent, mesh%frame(:, 1, n), 1.0e-14_wp)
+         product = matmul(transpose(mesh%frame(:, :, n)), mesh%frame(:, :, n))
+         do i = 1, 3
+            product(i, i) = product(i, i) - 1.0_wp
+         end do
+         call assertEqual(0.0_wp, product, 1.0e-14_wp, message='orthonormal')
+      end do
+   end subroutine test_geometry
+
+   !> Every element of the start carries the soft string's axial force and torque, and nodes lie at the wall on the side
+   !> that the soft string names, pressed in by its contact force.
+   subroutine test_predicted_start()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(workspace_type) :: work
+      type(block_matrix_type) :: matrix
+      type(gap_law_type) :: law
+      real(wp), allocatable :: state(:, :), residual(:, :), axial(:), torque(:), contact(:, :)
+      real(wp) :: force
+      integer :: e, n
+      call build(model)
+      model%boundary%top_centred = .false.
+      model%boundary%bit_centred = .false.
+      model%cases(1)%operation = operation_trip_in
+      model%cases(1)%wob = 2.0e4_wp
+      model%cases(1)%tob = 500.0_wp
+      call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
+      law = gap_law_type(clearance=1.0_wp)
+      gaps = new_gap_table([(law, e=1, mesh%elements)], 0.5_wp)
+      allocate (state(6, mesh%nodes), residual(6, mesh%nodes), axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes))
+      call predict(model, 1, mesh, 1.0_wp, 1.0_wp, mesh%wall, state, gaps)
+      call soft_string_at(model, 1, mesh%md, axial, torque, contact)
+      call assertTrue(all(gaps%state == state_elastic), message='an inclined string touches everywhere')
+      gaps%state = state_free
+      work = new_workspace(mesh)
+      matrix = new_block_matrix(mesh%nodes)
+      call assemble(model%trajectory, mesh, load_type(), gaps, state, .false., work, residual, matrix)
+      do e = 1, mesh%elements
+         ! the secant ends at round-off of positions, 1e-15 m of some 10 m, times EA/L of 1e8 N/m
+         call assertEqual(0.5_wp*(axial(e) + axial(e + 1)), work%axial(e), 1.0_wp, message='axial force')
+         call assertEqual(-0.5_wp*(torque(e) + torque(e + 1)), work%torque(e), 1.0e-6_wp, message='torque')
+      end do
+      do n = 1, mesh%nodes
+         force = norm2(contact(:, n))
+         e = min(n, mesh%elements)
+         ! |u| also has the slide along the hole; on the bend its sagitta, u**2/(2 R), is below the tolerance
+         call assertEqual(mesh%clearance(e) + force/mesh%wall(e), norm2(state(2:3, n)), 1.0e-6_wp, message='at the wall')
+         call assertEqual(force, dot_product(contact(:, n), state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)) &
+                          /norm2(state(2:3, n)), 1.0e-4_wp*force, message='on the soft string''s side')
+      end do
+   end subroutine test_predicted_start
+end module dg_test_mesh
