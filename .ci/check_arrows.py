@@ -16,7 +16,7 @@ MAY_USE = {
     "hole": {"base"},
     "beam": {"base"},
     "gap_element": {"base", "beam"},
-    "model": {"base", "trajectory", "string", "hole"},
+    "model": {"base", "linear_algebra", "trajectory", "string", "hole"},
     "results": {"base", "gap_element"},
     "soft_string": {"base", "trajectory", "string", "hole", "model", "gap_element", "results"},
     "solution": {"base", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",

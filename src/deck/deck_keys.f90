@@ -142,12 +142,12 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(17) = [ &
+   type(key_rule_type), parameter :: solver_keys(19) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto standard', later='fast reference', &
          meaning='set of settings'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
-      key_rule_type('solver', 'linear_solver', kind_text, default='banded', choices='banded', later='sparse', &
+      key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded', later='sparse', &
          meaning='how the equations are solved'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, meaning='of a case'), &
@@ -166,6 +166,9 @@ module dg_deck_keys
          meaning='a gap moves to an extremum deeper by this part of the clearance'), &
       key_rule_type('solver', 'step_limit', low=0.0_wp, open=.true., high=1.0e3_wp, &
          meaning='largest lateral change in an iteration over the clearance'), &
+      key_rule_type('solver', 'viscous_limit', low=0.0_wp, open=.true., high=1.0e3_wp, &
+         meaning='the same while a buckling string is held by viscosity'), &
+      key_rule_type('solver', 'soften', kind_logical, default='.true.', meaning='reach the stiffness of the wall in stages'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
          meaning='lateral offset seeded in compressed parts over the clearance'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]

@@ -8,7 +8,7 @@ module dg_deck_parts
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
    use dg_model, only: boundary_type
-   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes
+   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, solver_banded, solver_block
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -182,6 +182,8 @@ contains
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
       if (is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
+      if (is_sound(group, 'linear_solver')) &
+         numerics%linear_solver = merge(solver_banded, solver_block, text_of(group, 'linear_solver', '') == 'banded')
       numerics%tolerance = real_of(group, 'tolerance', numerics%tolerance)
       numerics%max_iterations = integer_of(group, 'max_iterations', numerics%max_iterations)
       numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)
@@ -194,6 +196,8 @@ contains
       numerics%r_n0 = real_of(group, 'r_n0', numerics%r_n0)
       numerics%relocation = real_of(group, 'relocation', numerics%relocation)
       numerics%step_limit = real_of(group, 'step_limit', numerics%step_limit)
+      numerics%viscous_limit = real_of(group, 'viscous_limit', numerics%viscous_limit)
+      numerics%soften = logical_of(group, 'soften', numerics%soften)
       numerics%imperfection = real_of(group, 'imperfection', numerics%imperfection)
       numerics%history = logical_of(group, 'history', numerics%history)
       if (numerics%gk_min >= numerics%gk_contact) call fault('gk_min', 'gk_min must be smaller than gk_contact')

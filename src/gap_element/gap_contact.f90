@@ -10,7 +10,6 @@
 !> Friction makes the derivative unsymmetric.
 module dg_gap_contact
    use dg_kinds, only: wp
-   use dg_vector, only: cross, outer
    implicit none
    private
    public :: contact_action, contact_action_tangent, support_action
@@ -29,7 +28,7 @@ contains
       real(wp), intent(out) :: moment(3)
       real(wp) :: n(3), tau(3)
       n = gap/norm2(gap)
-      tau = cross(tangent, n)
+      tau = product_of(tangent, n)
       force = normal_force*(-n + axial*tangent - rotary*tau)
       moment = -radius*normal_force*(axial*tau + rotary*tangent)
    end subroutine contact_action
@@ -44,21 +43,29 @@ contains
       real(wp), intent(in) :: axial, rotary, radius
       real(wp), intent(out) :: force(3), moment(3)
       real(wp), intent(out) :: force_tangent(3, 3), moment_tangent(3, 3)
-      real(wp) :: n(3), tau(3), distance, chi, k_tau, direction(3), lever(3)
-      distance = norm2(gap)
-      n = gap/distance
-      tau = cross(tangent, n)
-      chi = 1.0_wp/(1.0_wp - dot_product(curvature, gap))
-      k_tau = dot_product(curvature, tau)
+      real(wp) :: n(3), tau(3), reciprocal, chi, k_tau, direction(3), lever(3)
+      real(wp) :: by_n(3), by_tau(3), by_t(3), lever_n(3), lever_tau(3), lever_t(3)
+      integer :: j
+      reciprocal = 1.0_wp/sqrt(sum(gap*gap))
+      n = gap*reciprocal
+      tau = product_of(tangent, n)
+      chi = 1.0_wp/(1.0_wp - sum(curvature*gap))
+      k_tau = sum(curvature*tau)
       direction = -n + axial*tangent - rotary*tau
       lever = -radius*(axial*tau + rotary*tangent)
       force = normal_force*direction
       moment = normal_force*lever
-      force_tangent = outer(stiffness*direction, n) + normal_force*( &
-         outer((rotary*n - tau)/distance, tau) + &
-         outer(chi*(axial*curvature + rotary*k_tau*tangent) - ((1.0_wp - chi)/distance)*tangent, tangent))
-      moment_tangent = outer(stiffness*lever, n) + (normal_force*radius)*( &
-         outer((axial/distance)*n, tau) + outer(chi*(axial*k_tau*tangent - rotary*curvature), tangent))
+      ! dyads with n, tau and t on the right
+      by_n = stiffness*direction
+      by_tau = (normal_force*reciprocal)*(rotary*n - tau)
+      by_t = normal_force*(chi*(axial*curvature + rotary*k_tau*tangent) - ((1.0_wp - chi)*reciprocal)*tangent)
+      lever_n = stiffness*lever
+      lever_tau = (normal_force*radius*axial*reciprocal)*n
+      lever_t = (normal_force*radius*chi)*(axial*k_tau*tangent - rotary*curvature)
+      do j = 1, 3
+         force_tangent(:, j) = by_n*n(j) + by_tau*tau(j) + by_t*tangent(j)
+         moment_tangent(:, j) = lever_n*n(j) + lever_tau*tau(j) + lever_t*tangent(j)
+      end do
    end subroutine contact_action_tangent
 
    !> A support that holds a node on the hole axis with a stiff spring [N/m], sliding freely along it:
@@ -68,11 +75,22 @@ contains
       real(wp), intent(in) :: stiffness
       real(wp), intent(out) :: force(3)
       real(wp), intent(out) :: force_tangent(3, 3)
-      integer :: i
+      real(wp) :: along
+      integer :: j
       force = -stiffness*gap
-      force_tangent = outer(tangent*(stiffness/(1.0_wp - dot_product(curvature, gap))), tangent)
-      do i = 1, 3
-         force_tangent(i, i) = force_tangent(i, i) - stiffness
+      along = stiffness/(1.0_wp - sum(curvature*gap))
+      do j = 1, 3
+         force_tangent(:, j) = along*tangent*tangent(j)
+         force_tangent(j, j) = force_tangent(j, j) - stiffness
       end do
    end subroutine support_action
+
+   !> a x b, here so that it is inlined.
+   pure function product_of(a, b) result(c)
+      real(wp), intent(in) :: a(3), b(3)
+      real(wp) :: c(3)
+      c(1) = a(2)*b(3) - a(3)*b(2)
+      c(2) = a(3)*b(1) - a(1)*b(3)
+      c(3) = a(1)*b(2) - a(2)*b(1)
+   end function product_of
 end module dg_gap_contact

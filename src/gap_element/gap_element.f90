@@ -2,11 +2,12 @@
 !>
 !> A force F at r(xi0) = N y loads the nodal vectors y = (x_i, d_i, x_j, d_j) with N^T F. A moment M there is split
 !> along the string's tangent: the part across bends, P = M x r'/|r'|^2 on r' = N' y, so N'^T P (the paper's
-!> dN^T/dx term); the part along it, m, twists, and goes to the nodes as vectors (1 - xi) m and xi m.
-!> All together are statically the same as F and M, to round-off, in the displaced shape.
+!> dN^T/dx term); the part along it, m = r' (M.r')/|r'|^2, twists, and goes to the nodes as vectors (1 - xi) m and
+!> xi m. All together are statically the same as F and M, to round-off, in the displaced shape.
+!>
+!> Innermost loop: cross products are written out, since calls into other modules are not inlined.
 module dg_gap_element
    use dg_kinds, only: wp
-   use dg_vector, only: cross, outer, skew
    implicit none
    private
    public :: gap_nodal_force, gap_nodal_tangent
@@ -24,63 +25,97 @@ contains
       real(wp), intent(out) :: twisting(2)
       real(wp) :: reciprocal, bend(3), twist(3)
       integer :: a
-      reciprocal = 1.0_wp/dot_product(direction, direction)
-      bend = cross(moment, direction)*reciprocal
-      twist = direction*(dot_product(moment, direction)*reciprocal)
+      reciprocal = 1.0_wp/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      bend = product_of(moment, direction)*reciprocal
+      twist = direction*(sum(moment*direction)*reciprocal)
       do a = 1, 4
-         nodal(3*a - 2:3*a) = shape(a)*force + slope(a)*bend
+         nodal(3*a - 2) = shape(a)*force(1) + slope(a)*bend(1)
+         nodal(3*a - 1) = shape(a)*force(2) + slope(a)*bend(2)
+         nodal(3*a) = shape(a)*force(3) + slope(a)*bend(3)
       end do
-      nodal(4:6) = nodal(4:6) + (1.0_wp - xi)*cross(twist, d_i)
-      nodal(10:12) = nodal(10:12) + xi*cross(twist, d_j)
-      twisting = [(1.0_wp - xi)*dot_product(twist, d_i), xi*dot_product(twist, d_j)]
+      nodal(4:6) = nodal(4:6) + (1.0_wp - xi)*product_of(twist, d_i)
+      nodal(10:12) = nodal(10:12) + xi*product_of(twist, d_j)
+      twisting(1) = (1.0_wp - xi)*sum(twist*d_i)
+      twisting(2) = xi*sum(twist*d_j)
    end subroutine gap_nodal_force
 
-   !> Derivatives of gap_nodal_force by (x_i, d_i, x_j, d_j): stiffness(12,12) and twist_stiffness(2,12), signs of
-   !> the forces themselves (the assembly subtracts external forces). x0 is held: the states and places of the
-   !> gaps are re-judged between iterations.
+   !> Derivatives of gap_nodal_force by (x_i, d_i, x_j, d_j), taken off `stiffness`(12,12), and those of the twisting,
+   !> twist_row(2,12) with opposite sign: internal less external, as the assembly counts. x0 is held: states and
+   !> places of the gaps are re-judged between iterations.
    pure subroutine gap_nodal_tangent(xi, shape, slope, d_i, d_j, direction, moment, force_tangent, moment_tangent, &
-                                     stiffness, twist_stiffness)
+                                     stiffness, twist_row)
       real(wp), intent(in) :: xi, shape(4), slope(4), d_i(3), d_j(3), direction(3), moment(3)
       real(wp), intent(in) :: force_tangent(3, 3), moment_tangent(3, 3) !< dF/dr, dM/dr
-      real(wp), intent(out) :: stiffness(12, 12)
-      real(wp), intent(out) :: twist_stiffness(2, 12)
-      real(wp) :: reciprocal, bend(3), along, twist(3)
+      real(wp), intent(inout) :: stiffness(12, 12)
+      real(wp), intent(out) :: twist_row(2, 12)
+      real(wp) :: unit(3), bend(3), along, twist(3), column(3), by_shape(3), by_slope(3), rest
       real(wp) :: bend_by_r(3, 3), bend_by_slope(3, 3), twist_by_r(3, 3), twist_by_slope(3, 3)
-      real(wp) :: by_node(3, 3), weight(2), director(3, 2)
-      integer :: a, b, i, row, column
-      reciprocal = 1.0_wp/dot_product(direction, direction)
-      bend = cross(moment, direction)*reciprocal
-      along = dot_product(moment, direction)*reciprocal
+      integer :: a, b, j, k
+      rest = 1.0_wp - xi
+      unit = direction/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      bend = product_of(moment, unit)
+      along = sum(moment*unit)
       twist = direction*along
-      bend_by_r = -matmul(skew(direction), moment_tangent)*reciprocal
-      bend_by_slope = (skew(moment) - 2.0_wp*outer(bend, direction))*reciprocal
-      twist_by_r = outer(direction*reciprocal, matmul(direction, moment_tangent))
-      twist_by_slope = outer(direction*reciprocal, moment) - outer(twist, direction)*(2.0_wp*reciprocal)
-      do i = 1, 3
-         twist_by_slope(i, i) = twist_by_slope(i, i) + along
+      do j = 1, 3
+         bend_by_r(:, j) = product_of(moment_tangent(:, j), unit)
+         bend_by_slope(:, j) = -2.0_wp*bend*unit(j)
+         twist_by_r(:, j) = unit*sum(direction*moment_tangent(:, j))
+         twist_by_slope(:, j) = unit*moment(j) - 2.0_wp*twist*unit(j)
+         twist_by_slope(j, j) = twist_by_slope(j, j) + along
       end do
+      ! d(M x r')/|r'|^2 at fixed length: the skew matrix of M
+      column = moment/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      bend_by_slope(2, 1) = bend_by_slope(2, 1) + column(3)
+      bend_by_slope(3, 1) = bend_by_slope(3, 1) - column(2)
+      bend_by_slope(1, 2) = bend_by_slope(1, 2) - column(3)
+      bend_by_slope(3, 2) = bend_by_slope(3, 2) + column(1)
+      bend_by_slope(1, 3) = bend_by_slope(1, 3) + column(2)
+      bend_by_slope(2, 3) = bend_by_slope(2, 3) - column(1)
       do b = 1, 4
-         column = 3*b - 2
-         do a = 1, 4
-            row = 3*a - 2
-            stiffness(row:row + 2, column:column + 2) = (shape(a)*shape(b))*force_tangent &
-               + (slope(a)*shape(b))*bend_by_r + (slope(a)*slope(b))*bend_by_slope
+         do j = 1, 3
+            k = 3*(b - 1) + j
+            by_shape = shape(b)*force_tangent(:, j)
+            by_slope = shape(b)*bend_by_r(:, j) + slope(b)*bend_by_slope(:, j)
+            do a = 1, 4
+               stiffness(3*a - 2, k) = stiffness(3*a - 2, k) - shape(a)*by_shape(1) - slope(a)*by_slope(1)
+               stiffness(3*a - 1, k) = stiffness(3*a - 1, k) - shape(a)*by_shape(2) - slope(a)*by_slope(2)
+               stiffness(3*a, k) = stiffness(3*a, k) - shape(a)*by_shape(3) - slope(a)*by_slope(3)
+            end do
+            column = shape(b)*twist_by_r(:, j) + slope(b)*twist_by_slope(:, j)
+            stiffness(4:6, k) = stiffness(4:6, k) - rest*product_of(column, d_i)
+            stiffness(10:12, k) = stiffness(10:12, k) - xi*product_of(column, d_j)
+            twist_row(1, k) = -rest*sum(column*d_i)
+            twist_row(2, k) = -xi*sum(column*d_j)
          end do
       end do
-      weight = [1.0_wp - xi, xi]
-      director(:, 1) = d_i
-      director(:, 2) = d_j
-      do a = 1, 2
-         row = 6*a - 2
-         do b = 1, 4
-            column = 3*b - 2
-            by_node = weight(a)*(shape(b)*twist_by_r + slope(b)*twist_by_slope)
-            stiffness(row:row + 2, column:column + 2) = stiffness(row:row + 2, column:column + 2) &
-               - matmul(skew(director(:, a)), by_node)
-            twist_stiffness(a, column:column + 2) = matmul(director(:, a), by_node)
-         end do
-         stiffness(row:row + 2, row:row + 2) = stiffness(row:row + 2, row:row + 2) + weight(a)*skew(twist)
-         twist_stiffness(a, row:row + 2) = twist_stiffness(a, row:row + 2) + weight(a)*twist
-      end do
+      ! the directors on which the twisting vector acts
+      twist_row(1, 4:6) = twist_row(1, 4:6) - rest*twist
+      twist_row(2, 10:12) = twist_row(2, 10:12) - xi*twist
+      call take_skew(rest*twist, 4, stiffness)
+      call take_skew(xi*twist, 10, stiffness)
    end subroutine gap_nodal_tangent
+
+   !> Takes the matrix S(a), S(a) b = a x b, off the diagonal block that starts at `first`.
+   pure subroutine take_skew(a, first, stiffness)
+      real(wp), intent(in) :: a(3)
+      integer, intent(in) :: first
+      real(wp), intent(inout) :: stiffness(12, 12)
+      integer :: f
+      f = first
+      stiffness(f + 1, f) = stiffness(f + 1, f) - a(3)
+      stiffness(f + 2, f) = stiffness(f + 2, f) + a(2)
+      stiffness(f, f + 1) = stiffness(f, f + 1) + a(3)
+      stiffness(f + 2, f + 1) = stiffness(f + 2, f + 1) - a(1)
+      stiffness(f, f + 2) = stiffness(f, f + 2) - a(2)
+      stiffness(f + 1, f + 2) = stiffness(f + 1, f + 2) + a(1)
+   end subroutine take_skew
+
+   !> a x b, here so that it is inlined.
+   pure function product_of(a, b) result(c)
+      real(wp), intent(in) :: a(3), b(3)
+      real(wp) :: c(3)
+      c(1) = a(2)*b(3) - a(3)*b(2)
+      c(2) = a(3)*b(1) - a(1)*b(3)
+      c(3) = a(1)*b(2) - a(2)*b(1)
+   end function product_of
 end module dg_gap_element

@@ -1,12 +1,11 @@
-!> Banded solution of a chain of nodes by LAPACK: LU with row exchange (dgbtrf, dgbtrs), and Cholesky as a test
-!> of positive definiteness (dpbtrf).
+!> Banded solution of a chain of nodes by LAPACK: LU with row exchange (dgbtrf, dgbtrs).
 module dg_band_solver
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
-   use dg_lapack, only: dgbtrf, dgbtrs, dpbtrf
+   use dg_lapack, only: dgbtrf, dgbtrs
    implicit none
    private
-   public :: band_solver_type, new_band_solver, band_factor, band_solve, band_positive_definite
+   public :: band_solver_type, new_band_solver, band_factor, band_solve
 
    !> Off-diagonals on each side: two neighbouring nodes couple all their unknowns.
    integer, parameter :: half_width = 2*block_size - 1
@@ -15,7 +14,6 @@ module dg_band_solver
    type :: band_solver_type
       integer :: unknowns = 0
       real(wp), allocatable :: band(:, :)      !< (band_rows, unknowns), factors after band_factor
-      real(wp), allocatable :: symmetric(:, :) !< (half_width+1, unknowns), lower; for the definiteness test
       integer, allocatable :: pivots(:)
    end type band_solver_type
 
@@ -27,7 +25,6 @@ contains
       type(band_solver_type) :: solver
       solver%unknowns = block_size*nodes
       allocate (solver%band(band_rows, solver%unknowns), source=0.0_wp)
-      allocate (solver%symmetric(half_width + 1, solver%unknowns), source=0.0_wp)
       allocate (solver%pivots(solver%unknowns), source=0)
    end function new_band_solver
 
@@ -70,33 +67,4 @@ contains
       call dgbtrs('N', solver%unknowns, half_width, half_width, 1, solver%band, band_rows, solver%pivots, rhs, &
                   solver%unknowns, info)
    end subroutine band_solve
-
-   !> Whether a symmetric matrix (its lower triangle counts) with `factor` times `added`(6,nodes) on its diagonal is
-   !> positive definite.
-   function band_positive_definite(solver, matrix, factor, added) result(definite)
-      type(band_solver_type), intent(inout) :: solver
-      type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: factor
-      real(wp), intent(in) :: added(:, :)
-      logical :: definite
-      integer :: n, i, j, column, nodes, info
-      nodes = solver%unknowns/block_size
-      solver%symmetric = 0.0_wp
-      do n = 1, nodes
-         do j = 1, block_size
-            column = block_size*(n - 1) + j
-            do i = j, block_size
-               solver%symmetric(1 + i - j, column) = matrix%diagonal(i, j, n)
-            end do
-            solver%symmetric(1, column) = solver%symmetric(1, column) + factor*added(j, n)
-            if (n < nodes) then
-               do i = 1, block_size
-                  solver%symmetric(1 + block_size + i - j, column) = matrix%lower(i, j, n)
-               end do
-            end if
-         end do
-      end do
-      call dpbtrf('L', solver%unknowns, half_width, solver%symmetric, half_width + 1, info)
-      definite = info == 0
-   end function band_positive_definite
 end module dg_band_solver

@@ -3,7 +3,7 @@ module dg_lapack
    use dg_kinds, only: wp
    implicit none
    private
-   public :: dgbtrf, dgbtrs, dpbtrf
+   public :: dgbtrf, dgbtrs
 
    interface
       !> LU factors of a general band matrix with partial pivoting.
@@ -26,14 +26,5 @@ module dg_lapack
          real(wp), intent(inout) :: b(ldb, *)
          integer, intent(out) :: info
       end subroutine dgbtrs
-      !> Cholesky factor of a symmetric band matrix; info > 0: not positive definite.
-      subroutine dpbtrf(uplo, n, kd, ab, ldab, info)
-         import :: wp
-         implicit none
-         character, intent(in) :: uplo
-         integer, intent(in) :: n, kd, ldab
-         real(wp), intent(inout) :: ab(ldab, *)
-         integer, intent(out) :: info
-      end subroutine dpbtrf
    end interface
 end module dg_lapack

@@ -1,10 +1,12 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
+   use dg_linear_solver, only: solver_banded, solver_block
    implicit none
    private
    public :: numerics_type, default_elastic_share
    public :: gap_at_extremum, gap_at_nodes
+   public :: solver_banded, solver_block
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
    integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
@@ -19,6 +21,7 @@ module dg_numerics
       !> Largest residual force over the string's weight (and moment over weight times one metre) at convergence [-].
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
+      integer :: linear_solver = solver_block  !< solver_block or solver_banded
       integer :: max_iterations = 200          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7

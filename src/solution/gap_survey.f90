@@ -1,15 +1,18 @@
-!> Where the string lies in the hole: offsets at the nodes and at the gaps, and the gaps re-judged and re-placed.
+!> Where the string lies in the hole: offsets at the nodes and at the gaps, and the gaps re-placed.
+!> Gap and normal are measured where the point now is, not where it started: a long string slides by many clearances,
+!> and a slide must not look like a gap.
 module dg_gap_survey
    use dg_kinds, only: wp
-   use dg_assembly, only: workspace_type
    use dg_gap_location, only: extremum_of_displacement
+   use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, move_gap
    use dg_hermite, only: hermite_value
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: closest_point, trajectory_type
+   use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_offset, gap_displacement, relocate_gaps
+   public :: node_offset, survey_gaps, relocate_gaps
 
 contains
 
@@ -27,52 +30,81 @@ contains
       call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
    end subroutine node_offset
 
-   !> |f| [m] of an element's axis at xi.
-   pure function gap_displacement(trajectory, mesh, work, e, xi) result(displacement)
+   !> Measures all gaps at their places x0, at the nodes' present places (place_nodes first).
+   pure subroutine survey_gaps(trajectory, mesh, gaps, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
-      integer, intent(in) :: e
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(inout) :: work
+      integer :: e
+      do e = 1, mesh%elements
+         call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
+      end do
+   end subroutine survey_gaps
+
+   pure subroutine survey_gap(trajectory, mesh, xi, e, work)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: xi
-      real(wp) :: displacement
-      real(wp) :: shape(4), point(3), gap(3), tangent(3), curvature(3), offset
+      integer, intent(in) :: e
+      type(workspace_type), intent(inout) :: work
+      real(wp) :: shape(4), point(3), offset
       integer :: arc
       shape = hermite_value(xi, mesh%length(e))
-      point = mesh%base(:, e) + shape(1)*work%shift(:, e) + shape(2)*work%d(:, e) &
+      point = shape(1)*work%shift(:, e) + shape(2)*work%d(:, e) &
               + shape(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + shape(4)*work%d(:, e + 1)
+      work%contact_point(:, e) = point
+      point = mesh%base(:, e) + point
       arc = mesh%arc(e)
-      call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
-      displacement = norm2(gap)
-   end function gap_displacement
+      call closest_point(trajectory, arc, point, offset, work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e))
+      work%displacement(e) = sqrt(work%gap(1, e)**2 + work%gap(2, e)**2 + work%gap(3, e)**2)
+   end subroutine survey_gap
 
    !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
-   !> move_gap; `displacement` is brought up to date, `moved` counts.
-   pure subroutine relocate_gaps(trajectory, mesh, work, threshold, gaps, displacement, moved)
+   !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
+   !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds.
+   pure subroutine relocate_gaps(trajectory, mesh, threshold, closed, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: threshold          !< relative to the clearance [-]
+      logical, intent(in) :: closed
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: displacement(:) !< |f| at the gaps [m]
+      type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
       real(wp) :: gap_i(3), gap_j(3), tangent_i(3), tangent_j(3), xi, estimate
       logical :: changed
-      integer :: e
+      integer :: e, known
       moved = 0
-      call node_offset(trajectory, mesh, work, 1, gap_i, tangent_i)
+      known = 0                    ! node whose offset stands in gap_j
       do e = 1, mesh%elements
+         if (.not. (closed .or. gaps%state(e) == state_free)) cycle
+         if (known == e) then
+            gap_i = gap_j
+            tangent_i = tangent_j
+         else
+            call node_offset(trajectory, mesh, work, e, gap_i, tangent_i)
+         end if
          call node_offset(trajectory, mesh, work, e + 1, gap_j, tangent_j)
+         known = e + 1
+         if (out_of_reach(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, mesh%length(e), &
+                          gaps%law(e)%clearance)) cycle
          call extremum_of_displacement(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, &
                                        mesh%length(e), xi, estimate)
-         if (estimate > gaps%law(e)%clearance) then
-            call move_gap(gaps, e, xi, estimate, displacement(e), threshold, changed)
-            if (changed) then
-               displacement(e) = gap_displacement(trajectory, mesh, work, e, xi)
-               moved = moved + 1
-            end if
-         end if
-         gap_i = gap_j
-         tangent_i = tangent_j
+         if (estimate <= gaps%law(e)%clearance) cycle
+         call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold, changed)
+         if (.not. changed) cycle
+         call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
+         moved = moved + 1
       end do
    end subroutine relocate_gaps
+
+   !> Whether no point of an element can be as far off the axis as the clearance: N_1 + N_3 = 1, |N_2| and |N_4| are at
+   !> most 4/27 of the length.
+   pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, clearance) result(out)
+      real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3), length, clearance
+      logical :: out
+      real(wp), parameter :: largest_slope_shape = 4.0_wp/27.0_wp
+      out = sqrt(max(sum(gap_i**2), sum(gap_j**2))) &
+            + largest_slope_shape*length*(sqrt(sum(slope_i**2)) + sqrt(sum(slope_j**2))) < clearance
+   end function out_of_reach
 end module dg_gap_survey

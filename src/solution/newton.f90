@@ -7,16 +7,18 @@
 !> It acts on steps, not on the residual: the converged string feels nothing of it.
 module dg_newton
    use dg_kinds, only: wp
-   use dg_assembly, only: assemble, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, load_type, place_nodes, workspace_type
-   use dg_band_solver, only: band_factor, band_positive_definite, band_solve, band_solver_type
+   use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_block_solver, only: block_positive_definite
    use dg_case_result, only: iteration_type
-   use dg_gap_survey, only: gap_displacement, relocate_gaps
+   use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, judge_states
+   use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
    public :: newton_type, iterate, newton_converged, newton_exhausted, newton_singular
@@ -48,10 +50,9 @@ module dg_newton
    type :: newton_type
       type(block_matrix_type) :: matrix
       type(block_matrix_type) :: conservative
-      type(band_solver_type) :: solver
+      type(linear_solver_type) :: solver
       real(wp), allocatable :: residual(:, :)     !< (6,nodes)
       real(wp), allocatable :: step(:, :)         !< (6,nodes)
-      real(wp), allocatable :: displacement(:)    !< |f| at gaps [m]
       !> What a unit of viscosity adds to the diagonal (6,nodes): the node's length to lateral unknowns, a part of its
       !> cube to slopes (as the consistent matrix of a line load has it), so that no pattern of slopes escapes [m, m3].
       real(wp), allocatable :: lump(:, :)
@@ -84,8 +85,7 @@ contains
       integer :: info, stalled
       row%increment = increment
       stalled = 0
-      call place_nodes(mesh, state, work)
-      call judge(trajectory, mesh, numerics, newton, gaps, work, row)
+      call judge(trajectory, mesh, numerics, state, gaps, work, row)
       do
          call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix)
          row%residual_force = maxval(abs(newton%residual(1:3, :)))
@@ -111,13 +111,12 @@ contains
          if (newton%stabilise) call choose_viscosity(newton, trajectory, mesh, loads, gaps, state, work)
          row%viscosity = newton%viscosity
          call add_lateral(newton, newton%viscosity + numerics%gk_min)
-         call band_factor(newton%solver, newton%matrix, info)
+         newton%step = -newton%residual
+         call solve_linear(newton%solver, newton%matrix, newton%step, info)
          if (info /= 0) then
             outcome = newton_singular
             return
          end if
-         newton%step = -newton%residual
-         call band_solve(newton%solver, newton%step)
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          if (.not. row%lateral_step < huge(row%lateral_step)) then
             outcome = newton_singular
@@ -125,8 +124,7 @@ contains
          end if
          state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
-         call place_nodes(mesh, state, work)
-         call judge(trajectory, mesh, numerics, newton, gaps, work, row)
+         call judge(trajectory, mesh, numerics, state, gaps, work, row)
       end do
    end subroutine iterate
 
@@ -154,23 +152,24 @@ contains
       end if
    end function step_share
 
-   !> Re-judges the gaps at the present state; `row` counts what changed.
-   subroutine judge(trajectory, mesh, numerics, newton, gaps, work, row)
+   !> Places the nodes of `state`, measures the gaps and re-judges them; `row` counts what changed. Closed gaps are
+   !> looked over for a deeper place once nothing else changes.
+   subroutine judge(trajectory, mesh, numerics, state, gaps, work, row)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: numerics
-      type(newton_type), intent(inout) :: newton
+      real(wp), intent(in) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
-      type(workspace_type), intent(in) :: work
+      type(workspace_type), intent(inout) :: work
       type(iteration_type), intent(inout) :: row
-      integer :: e
-      do e = 1, mesh%elements
-         newton%displacement(e) = gap_displacement(trajectory, mesh, work, e, gaps%xi(e))
-      end do
+      logical :: at_rest
+      at_rest = row%flips == 0
+      call place_nodes(mesh, state, work)
+      call survey_gaps(trajectory, mesh, gaps, work)
       row%moves = 0
-      if (numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, work, numerics%relocation, gaps, &
-                                                                       newton%displacement, row%moves)
-      call judge_states(gaps, newton%displacement, row%flips)
+      if (numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, numerics%relocation, at_rest, gaps, &
+                                                                       work, row%moves)
+      call judge_states(gaps, work%displacement, row%flips)
    end subroutine judge
 
    !> Whether the present equilibrium is stable: the conservative tangent without viscosity is positive definite.
@@ -184,7 +183,7 @@ contains
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: stable
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%step, newton%conservative)
-      stable = band_positive_definite(newton%solver, newton%conservative, 0.0_wp, newton%lump)
+      call block_positive_definite(newton%conservative, 0.0_wp, newton%lump, stable)
    end subroutine check_stability
 
    !> Viscosity for the present iteration: lowered a step, then raised until the conservative tangent with it is
@@ -197,12 +196,13 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
+      logical :: definite
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%step, newton%conservative)
       newton%viscosity = newton%viscosity*viscosity_decay
       if (newton%viscosity < viscosity_least) newton%viscosity = 0.0_wp
       do
-         if (band_positive_definite(newton%solver, newton%conservative, newton%viscosity, newton%lump)) return
-         if (newton%viscosity > viscosity_most) return
+         call block_positive_definite(newton%conservative, newton%viscosity, newton%lump, definite)
+         if (definite .or. newton%viscosity > viscosity_most) return
          newton%viscosity = max(newton%viscosity*viscosity_growth, viscosity_least)
       end do
    end subroutine choose_viscosity

@@ -6,7 +6,6 @@
 !> load the iteration takes many times as long, and may be lost.
 module dg_predictor
    use dg_kinds, only: wp
-   use dg_assembly, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    use dg_beam_element, only: membrane_length
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
@@ -15,6 +14,7 @@ module dg_predictor
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc, trajectory_type
    use dg_vector, only: cross
+   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
    public :: predict, coiling_load
@@ -53,7 +53,7 @@ contains
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slopes_of(mesh%md, offset, slope)
-      call coil(mesh, axial, load, wall, offset, slope)
+      call coil(mesh, axial, model%numerics%imperfection, load, wall, offset, slope)
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
@@ -77,8 +77,11 @@ contains
    !> Lays the string as a helix against the wall where the soft string's compression F is beyond the coiling load: pitch
    !> 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre. From the straight state the iteration would have to grow
    !> every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
-   pure subroutine coil(mesh, axial, load, wall, offset, slope)
+   !> Where it is compressed less, a helix of the size of the imperfection is laid over it: a string standing exactly
+   !> straight could not leave that state.
+   pure subroutine coil(mesh, axial, imperfection, load, wall, offset, slope)
       type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: imperfection       !< over the clearance [-]
       real(wp), intent(in) :: axial(:), wall(:)
       real(wp), intent(inout) :: load(:)         !< contact force per metre [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)
@@ -86,15 +89,18 @@ contains
       logical :: coiling
       integer :: i, e
       coiling = .false.
-      do i = 1, mesh%nodes
+      phase = 0.0_wp
+      do i = 2, mesh%nodes
+         if (.not. axial(i) < 0.0_wp) cycle
          e = min(i, mesh%elements)
+         rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
+         phase = phase + rate*(mesh%md(i) - mesh%md(i - 1))
          if (-axial(i) <= coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+            offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase), sin(phase)]
             coiling = .false.
             cycle
          end if
          if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
-         rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
-         if (coiling) phase = phase + rate*(mesh%md(i) - mesh%md(i - 1))
          coiling = .true.
          force = mesh%clearance(e)*axial(i)**2/(4.0_wp*mesh%ei(e))
          radius = mesh%clearance(e) + force/wall(e)

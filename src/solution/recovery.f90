@@ -1,7 +1,7 @@
 !> From unknowns to what an engineer reads: forces along the string, sums, and the check of global equilibrium.
 module dg_recovery
    use dg_kinds, only: wp
-   use dg_assembly, only: load_type, workspace_type
+   use dg_assembly, only: load_type
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
@@ -9,6 +9,7 @@ module dg_recovery
    use dg_profile, only: new_profile, profile_type
    use dg_trajectory, only: azimuth_of, clock_angle, inclination_of, position_at, trajectory_type
    use dg_vector, only: cross
+   use dg_workspace, only: workspace_type
    implicit none
    private
    public :: recover_profile, check_equilibrium, buoyed_axial_weight

@@ -2,25 +2,24 @@
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_assembly, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, load_type, new_workspace, &
-                          workspace_type
-   use dg_band_solver, only: new_band_solver
+   use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
-   use dg_constants, only: pi
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type
    use dg_gap_table, only: count_states, gap_table_type, new_gap_table
    use dg_job, only: model_mcge
    use dg_load_case, only: load_case_type
-   use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
+   use dg_linear_solver, only: new_linear_solver
+   use dg_mesh, only: mesh_type
+   use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
    use dg_numerics, only: gap_at_nodes
-   use dg_predictor, only: coiling_load, predict
+   use dg_predictor, only: predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
-   use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: inclination_of, position_at
+   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, new_workspace, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -38,9 +37,6 @@ module dg_static_analysis
    real(wp), parameter :: largest_stiffening = 50.0_wp
    !> Residual over weight at which a stage before the last is left [-].
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
-   !> Longest element over a quarter of the buckling wave [-].
-   real(wp), parameter :: quarter_wave_share = 0.9_wp
-   real(wp), parameter :: coil_share = 0.5_wp        !< where the string is expected to coil
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -66,7 +62,7 @@ contains
       integer :: increment, stage, outcome
       call system_clock(start, rate)
       associate (load_case => model%cases(case_index))
-         call mesh_for_case(model, case_index, mesh)
+         call mesh_for_case(model, case_index, model%numerics%element_length, mesh)
          call prepare(model, load_case, mesh, gaps, newton, work)
          allocate (state(6, mesh%nodes))
          call stage_walls(model, mesh, walls)
@@ -90,33 +86,6 @@ contains
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
-
-   !> Mesh of a case: no element longer than asked for, nor, where the soft string is compressed, than a share of the
-   !> quarter wave of its buckling, pi/2 sqrt(2 EI/F). Beyond that an element buckles between its nodes, where no gap
-   !> can hold it, and the iteration ends nowhere.
-   pure subroutine mesh_for_case(model, case_index, mesh)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(mesh_type), intent(out) :: mesh
-      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
-      real(wp) :: compression, side_load, share
-      integer :: e
-      associate (load_case => model%cases(case_index))
-         call new_mesh(model, load_case, node_depths(model, load_case, model%numerics%element_length), mesh)
-         allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
-         call soft_string_at(model, case_index, mesh%md, axial, torque, contact)
-         longest = mesh%length
-         do e = 1, mesh%elements
-            compression = -min(axial(e), axial(e + 1))
-            if (.not. compression > 0.0_wp) cycle
-            side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            share = quarter_wave_share
-            if (compression > coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))) share = coil_share
-            longest(e) = min(longest(e), share*0.5_wp*pi*sqrt(2.0_wp*mesh%ei(e)/compression))
-         end do
-         if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
-      end associate
-   end subroutine mesh_for_case
 
    !> Wall stiffnesses to go through over the final one [-], ending in 1. A stiff wall is a hard start: every gap that
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
@@ -168,10 +137,10 @@ contains
                eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), r_n0=numerics%r_n0)
          end do
          gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
-         work = new_workspace(mesh)
+         call new_workspace(mesh, work)
          newton%matrix = new_block_matrix(mesh%nodes)
-         newton%solver = new_band_solver(mesh%nodes)
-         allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), newton%displacement(mesh%elements), source=0.0_wp)
+         call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
+         allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
          allocate (newton%lump(6, mesh%nodes), source=0.0_wp)
          do e = 1, mesh%elements
             newton%lump(dof_lateral_1:dof_lateral_2, e:e + 1) = newton%lump(dof_lateral_1:dof_lateral_2, e:e + 1) &

@@ -4,7 +4,7 @@ module dg_test_tangent
    use funit, only: TestMethod, TestSuite, assertTrue, assertEqual, assertLessThan
    use dg_kinds, only: wp
    use dg_constants, only: degree
-   use dg_assembly, only: assemble, load_type, new_workspace, workspace_type
+   use dg_assembly, only: assemble, load_type
    use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_error, only: error_type
@@ -12,6 +12,8 @@ module dg_test_tangent
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: arc_at, frame_on_arc, interpolation_minimum_curvature, new_trajectory, point_on_arc, trajectory_type
+   use dg_gap_survey, only: survey_gaps
+   use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
    public :: tangent_suite
@@ -130,11 +132,11 @@ contains
       real(wp) :: worst, scale(6), error
       integer :: n, i, k, m
       call curved_string(trajectory, mesh, gaps, loads, state)
-      work = new_workspace(mesh)
+      call new_workspace(mesh, work)
       matrix = new_block_matrix(mesh%nodes)
       spare = new_block_matrix(mesh%nodes)
       allocate (residual, plus, minus, mold=state)
-      call assemble(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
+      call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
       dense = to_dense(matrix)
       ! A row or column of forces and metres is stiffer than one of moments and slopes by a length squared.
       scale = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp]
@@ -144,9 +146,9 @@ contains
             if (n == 1 .and. (i == 1 .or. i == 4)) cycle   ! held
             changed = state
             changed(i, n) = state(i, n) + step
-            call assemble(trajectory, mesh, loads, gaps, changed, .false., work, plus, spare)
+            call assemble_at(trajectory, mesh, loads, gaps, changed, .false., work, plus, spare)
             changed(i, n) = state(i, n) - step
-            call assemble(trajectory, mesh, loads, gaps, changed, .false., work, minus, spare)
+            call assemble_at(trajectory, mesh, loads, gaps, changed, .false., work, minus, spare)
             plus = (plus - minus)/(2.0_wp*step)
             do m = 1, mesh%nodes
                do k = 1, 6
@@ -172,13 +174,28 @@ contains
       real(wp), allocatable :: state(:, :), residual(:, :), dense(:, :)
       call curved_string(trajectory, mesh, gaps, loads, state)
       loads%wob = 0.0_wp     ! along the turning tangent: a follower force, with a small unsymmetric part of its own
-      work = new_workspace(mesh)
+      call new_workspace(mesh, work)
       matrix = new_block_matrix(mesh%nodes)
       allocate (residual, mold=state)
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, matrix)
+      call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, matrix)
       dense = to_dense(matrix)
       call assertLessThan(maxval(abs(dense - transpose(dense)))/maxval(abs(dense)), 1.0e-13_wp, message='asymmetry')
    end subroutine conservative_tangent_is_symmetric
+
+   subroutine assemble_at(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      logical, intent(in) :: conservative
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: residual(:, :)
+      type(block_matrix_type), intent(inout) :: matrix
+      call place_nodes(mesh, state, work)
+      call survey_gaps(trajectory, mesh, gaps, work)
+      call assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
+   end subroutine assemble_at
 
    function to_dense(matrix) result(dense)
       type(block_matrix_type), intent(in) :: matrix

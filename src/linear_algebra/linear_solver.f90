@@ -1,0 +1,106 @@
+!> One small interface to the linear solvers. Whatever solves, the solution is checked against the matrix: it is
+!> refined once where the residual asks for it, and where that does not help the pivoted band LU takes over.
+module dg_linear_solver
+   use dg_kinds, only: wp
+   use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
+   use dg_block_matrix, only: block_matrix_type
+   use dg_block_solver, only: block_factor, block_solve, block_solver_type, new_block_solver
+   implicit none
+   private
+   public :: linear_solver_type, new_linear_solver, solve_linear
+   public :: solver_block, solver_banded, solver_count, solver_name
+
+   integer, parameter :: solver_block = 1   !< 6 x 6 block elimination
+   integer, parameter :: solver_banded = 2  !< LAPACK's band LU
+   integer, parameter :: solver_count = 2
+   !> Names in decks, in the order of the numbers above.
+   character(*), parameter :: solver_name(solver_count) = [character(6) :: 'block', 'banded']
+
+   !> Residual of a solution over the largest right-hand side at which it is refined [-]: Newton's next step corrects what
+   !> is left, so that four digits would do; eight keep its convergence quadratic to the end.
+   real(wp), parameter :: refine_above = 1.0e-8_wp
+
+   type :: linear_solver_type
+      integer :: kind = solver_block
+      type(block_solver_type) :: block
+      type(band_solver_type) :: band
+      real(wp), allocatable :: rhs(:, :)        !< (6,nodes)
+      real(wp), allocatable :: correction(:, :) !< (6,nodes)
+      integer :: refinements = 0                !< so far
+      integer :: fallbacks = 0                  !< so far
+   end type linear_solver_type
+
+contains
+
+   !> Room for a chain of so many nodes. The band solver's room is taken when first needed.
+   pure subroutine new_linear_solver(kind, nodes, solver)
+      integer, intent(in) :: kind
+      integer, intent(in) :: nodes
+      type(linear_solver_type), intent(out) :: solver
+      solver%kind = kind
+      if (kind == solver_block) call new_block_solver(nodes, solver%block)
+      allocate (solver%rhs(6, nodes), solver%correction(6, nodes), source=0.0_wp)
+   end subroutine new_linear_solver
+
+   !> Solves matrix x = x(6,nodes). info = 0: done; > 0: singular.
+   subroutine solve_linear(solver, matrix, x, info)
+      type(linear_solver_type), intent(inout) :: solver
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(inout) :: x(:, :)
+      integer, intent(out) :: info
+      logical :: good
+      solver%rhs = x
+      if (solver%kind == solver_block) then
+         call block_factor(solver%block, matrix, info)
+         if (info == 0) then
+            call block_solve(solver%block, matrix, x)
+            call check(solver, matrix, x, good)
+            if (.not. good) then
+               solver%refinements = solver%refinements + 1
+               call block_solve(solver%block, matrix, solver%correction)
+               x = x + solver%correction
+               call check(solver, matrix, x, good)
+            end if
+            if (good) return
+         end if
+         solver%fallbacks = solver%fallbacks + 1
+         x = solver%rhs
+      end if
+      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(x, 2))
+      call band_factor(solver%band, matrix, info)
+      if (info == 0) call band_solve(solver%band, x)
+   end subroutine solve_linear
+
+   !> Puts rhs - matrix x into the solver's correction; good: it is small.
+   pure subroutine check(solver, matrix, x, good)
+      type(linear_solver_type), intent(inout) :: solver
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(in) :: x(:, :)
+      logical, intent(out) :: good
+      integer :: n, j, before
+      real(wp) :: r(6), largest, scale
+      largest = 0.0_wp
+      scale = 0.0_wp
+      do n = 1, size(x, 2)
+         r = solver%rhs(:, n)
+         scale = max(scale, maxval(abs(r)))
+         do j = 1, 6
+            r = r - matrix%diagonal(:, j, n)*x(j, n)
+         end do
+         before = n - 1
+         if (before >= 1) then
+            do j = 1, 6
+               r = r - matrix%lower(:, j, before)*x(j, before)
+            end do
+         end if
+         if (n < size(x, 2)) then
+            do j = 1, 6
+               r = r - matrix%upper(:, j, n)*x(j, n + 1)
+            end do
+         end if
+         largest = max(largest, maxval(abs(r)))
+         solver%correction(:, n) = r
+      end do
+      good = largest <= refine_above*scale
+   end subroutine check
+end module dg_linear_solver

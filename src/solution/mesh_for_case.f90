@@ -1,0 +1,72 @@
+!> Element lengths from the local scale of the problem, known from the soft string before anything is solved.
+!>
+!> One element carries one gap: it sees the wall at one place. Between two gaps the string must therefore not be able to
+!> leave the hole, neither by its own sag nor by running straight where the hole bends, nor may it buckle.
+module dg_mesh_for_case
+   use dg_kinds, only: wp
+   use dg_constants, only: pi
+   use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
+   use dg_model, only: model_type
+   use dg_predictor, only: coiling_load
+   use dg_soft_string_loads, only: soft_string_at
+   use dg_trajectory, only: arc_at
+   implicit none
+   private
+   public :: mesh_for_case, longest_element
+
+   !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
+   !> element buckles between its nodes, where no gap can hold it, and the iteration ends nowhere.
+   real(wp), parameter :: quarter_wave_share = 0.9_wp
+   !> The same where the string is expected to coil: eight elements a turn.
+   real(wp), parameter :: coil_share = 0.5_wp
+   !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
+   !> element may miss the hole's bend [-]. At one half some wells are lost, at a quarter none was.
+   real(wp), parameter :: clearance_share = 0.25_wp
+   !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
+   real(wp), parameter :: shortest = 0.5_wp
+
+contains
+
+   !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: element_length   !< [m]
+      type(mesh_type), intent(out) :: mesh
+      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
+      real(wp) :: curvature
+      integer :: e
+      associate (load_case => model%cases(case_index))
+         call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
+         allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
+         call soft_string_at(model, case_index, mesh%md, axial, torque, contact)
+         do e = 1, mesh%elements
+            curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
+            longest(e) = min(mesh%length(e), longest_element(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, &
+                             -min(axial(e), axial(e + 1)), max(norm2(contact(:, e)), norm2(contact(:, e + 1)))))
+         end do
+         if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
+      end associate
+   end subroutine mesh_for_case
+
+   !> Longest element [m] that the local scale bears.
+   elemental function longest_element(ei, weight, clearance, curvature, compression, side_load) result(length)
+      real(wp), intent(in) :: ei           !< [N.m2]
+      real(wp), intent(in) :: weight       !< [N/m]
+      real(wp), intent(in) :: clearance    !< [m]
+      real(wp), intent(in) :: curvature    !< of the hole [1/m]
+      real(wp), intent(in) :: compression  !< [N]; <= 0 where in tension
+      real(wp), intent(in) :: side_load    !< contact force [N/m]
+      real(wp) :: length
+      real(wp) :: share
+      length = huge(length)
+      if (compression > 0.0_wp) then
+         share = quarter_wave_share
+         if (compression > coiling_load(ei, side_load, weight, clearance)) share = coil_share
+         length = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
+      end if
+      if (curvature > 0.0_wp) length = min(length, sqrt(8.0_wp*clearance_share*clearance/curvature))
+      if (side_load > 0.0_wp) length = min(length, (384.0_wp*ei*clearance_share*clearance/side_load)**0.25_wp)
+      length = max(length, shortest)
+   end function longest_element
+end module dg_mesh_for_case

@@ -1,0 +1,78 @@
+!> Arrays of one solution, allocated once: nothing is allocated within an iteration.
+module dg_workspace
+   use dg_kinds, only: wp
+   use dg_beam_element, only: beam_section_type, membrane_length
+   use dg_director, only: director, director_gradient
+   use dg_mesh, only: mesh_type
+   implicit none
+   private
+   public :: workspace_type, new_workspace, place_nodes
+   public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
+
+   !> Order of a node's six unknowns (convention of src/README.md).
+   integer, parameter :: dof_axial = 1, dof_lateral_1 = 2, dof_lateral_2 = 3
+   integer, parameter :: dof_twist = 4, dof_slope_1 = 5, dof_slope_2 = 6
+
+   type :: workspace_type
+      type(beam_section_type), allocatable :: section(:)
+      ! where the nodes are: place_nodes
+      real(wp), allocatable :: shift(:, :)       !< displacement in space axes (3,nodes) [m]
+      real(wp), allocatable :: d(:, :)           !< directors (3,nodes)
+      real(wp), allocatable :: gradient(:, :, :) !< their derivatives by the slopes (3,2,nodes)
+      ! where the gaps are, by element: survey_gaps
+      real(wp), allocatable :: contact_point(:, :)  !< string's axis at x0, off the hole axis at the upper node (3,e) [m]
+      real(wp), allocatable :: gap(:, :)            !< f, off the hole axis where the point now is (3,e) [m]
+      real(wp), allocatable :: axis_tangent(:, :)   !< t of the hole axis there (3,e)
+      real(wp), allocatable :: axis_curvature(:, :) !< dt/ds there (3,e) [1/m]
+      real(wp), allocatable :: displacement(:)      !< |f| [m]
+      ! forces: assemble
+      real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes (6,nodes) [N, N.m]
+      real(wp), allocatable :: axial(:)             !< beam's axial force, tension > 0 (e) [N]
+      real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
+      real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
+      real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
+      real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
+      real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i, x_j, d_j), element loads taken off (12,e)
+      ! of the whole string
+      real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
+      real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
+      real(wp) :: bit_load(3) = 0.0_wp          !< force of the formation on the bit [N]
+      real(wp) :: hookload = 0.0_wp             !< [N]
+      real(wp) :: top_torque = 0.0_wp           !< [N.m]
+   end type workspace_type
+
+contains
+
+   !> Room and element sections for a mesh.
+   pure subroutine new_workspace(mesh, work)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(out) :: work
+      integer :: e, n, m
+      n = mesh%nodes
+      m = mesh%elements
+      allocate (work%section(m))
+      allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
+      allocate (work%gradient(3, 2, n), source=0.0_wp)
+      allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)
+      allocate (work%contact_point(3, m), work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
+      allocate (work%contact_force(3, m), work%contact_moment(3, m), source=0.0_wp)
+      allocate (work%end_force(12, m), source=0.0_wp)
+      do e = 1, m
+         work%section(e) = beam_section_type(mesh%length(e), &
+            membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1)), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+      end do
+   end subroutine new_workspace
+
+   !> Displacements and directors in space axes from the unknowns state(6,nodes).
+   pure subroutine place_nodes(mesh, state, work)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      integer :: n
+      do n = 1, mesh%nodes
+         work%shift(:, n) = state(1, n)*mesh%frame(:, 1, n) + state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)
+         work%d(:, n) = director(mesh%frame(:, :, n), state(5:6, n))
+         work%gradient(:, :, n) = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
+      end do
+   end subroutine place_nodes
+end module dg_workspace
