@@ -2,6 +2,8 @@
 """Reads the fenced blocks of README.md, so that what it tells users to type is what is checked.
 
 Usage: readme.py command WORD...     prints the one command line that holds all the words
+       readme.py deck                prints the deck that the README lets users write
+       readme.py printed FILE        checks that FILE holds the table that the README shows for that deck
 """
 import pathlib
 import re
@@ -24,7 +26,26 @@ def command(words, path="README.md"):
     return found[0]
 
 
-if __name__ == "__main__":
-    if len(sys.argv) < 3 or sys.argv[1] != "command":
+def one_block(start):
+    """The one fenced block that begins with a text."""
+    found = [block for block in blocks() if block.startswith(start)]
+    if len(found) != 1:
+        raise SystemExit(f"README.md: {len(found)} blocks begin with {start}, expected one")
+    return found[0]
+
+
+def main(action, *words):
+    if action == "command" and words:
+        print(command(words))
+    elif action == "deck" and not words:
+        print(one_block("&"), end="")
+    elif action == "printed" and len(words) == 1:
+        printed = "\n".join(line.rstrip() for line in pathlib.Path(words[0]).read_text(encoding="utf-8").splitlines())
+        if one_block("---").rstrip() not in printed:
+            raise SystemExit("README.md: the table of the deck that users write is not what the run printed:\n" + printed)
+    else:
         raise SystemExit(__doc__)
-    print(command(sys.argv[2:]))
+
+
+if __name__ == "__main__":
+    main(*(sys.argv[1:] or [""]))
