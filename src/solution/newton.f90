@@ -35,6 +35,9 @@ module dg_newton
    real(wp), parameter :: viscosity_least = 1.0_wp
    real(wp), parameter :: viscosity_most = 1.0e12_wp
 
+   !> Iterations of a case after which gaps stay where they are: places that are still contended then are as good as each
+   !> other, and every move throws the iteration back.
+   integer, parameter :: settled_after = 30
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
 
@@ -167,8 +170,8 @@ contains
       call place_nodes(mesh, state, work)
       call survey_gaps(trajectory, mesh, gaps, work)
       row%moves = 0
-      if (numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, numerics%relocation, at_rest, gaps, &
-                                                                       work, row%moves)
+      if (numerics%gap_location == gap_at_extremum .and. row%iteration < settled_after) &
+         call relocate_gaps(trajectory, mesh, numerics%relocation, at_rest, gaps, work, row%moves)
       call judge_states(gaps, work%displacement, row%flips)
    end subroutine judge
 
