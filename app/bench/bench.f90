@@ -1,0 +1,71 @@
+!> Prints what solutions cost: whole cases, phases of an iteration, linear solvers, growth with size, memory.
+!> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
+!>
+!> Given any argument it does nothing: `fpm run -- DECK` starts every program of the manifest with that argument.
+program bench
+   use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
+   use dg_bench_phases, only: print_phases
+   use dg_bench_tools, only: machine_name, median
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_error, only: error_type
+   use dg_fault_list, only: fault_list_type
+   use dg_job, only: job_type
+   use dg_kinds, only: wp
+   use dg_model, only: model_type
+   use dg_read_deck, only: read_deck
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_text, only: text_type
+   use dg_version, only: program_name, program_version
+   implicit none
+   character(*), parameter :: deck = 'input/gp1.nml'
+   integer, parameter :: runs = 5
+   type(model_type) :: model
+   type(job_type) :: job
+   type(text_type), allocatable :: notes(:)
+   type(fault_list_type) :: faults
+
+   if (command_argument_count() > 0) stop
+   allocate (notes(0))
+   call read_deck(deck, model, job, notes, faults)
+   if (faults%count > 0) then
+      write (error_unit, '(a)') 'bench: cannot read '//deck//'; run it from the root of the repository'
+      error stop 2
+   end if
+   write (output_unit, '(a)') program_name//' '//program_version//', '//machine_name()
+   write (output_unit, '(a)') compiler_version()
+   write (output_unit, '(a)') compiler_options()
+   write (output_unit, '(a,i0,a)') 'medians of ', runs, ' runs'
+   call print_cases(model)
+   call print_phases(model, runs)
+
+contains
+
+   !> The cases of the deck, each several times.
+   subroutine print_cases(model)
+      type(model_type), intent(in) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      real(wp) :: seconds(runs), total, work
+      integer :: i, run, iterations, lost
+      total = 0.0_wp
+      work = 0.0_wp
+      iterations = 0
+      lost = 0
+      write (output_unit, '(/,a)') 'Cases of '//deck
+      write (output_unit, '(a)') 'case                   elements iterations     seconds   us/element/iteration'
+      do i = 1, size(model%cases)
+         do run = 1, runs
+            call solve_static_analysis(model, i, result, error)
+            seconds(run) = result%seconds
+         end do
+         if (result%status /= result_converged) lost = lost + 1
+         write (output_unit, '(a22,2i10,f13.4,f13.2)') model%cases(i)%name//repeat(' ', 22), result%elements, &
+            result%iterations, median(seconds), 1.0e6_wp*median(seconds)/(real(result%elements, wp)*result%iterations)
+         total = total + median(seconds)
+         work = work + real(result%elements, wp)*result%iterations
+         iterations = iterations + result%iterations
+      end do
+      write (output_unit, '(a22,10x,i10,f13.4,f13.2)') 'all'//repeat(' ', 22), iterations, total, 1.0e6_wp*total/work
+      if (lost > 0) write (output_unit, '(i0,a)') lost, ' cases did not converge'
+   end subroutine print_cases
+end program bench
