@@ -22,28 +22,38 @@ module dg_mesh_for_case
    !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
    !> element may miss the hole's bend [-]. At one half some wells are lost, at a quarter none was.
    real(wp), parameter :: clearance_share = 0.25_wp
+   !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
+   !> first mode of a vertical string at 1/2.
+   real(wp), parameter :: watch_share = 0.4_wp
    !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
 
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
+      logical, intent(out) :: may_buckle       !< somewhere the soft string is compressed enough to watch its stability
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
-      real(wp) :: curvature
+      real(wp) :: curvature, compression, side_load
       integer :: e
+      may_buckle = .false.
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact)
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
+            compression = -min(axial(e), axial(e + 1))
+            side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             longest(e) = min(mesh%length(e), longest_element(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, &
-                             -min(axial(e), axial(e + 1)), max(norm2(contact(:, e)), norm2(contact(:, e + 1)))))
+                                                             compression, side_load))
+            side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
+            may_buckle = may_buckle .or. &
+               compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
          end do
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate

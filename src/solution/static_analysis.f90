@@ -19,7 +19,7 @@ module dg_static_analysis
    use dg_predictor, only: predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
    use dg_trajectory, only: inclination_of, position_at
-   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, new_workspace, workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, new_workspace, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -59,11 +59,14 @@ contains
       real(wp) :: fraction, tolerance
       real(wp), allocatable :: walls(:)
       integer(int64) :: ticks, start, rate
+      logical :: may_buckle
       integer :: increment, stage, outcome
       call system_clock(start, rate)
       associate (load_case => model%cases(case_index))
-         call mesh_for_case(model, case_index, model%numerics%element_length, mesh)
+         call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle)
          call prepare(model, load_case, mesh, gaps, newton, work)
+         newton%stabilise = may_buckle
+         if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
          allocate (state(6, mesh%nodes))
          call stage_walls(model, mesh, walls)
          do increment = 1, model%numerics%load_steps
@@ -71,10 +74,8 @@ contains
             call set_loads(model, load_case, fraction, loads)
             do stage = merge(1, size(walls), increment == 1), size(walls)
                call set_walls(model, mesh, walls(stage), gaps)
-               if (increment == 1 .and. stage == 1) then
+               if (increment == 1 .and. stage == 1) &
                   call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
-                  call look_for_compression(mesh, state, newton)
-               end if
                tolerance = merge(model%numerics%tolerance, max(model%numerics%tolerance, stage_tolerance), stage == size(walls))
                call iterate(newton, model%trajectory, mesh, loads, model%numerics, tolerance, increment, gaps, state, work, outcome)
                if (outcome /= newton_converged) exit
@@ -168,17 +169,6 @@ contains
       if (model%boundary%top_centred) loads%top_support = support
       if (model%boundary%bit_centred) loads%bit_support = support
    end subroutine set_loads
-
-   !> Where the predicted string is in compression it may buckle: the iteration then watches definiteness.
-   pure subroutine look_for_compression(mesh, state, newton)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: state(:, :)
-      type(newton_type), intent(inout) :: newton
-      real(wp) :: strain(mesh%elements)
-      strain = (state(dof_axial, 2:) - state(dof_axial, :mesh%elements))/mesh%length
-      newton%stabilise = any(strain*mesh%ea < 0.0_wp)
-      if (newton%stabilise) newton%conservative = new_block_matrix(mesh%nodes)
-   end subroutine look_for_compression
 
    !> The result of the last state, converged or not.
    subroutine fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
