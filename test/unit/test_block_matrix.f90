@@ -1,9 +1,11 @@
-!> The chain matrix and its banded solution against the same matrix written out in full.
+!> The chain matrix and its solutions, banded and by blocks, against the same matrix written out in full.
 module dg_test_block_matrix
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
-   use dg_band_solver, only: band_factor, band_positive_definite, band_solve, band_solver_type, new_band_solver
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
+   use dg_block_solver, only: block_factor, block_positive_definite, block_solve, block_solver_type, new_block_solver
    use dg_kinds, only: wp
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_banded, solver_block
    implicit none
    private
    public :: block_matrix_suite
@@ -18,6 +20,9 @@ contains
       call suite%addTest(TestMethod('product', test_product))
       call suite%addTest(TestMethod('band_solution', test_band_solution))
       call suite%addTest(TestMethod('row_exchange', test_row_exchange))
+      call suite%addTest(TestMethod('block_solution', test_block_solution))
+      call suite%addTest(TestMethod('singular_block', test_singular_block))
+      call suite%addTest(TestMethod('refined', test_refined))
       call suite%addTest(TestMethod('one_node', test_one_node))
       call suite%addTest(TestMethod('singular', test_singular))
       call suite%addTest(TestMethod('definiteness', test_definiteness))
@@ -90,6 +95,65 @@ contains
       call check_solution(matrix)
    end subroutine test_row_exchange
 
+   subroutine test_block_solution()
+      type(block_matrix_type) :: matrix
+      type(block_solver_type) :: solver
+      real(wp) :: b(unknowns), x(6, nodes)
+      integer :: k, info
+      matrix = any_matrix()
+      call new_block_solver(nodes, solver)
+      call block_factor(solver, matrix, info)
+      call assertEqual(0, info)
+      b = [(sin(3.0_wp*k), k=1, unknowns)]
+      x = reshape(b, [6, nodes])
+      call block_solve(solver, matrix, x)
+      ! no exchange between blocks: a few digits less than the band's
+      call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-11_wp)
+   end subroutine test_block_solution
+
+   !> A first block that is singular by itself in a matrix that is not: elimination by blocks names it, the checked
+   !> solution takes the band solver.
+   subroutine test_singular_block()
+      type(block_matrix_type) :: matrix
+      type(block_solver_type) :: solver
+      type(linear_solver_type) :: linear
+      real(wp) :: b(unknowns), x(6, nodes)
+      integer :: k, info
+      matrix = any_matrix()
+      matrix%diagonal(:, 2, 1) = 0.0_wp
+      call new_block_solver(nodes, solver)
+      call block_factor(solver, matrix, info)
+      call assertEqual(1, info)
+      call new_linear_solver(solver_block, nodes, linear)
+      b = [(sin(3.0_wp*k), k=1, unknowns)]
+      x = reshape(b, [6, nodes])
+      call solve_linear(linear, matrix, x, info)
+      call assertEqual(0, info)
+      call assertEqual(1, linear%fallbacks)
+      call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-12_wp)
+   end subroutine test_singular_block
+
+   !> A first block singular but for 1e-13: numbers grow, and the answer is good all the same; both kinds agree.
+   subroutine test_refined()
+      type(block_matrix_type) :: matrix
+      type(linear_solver_type) :: linear
+      real(wp) :: b(unknowns), x(6, nodes, 2)
+      integer :: k, kind, info
+      matrix = any_matrix()
+      matrix%diagonal(:, 2, 1) = matrix%diagonal(:, 1, 1)*(1.0_wp + 1.0e-13_wp)
+      matrix%diagonal(3, 2, 1) = matrix%diagonal(3, 2, 1) + 1.0e-13_wp
+      b = [(sin(3.0_wp*k), k=1, unknowns)]
+      do kind = solver_block, solver_banded
+         call new_linear_solver(kind, nodes, linear)
+         x(:, :, kind) = reshape(b, [6, nodes])
+         call solve_linear(linear, matrix, x(:, :, kind), info)
+         call assertEqual(0, info)
+         call assertEqual(b, matmul(full(matrix), reshape(x(:, :, kind), [unknowns])), 1.0e-7_wp)
+         if (kind == solver_block) call assertGreaterThan(linear%refinements, 0, message='refined')
+      end do
+      call assertEqual(x(:, :, 2), x(:, :, 1), 1.0e-7_wp)
+   end subroutine test_refined
+
    subroutine test_one_node()
       type(block_matrix_type) :: matrix
       type(band_solver_type) :: solver
@@ -131,10 +195,9 @@ contains
    end function any_diagonal
 
    !> A chain of springs, stiffness 1 each and held at one end by 1: the smallest eigenvalue of the 1-d chain of N unknowns
-   !> free at the other end is 2 - 2 cos(pi/(2 N + 1)). Taking more than that off the diagonal is what dpbtrf must see.
+   !> free at the other end is 2 - 2 cos(pi/(2 N + 1)). Taking more than that off the diagonal must be seen.
    subroutine test_definiteness()
       type(block_matrix_type) :: matrix
-      type(band_solver_type) :: solver
       real(wp) :: ones(6, nodes), least
       real(wp), parameter :: pi = 3.14159265358979324_wp
       integer :: n, i
@@ -148,14 +211,17 @@ contains
       end do
       ones = 1.0_wp
       least = 2.0_wp - 2.0_wp*cos(pi/(2*nodes + 1))
-      solver = new_band_solver(nodes)
-      call assertGreaterThan(least, 0.0_wp)
-      call assertTrue(band_positive_definite(solver, matrix, 0.0_wp, ones), message='as it is')
-      call assertTrue(band_positive_definite(solver, matrix, -0.999_wp*least, ones), message='just above')
-      call assertFalse(band_positive_definite(solver, matrix, -1.001_wp*least, ones), message='just below')
+      call assertTrue(definite(0.0_wp), message='as it is')
+      call assertTrue(definite(-0.999_wp*least), message='just above')
+      call assertFalse(definite(-1.001_wp*least), message='just below')
       matrix%diagonal(3, 3, 2) = matrix%diagonal(3, 3, 2) - 10.0_wp
-      call assertFalse(band_positive_definite(solver, matrix, 0.0_wp, ones), message='one soft unknown')
-      call assertTrue(band_positive_definite(solver, matrix, 20.0_wp, ones), message='stiffened')
-      call assertLessThan(least, 0.1_wp)
+      call assertFalse(definite(0.0_wp), message='one soft unknown')
+      call assertTrue(definite(20.0_wp), message='stiffened')
+   contains
+      function definite(factor)
+         real(wp), intent(in) :: factor
+         logical :: definite
+         call block_positive_definite(matrix, factor, ones, definite)
+      end function definite
    end subroutine test_definiteness
 end module dg_test_block_matrix

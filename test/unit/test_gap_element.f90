@@ -64,7 +64,8 @@ contains
       end do
    end subroutine test_statically_the_same
 
-   !> The tangent against differences; force and moment depend on the point through two given matrices.
+   !> The tangent against differences; force and moment depend on the point through two given matrices. It is taken off
+   !> what is there, as external forces are.
    subroutine test_derivatives()
       real(wp), parameter :: step = 1.0e-5_wp, tolerance = 1.0e-6_wp  !< of entries near 1e4
       real(wp) :: y(12), y_moved(12), plus(12), minus(12), twist_plus(2), twist_minus(2), by_force(3, 3), by_moment(3, 3)
@@ -75,6 +76,7 @@ contains
       y = shape_of_string()
       do i = 1, size(xi)
          call axis_at(y, xi(i), point, direction)
+         stiffness = 7.0_wp
          call gap_nodal_tangent(xi(i), hermite_value(xi(i), length), hermite_slope(xi(i), length), y(4:6), y(10:12), direction, &
                                 moment, by_force, by_moment, stiffness, twist_stiffness)
          do j = 1, 12
@@ -83,8 +85,8 @@ contains
             call moved_nodal(plus, twist_plus)
             y_moved(j) = y(j) - step
             call moved_nodal(minus, twist_minus)
-            call assertEqual((plus - minus)/(2.0_wp*step), stiffness(:, j), tolerance, message='nodal force')
-            call assertEqual((twist_plus - twist_minus)/(2.0_wp*step), twist_stiffness(:, j), tolerance, message='twisting')
+            call assertEqual((plus - minus)/(2.0_wp*step), 7.0_wp - stiffness(:, j), tolerance, message='nodal force')
+            call assertEqual((twist_plus - twist_minus)/(2.0_wp*step), -twist_stiffness(:, j), tolerance, message='twisting')
          end do
       end do
    contains
