@@ -10,9 +10,13 @@ contains
       use funit, only: TestSuite
       use dg_test_soft_wells, only: soft_wells_suite
       use dg_test_tangent, only: tangent_suite
+      use dg_test_bends, only: bends_suite
+      use dg_test_straight_holes, only: straight_holes_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
+      call suite%addTest(bends_suite())
+      call suite%addTest(straight_holes_suite())
    end function load_tests
 end program verification
