@@ -12,11 +12,15 @@ contains
       use dg_test_tangent, only: tangent_suite
       use dg_test_bends, only: bends_suite
       use dg_test_straight_holes, only: straight_holes_suite
+      use dg_test_beams, only: beams_suite
+      use dg_test_supports, only: supports_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())
+      call suite%addTest(beams_suite())
+      call suite%addTest(supports_suite())
    end function load_tests
 end program verification
