@@ -38,7 +38,7 @@ contains
       force = trim(units%force_label)
       moment = trim(units%moment_label)
       header = 'increment,iteration,residual_'//force//',residual_'//moment//',lateral_step_'//trim(units%diameter_label)// &
-         ',viscosity_'//force//'_'//trim(units%length_label)//'2,contacts,flips,moves,hookload_'//force
+         ',viscosity,contacts,flips,moves,hookload_'//force
    end function history_header
 
    pure function history_row(units, step) result(row)
@@ -47,7 +47,7 @@ contains
       character(:), allocatable :: row
       row = csv_number(step%increment)//','//csv_number(step%iteration)//','// &
          csv_number(step%residual_force/units%force)//','//csv_number(step%residual_moment/units%moment)//','// &
-         csv_number(step%lateral_step/units%diameter)//','//csv_number(step%viscosity/units%wall_stiffness)//','// &
+         csv_number(step%lateral_step/units%diameter)//','//csv_number(step%viscosity)//','// &
          csv_number(step%contacts)//','//csv_number(step%flips)//','//csv_number(step%moves)//','// &
          csv_number(step%hookload/units%force)
    end function history_row

@@ -20,7 +20,7 @@ module dg_case_result
       real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
-      real(wp) :: viscosity = 0.0_wp           !< viscous regularisation [N/m2]
+      real(wp) :: viscosity = 0.0_wp           !< viscous regularisation, in units of F^2/(4 EI) [-]
       integer :: contacts = 0                  !< gaps in contact
       integer :: flips = 0                     !< gaps that changed state
       integer :: moves = 0                     !< gaps that moved to another x0

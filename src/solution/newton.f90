@@ -27,20 +27,23 @@ module dg_newton
    integer, parameter :: newton_exhausted = 1   !< iterations used up
    integer, parameter :: newton_singular = 2    !< no unique solution, or numbers out of range
 
-   !> Viscosity first tried when the tangent turns out indefinite, over the wall's stiffness [-]; each further try
-   !> multiplies it, each success divides it.
-   real(wp), parameter :: viscosity_growth = 2.0_wp
-   real(wp), parameter :: viscosity_decay = 0.25_wp
-   !> Under this viscosity [N/m2] the string's own weight gradient (about w/c = 1e3 N/m2) rules and it is dropped.
-   real(wp), parameter :: viscosity_least = 1.0_wp
-   real(wp), parameter :: viscosity_most = 1.0e12_wp
-
-   !> Iterations of a case after which gaps stay where they are: places that are still contended then are as good as each
-   !> other, and every move throws the iteration back.
-   integer, parameter :: settled_after = 30
+   !> Viscosity is counted in units of F^2/(4 EI) of the place [-]: the most by which an axial compression F can make a
+   !> beam's lateral stiffness negative, EI v'''' + F v'' + F^2/(4 EI) v being never so. One is therefore enough where the
+   !> string is uniform; each zone gets what it needs, and weakly compressed ones grow as fast as others.
+   real(wp), parameter :: viscosity_least = 0.1_wp
+   real(wp), parameter :: viscosity_growth = 1.5_wp
+   real(wp), parameter :: viscosity_decay = 0.4_wp
+   real(wp), parameter :: viscosity_most = 1.0e9_wp
+   !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
+   !> cubic element, rounded.
+   real(wp), parameter :: slope_lump = 0.01_wp
+   !> What every place gets of the largest F^2/(4 EI) [-], lest something else than compression be unstable.
+   real(wp), parameter :: viscosity_everywhere = 1.0e-4_wp
+   !> Against the final wall gaps stay where the softer walls left them until all is at rest; then each may move to the
+   !> extremum of its element, and the iteration goes on, no more than so many times.
+   integer, parameter :: most_rounds = 4
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
-
    !> A growing mode is drawn out to this part of the clearance [-], by no more than this factor, when the residual over
    !> the weight is below this [-].
    real(wp), parameter :: mode_growth = 0.25_wp
@@ -56,11 +59,9 @@ module dg_newton
       type(linear_solver_type) :: solver
       real(wp), allocatable :: residual(:, :)     !< (6,nodes)
       real(wp), allocatable :: step(:, :)         !< (6,nodes)
-      !> What a unit of viscosity adds to the diagonal (6,nodes): the node's length to lateral unknowns, a part of its
-      !> cube to slopes (as the consistent matrix of a line load has it), so that no pattern of slopes escapes [m, m3].
-      real(wp), allocatable :: lump(:, :)
+      real(wp), allocatable :: lump(:, :)         !< what a unit of viscosity adds to the diagonal (6,nodes)
       logical :: stabilise = .false.              !< watch definiteness: the string is compressed somewhere
-      real(wp) :: viscosity = 0.0_wp              !< present [N/m2]
+      real(wp) :: viscosity = 0.0_wp              !< present, in units of F^2/(4 EI) [-]
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
       real(wp) :: viscous_limit = 0.0_wp          !< the same while viscosity acts [m]
@@ -84,11 +85,13 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      logical :: stable
-      integer :: info, stalled
+      logical :: stable, soft
+      integer :: info, stalled, rounds
       row%increment = increment
       stalled = 0
-      call judge(trajectory, mesh, numerics, state, gaps, work, row)
+      soft = tolerance > numerics%tolerance
+      call judge(trajectory, mesh, numerics, soft, .false., state, gaps, work, row)
+      rounds = 0
       do
          call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix)
          row%residual_force = maxval(abs(newton%residual(1:3, :)))
@@ -98,9 +101,14 @@ contains
          row%iteration = newton%iterations
          newton%history(newton%iterations + 1) = row
          if (max(row%residual_force, row%residual_moment) <= tolerance*newton%force_scale .and. &
-             ((row%flips == 0 .and. row%moves == 0) .or. tolerance > numerics%tolerance)) then
+             (row%flips == 0 .or. soft)) then
             stable = .true.
             if (newton%stabilise) call check_stability(newton, trajectory, mesh, loads, gaps, state, work, stable)
+            if (stable .and. .not. soft .and. rounds < most_rounds) then
+               rounds = rounds + 1
+               call judge(trajectory, mesh, numerics, .true., .true., state, gaps, work, row)
+               if (row%moves > 0 .or. row%flips > 0) cycle
+            end if
             if (stable) then
                outcome = newton_converged
                return
@@ -113,7 +121,7 @@ contains
          end if
          if (newton%stabilise) call choose_viscosity(newton, trajectory, mesh, loads, gaps, state, work)
          row%viscosity = newton%viscosity
-         call add_lateral(newton, newton%viscosity + numerics%gk_min)
+         call add_lateral(newton, mesh, numerics%gk_min)
          newton%step = -newton%residual
          call solve_linear(newton%solver, newton%matrix, newton%step, info)
          if (info /= 0) then
@@ -127,7 +135,7 @@ contains
          end if
          state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
-         call judge(trajectory, mesh, numerics, state, gaps, work, row)
+         call judge(trajectory, mesh, numerics, soft, .false., state, gaps, work, row)
       end do
    end subroutine iterate
 
@@ -155,23 +163,23 @@ contains
       end if
    end function step_share
 
-   !> Places the nodes of `state`, measures the gaps and re-judges them; `row` counts what changed. Closed gaps are
-   !> looked over for a deeper place once nothing else changes.
-   subroutine judge(trajectory, mesh, numerics, state, gaps, work, row)
+   !> Places the nodes of `state`, measures the gaps, moves them to the extremum where asked for, and re-judges them;
+   !> `row` counts what changed.
+   subroutine judge(trajectory, mesh, numerics, relocate, closed, state, gaps, work, row)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: numerics
+      logical, intent(in) :: relocate    !< gaps may move
+      logical, intent(in) :: closed      !< closed ones too
       real(wp), intent(in) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       type(iteration_type), intent(inout) :: row
-      logical :: at_rest
-      at_rest = row%flips == 0
       call place_nodes(mesh, state, work)
       call survey_gaps(trajectory, mesh, gaps, work)
       row%moves = 0
-      if (numerics%gap_location == gap_at_extremum .and. row%iteration < settled_after) &
-         call relocate_gaps(trajectory, mesh, numerics%relocation, at_rest, gaps, work, row%moves)
+      if (relocate .and. numerics%gap_location == gap_at_extremum) &
+         call relocate_gaps(trajectory, mesh, numerics%relocation, closed, gaps, work, row%moves)
       call judge_states(gaps, work%displacement, row%flips)
    end subroutine judge
 
@@ -201,6 +209,7 @@ contains
       type(workspace_type), intent(inout) :: work
       logical :: definite
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%step, newton%conservative)
+      call weigh(mesh, work, newton%lump)
       newton%viscosity = newton%viscosity*viscosity_decay
       if (newton%viscosity < viscosity_least) newton%viscosity = 0.0_wp
       do
@@ -210,14 +219,42 @@ contains
       end do
    end subroutine choose_viscosity
 
-   !> Adds a viscous stiffness per length [N/m2] to the lateral unknowns and slopes of every node.
-   pure subroutine add_lateral(newton, viscosity)
+   !> What a unit of viscosity adds to the diagonal: F^2/(4 EI) of the place times the node's length for lateral unknowns,
+   !> times a part of its cube for slopes, as the consistent matrix of a line load has it, so that no pattern of slopes
+   !> escapes.
+   pure subroutine weigh(mesh, work, lump)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(inout) :: lump(:, :)
+      real(wp) :: least, force, lateral, slope
+      integer :: e
+      least = viscosity_everywhere*maxval(min(work%axial, 0.0_wp)**2/(4.0_wp*mesh%ei))
+      lump = 0.0_wp
+      do e = 1, mesh%elements
+         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), least)
+         lateral = 0.5_wp*force*mesh%length(e)
+         slope = slope_lump*force*mesh%length(e)**3
+         lump(dof_lateral_1:dof_lateral_2, e:e + 1) = lump(dof_lateral_1:dof_lateral_2, e:e + 1) + lateral
+         lump(dof_slope_1:dof_slope_2, e:e + 1) = lump(dof_slope_1:dof_slope_2, e:e + 1) + slope
+      end do
+   end subroutine weigh
+
+   !> Adds the viscosity, and the rigidity gk_min of the gaps [N/m2], to the lateral unknowns.
+   pure subroutine add_lateral(newton, mesh, gk_min)
       type(newton_type), intent(inout) :: newton
-      real(wp), intent(in) :: viscosity
-      integer :: n, i
-      do n = 1, size(newton%lump, 2)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: gk_min
+      integer :: n, i, e
+      do n = 1, mesh%nodes
          do i = 1, block_size
-            newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + viscosity*newton%lump(i, n)
+            newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + newton%viscosity*newton%lump(i, n)
+         end do
+      end do
+      do e = 1, mesh%elements
+         do n = e, e + 1
+            do i = dof_lateral_1, dof_lateral_2
+               newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + 0.5_wp*gk_min*mesh%length(e)
+            end do
          end do
       end do
    end subroutine add_lateral

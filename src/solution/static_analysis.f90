@@ -19,7 +19,7 @@ module dg_static_analysis
    use dg_predictor, only: predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
    use dg_trajectory, only: inclination_of, position_at
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, new_workspace, workspace_type
+   use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -27,9 +27,6 @@ module dg_static_analysis
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
    !> string within micrometres of the axis, not so stiff as to spoil the matrix.
    real(wp), parameter :: support_length = 1.0_wp
-   !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
-   !> cubic element, rounded.
-   real(wp), parameter :: slope_lump = 0.01_wp
    !> The softest wall yields to the string's weight by this part of the clearance [-]: as soft as beams of some metres
    !> are between two contacts, so that no single gap matters.
    real(wp), parameter :: soft_penetration = 0.1_wp
@@ -143,12 +140,6 @@ contains
          call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
          allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
          allocate (newton%lump(6, mesh%nodes), source=0.0_wp)
-         do e = 1, mesh%elements
-            newton%lump(dof_lateral_1:dof_lateral_2, e:e + 1) = newton%lump(dof_lateral_1:dof_lateral_2, e:e + 1) &
-               + 0.5_wp*mesh%length(e)
-            newton%lump(dof_slope_1:dof_slope_2, e:e + 1) = newton%lump(dof_slope_1:dof_slope_2, e:e + 1) &
-               + slope_lump*mesh%length(e)**3
-         end do
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = sum(mesh%weight*mesh%length) + abs(load_case%wob)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)
