@@ -14,6 +14,7 @@ contains
       use dg_test_straight_holes, only: straight_holes_suite
       use dg_test_beams, only: beams_suite
       use dg_test_supports, only: supports_suite
+      use dg_test_contact_wells, only: contact_wells_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -22,5 +23,6 @@ contains
       call suite%addTest(straight_holes_suite())
       call suite%addTest(beams_suite())
       call suite%addTest(supports_suite())
+      call suite%addTest(contact_wells_suite())
    end function load_tests
 end program verification
