@@ -41,7 +41,7 @@ contains
    end function relative_compression
 
    !> State that follows from the present one (Eqs. 7 and 8). A change needs both thresholds passed: a free gap
-   !> closes when it is compressed beyond eps_n0 or would carry more than r_n0, a closed one opens when it is open
+   !> closes when it is compressed beyond eps_n0 and would carry more than r_n0, a closed one opens when it is open
    !> beyond eps_n0 and pulls with more than r_n0. Between, the state stays: two points cannot take turns over
    !> round-off. The thresholds bound the error of a wrong state to r_n0 or gk c eps_n0.
    pure function next_state(law, state, displacement) result(next)
