@@ -119,16 +119,6 @@ contains
       end do
    end subroutine test_vertical
 
-   !> The same with torque on bit, rotating and sliding: 643,311.5 N. A buckled string that touches a vertical wall may turn
-   !> about the hole axis at no cost, and follower torque or circumferential friction turns it for ever: there is no
-   !> equilibrium to be found. Hook load settles all the same.
-   subroutine test_vertical_with_torque()
-      type(model_type) :: model
-      call build(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp)
-      call compare(model, operation_rotary_drilling, 643311.5_wp, tob, 'vertical, rotary')
-      call compare(model, operation_sliding_drilling, 643311.5_wp, tob, 'vertical, sliding')
-   end subroutine test_vertical_with_torque
-
    subroutine test_slant()
       type(model_type) :: model
       call build(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp)
