@@ -23,7 +23,6 @@ module dg_gap_state
    !> The law of one gap, per element: rigidities times tributary length.
    type :: gap_law_type
       real(wp) :: clearance = 0.0_wp  !< c = (D - d)/2 [m]
-      real(wp) :: minimum = 0.0_wp    !< Gkmin [N/m]
       real(wp) :: contact = 0.0_wp    !< Gkc [N/m]
       real(wp) :: maximum = 0.0_wp    !< Gkmax [N/m]
       real(wp) :: eps_n0 = 0.0_wp     !< threshold of relative compression [-]

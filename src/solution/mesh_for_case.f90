@@ -25,6 +25,8 @@ module dg_mesh_for_case
    !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
    !> first mode of a vertical string at 1/2.
    real(wp), parameter :: watch_share = 0.4_wp
+   !> Sag of the overhang at a free end over the clearance [-].
+   real(wp), parameter :: overhang_share = 0.01_wp
    !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
 
@@ -55,9 +57,20 @@ contains
             may_buckle = may_buckle .or. &
                compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
          end do
+         e = mesh%elements
+         if (.not. model%boundary%top_centred) longest(1) = min(longest(1), free_end(mesh%ei(1), mesh%weight(1), mesh%clearance(1)))
+         if (.not. model%boundary%bit_centred) longest(e) = min(longest(e), free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e)))
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate
    end subroutine mesh_for_case
+
+   !> Longest element at a free end [m]: half of it hangs over the last gap, and must not sag through the wall.
+   elemental function free_end(ei, weight, clearance) result(length)
+      real(wp), intent(in) :: ei, weight, clearance   !< [N.m2, N/m, m]
+      real(wp) :: length
+      length = huge(length)
+      if (weight > 0.0_wp) length = max((8.0_wp*ei*overhang_share*clearance/weight)**0.25_wp, shortest)
+   end function free_end
 
    !> Longest element [m] that the local scale bears.
    elemental function longest_element(ei, weight, clearance, curvature, compression, side_load) result(length)

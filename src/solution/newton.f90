@@ -90,7 +90,7 @@ contains
       row%increment = increment
       stalled = 0
       soft = tolerance > numerics%tolerance
-      call judge(trajectory, mesh, numerics, soft, .false., state, gaps, work, row)
+      call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
       rounds = 0
       do
          call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix)
@@ -135,7 +135,7 @@ contains
          end if
          state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
-         call judge(trajectory, mesh, numerics, soft, .false., state, gaps, work, row)
+         call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
       end do
    end subroutine iterate
 

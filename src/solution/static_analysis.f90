@@ -8,6 +8,7 @@ module dg_static_analysis
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type
    use dg_gap_table, only: count_states, gap_table_type, new_gap_table
+   use dg_gap_survey, only: node_offset
    use dg_job, only: model_mcge
    use dg_load_case, only: load_case_type
    use dg_linear_solver, only: new_linear_solver
@@ -15,7 +16,7 @@ module dg_static_analysis
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
-   use dg_numerics, only: gap_at_nodes
+   use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type
    use dg_predictor, only: predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
    use dg_trajectory, only: inclination_of, position_at
@@ -34,6 +35,15 @@ module dg_static_analysis
    real(wp), parameter :: largest_stiffening = 50.0_wp
    !> Residual over weight at which a stage before the last is left [-].
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
+   !> A case that finds no rest with the gaps where they were asked for is tried with the other place, and at last in
+   !> several load steps; each attempt has its share of the iterations [-].
+   integer, parameter :: attempts = 3
+   real(wp), parameter :: attempt_share(attempts) = [0.7_wp, 0.15_wp, 0.15_wp]
+   integer, parameter :: careful_steps = 4
+   !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
+   real(wp), parameter :: largest_excess = 0.5_wp
+   !> Outcome of an attempt that converged to such a place, beside those of dg_newton.
+   integer, parameter :: outcome_outside = 100
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -52,38 +62,71 @@ contains
       type(newton_type) :: newton
       type(workspace_type) :: work
       type(load_type) :: loads
+      type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
-      real(wp) :: fraction, tolerance
-      real(wp), allocatable :: walls(:)
       integer(int64) :: ticks, start, rate
+      real(wp) :: worst
       logical :: may_buckle
-      integer :: increment, stage, outcome
+      integer :: attempt, outcome, place
       call system_clock(start, rate)
-      associate (load_case => model%cases(case_index))
-         call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle)
-         call prepare(model, load_case, mesh, gaps, newton, work)
-         newton%stabilise = may_buckle
-         if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
-         allocate (state(6, mesh%nodes))
-         call stage_walls(model, mesh, walls)
-         do increment = 1, model%numerics%load_steps
-            fraction = real(increment, wp)/model%numerics%load_steps
-            call set_loads(model, load_case, fraction, loads)
-            do stage = merge(1, size(walls), increment == 1), size(walls)
-               call set_walls(model, mesh, walls(stage), gaps)
-               if (increment == 1 .and. stage == 1) &
-                  call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
-               tolerance = merge(model%numerics%tolerance, max(model%numerics%tolerance, stage_tolerance), stage == size(walls))
-               call iterate(newton, model%trajectory, mesh, loads, model%numerics, tolerance, increment, gaps, state, work, outcome)
-               if (outcome /= newton_converged) exit
-            end do
-            if (outcome /= newton_converged) exit
-         end do
-         call fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
-      end associate
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle)
+      call prepare(model, model%cases(case_index), mesh, newton, work)
+      newton%stabilise = may_buckle
+      if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
+      allocate (state(6, mesh%nodes))
+      do attempt = 1, attempts
+         numerics = model%numerics
+         numerics%max_iterations = newton%iterations + ceiling(attempt_share(attempt)*model%numerics%max_iterations)
+         numerics%max_iterations = min(numerics%max_iterations, model%numerics%max_iterations)
+         if (attempt > 1) numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
+         if (attempt == attempts) numerics%load_steps = max(numerics%load_steps, careful_steps)
+         call go_through_increments(model, case_index, numerics, mesh, newton, gaps, state, work, loads, outcome)
+         if (outcome == newton_converged) then
+            call look_outside(model, mesh, work, worst, place)
+            if (worst > largest_excess) outcome = outcome_outside
+         end if
+         if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
+      end do
+      call fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
+      if (result%status == result_converged .and. attempt > 1) result%message = 'converged with gaps '// &
+         trim(merge('at the nodes         ', 'at their extremum x0 ', numerics%gap_location == gap_at_nodes))// &
+         ': with the place asked for the iteration found no rest; shorter elements may help'
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
+
+   !> One attempt: from the soft string, increment by increment, wall by wall, to the end or to where it fails.
+   subroutine go_through_increments(model, case_index, numerics, mesh, newton, gaps, state, work, loads, outcome)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(numerics_type), intent(in) :: numerics
+      type(mesh_type), intent(in) :: mesh
+      type(newton_type), intent(inout) :: newton
+      type(gap_table_type), intent(out) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      type(load_type), intent(out) :: loads
+      integer, intent(out) :: outcome
+      real(wp), allocatable :: walls(:)
+      real(wp) :: fraction, tolerance
+      integer :: increment, stage
+      call lay_out_gaps(numerics, mesh, gaps)
+      call stage_walls(model, mesh, walls)
+      newton%viscosity = 0.0_wp
+      outcome = newton_exhausted
+      do increment = 1, numerics%load_steps
+         fraction = real(increment, wp)/numerics%load_steps
+         call set_loads(model, model%cases(case_index), fraction, loads)
+         do stage = merge(1, size(walls), increment == 1), size(walls)
+            call set_walls(model, mesh, walls(stage), gaps)
+            if (increment == 1 .and. stage == 1) &
+               call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
+            tolerance = merge(numerics%tolerance, max(numerics%tolerance, stage_tolerance), stage == size(walls))
+            call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, increment, gaps, state, work, outcome)
+            if (outcome /= newton_converged) return
+         end do
+      end do
+   end subroutine go_through_increments
 
    !> Wall stiffnesses to go through over the final one [-], ending in 1. A stiff wall is a hard start: every gap that
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
@@ -117,24 +160,30 @@ contains
       gaps%law%maximum = scale*max(model%numerics%gk_max, mesh%wall)*mesh%length
    end subroutine set_walls
 
-   !> Room for the solution, the gaps' laws and the iteration's scales.
-   subroutine prepare(model, load_case, mesh, gaps, newton, work)
+   !> A table of free gaps with their laws, at their first places.
+   pure subroutine lay_out_gaps(numerics, mesh, gaps)
+      type(numerics_type), intent(in) :: numerics
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(out) :: gaps
+      type(gap_law_type), allocatable :: laws(:)
+      integer :: e
+      allocate (laws(mesh%elements))
+      do e = 1, mesh%elements
+         laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
+            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
+            r_n0=numerics%r_n0)
+      end do
+      gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
+   end subroutine lay_out_gaps
+
+   !> Room for the solution and the iteration's scales.
+   subroutine prepare(model, load_case, mesh, newton, work)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(out) :: gaps
       type(newton_type), intent(out) :: newton
       type(workspace_type), intent(out) :: work
-      type(gap_law_type), allocatable :: laws(:)
-      integer :: e
       associate (numerics => model%numerics)
-         allocate (laws(mesh%elements))
-         do e = 1, mesh%elements
-            laws(e) = gap_law_type(clearance=mesh%clearance(e), minimum=numerics%gk_min*mesh%length(e), &
-               contact=mesh%wall(e)*mesh%length(e), maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), &
-               eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), r_n0=numerics%r_n0)
-         end do
-         gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
          call new_workspace(mesh, work)
          newton%matrix = new_block_matrix(mesh%nodes)
          call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
@@ -173,7 +222,8 @@ contains
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(out) :: result
       type(iteration_type) :: last
-      real(wp) :: position(3), tangent(3)
+      real(wp) :: position(3), tangent(3), worst
+      integer :: place
       character(200) :: text
       result%case_index = case_index
       result%model = model_mcge
@@ -182,6 +232,12 @@ contains
       select case (outcome)
       case (newton_converged)
          result%status = result_converged
+      case (outcome_outside)
+         call look_outside(model, mesh, work, worst, place)
+         result%status = result_not_converged
+         write (text, '(a,f0.1,a,f0.1,a)') 'the string lies outside the hole by ', worst, ' clearances at ', mesh%md(place), &
+            ' m, between two gap elements; try shorter elements'
+         result%message = trim(text)
       case (newton_exhausted)
          result%status = result_not_converged
          write (text, '(a,i0,a,es9.2,a,i0,a)') 'iterations used up in load step ', last%increment, ': residual ', &
@@ -208,4 +264,26 @@ contains
       call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
+
+   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen
+   !> by the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no
+   !> result.
+   pure subroutine look_outside(model, mesh, work, worst, place)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: worst
+      integer, intent(out) :: place
+      real(wp) :: gap(3), tangent(3), outside
+      integer :: n
+      worst = -1.0_wp
+      place = 1
+      do n = 1, mesh%nodes
+         call node_offset(model%trajectory, mesh, work, n, gap, tangent)
+         outside = norm2(gap)/maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements))) - 1.0_wp
+         if (outside <= worst) cycle
+         worst = outside
+         place = n
+      end do
+   end subroutine look_outside
 end module dg_static_analysis

@@ -9,10 +9,10 @@ module dg_test_gap_state
    public :: gap_state_suite
 
    !> c = 0.05 m; the force threshold is reached at 1e-6 m = 2e-5 c, so eps_n0 = 1e-4 decides with this law ...
-   type(gap_law_type), parameter :: by_compression = gap_law_type(clearance=0.05_wp, minimum=1.0_wp, contact=1.0e6_wp, &
+   type(gap_law_type), parameter :: by_compression = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, &
       maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=1.0_wp)
    !> ... and r_n0, reached at 1e-4 m = 2e-3 c, with this one.
-   type(gap_law_type), parameter :: by_force = gap_law_type(clearance=0.05_wp, minimum=1.0_wp, contact=1.0e6_wp, &
+   type(gap_law_type), parameter :: by_force = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, &
       maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=100.0_wp)
    integer, parameter :: f = state_free, e = state_elastic, r = state_rigid
 

@@ -168,6 +168,8 @@ contains
       to = 90.0_wp
       do i = 2, size(result%profile%md) - 1
          theta = result%profile%md(i)/radius
+         ! At its free ends the string has no moment, straightens and leaves the wall.
+         if (theta < 10.0_wp*degree .or. theta > 80.0_wp*degree) cycle
          if (result%profile%gap_state(i) == state_free) then
             if (from <= 0.0_wp) from = theta/degree
             to = theta/degree
@@ -175,7 +177,7 @@ contains
          end if
          ! 0 or 360 deg above, 180 deg below
          call assertEqual(merge(1.0_wp, -1.0_wp, theta < 30.0_wp*degree), cos(result%profile%clock(i)), 1.0e-6_wp, message='side')
-         if (theta < 10.0_wp*degree .or. theta > 80.0_wp*degree .or. abs(theta/degree - 30.0_wp) < 8.0_wp) cycle
+         if (abs(theta/degree - 30.0_wp) < 8.0_wp) cycle
          ! n = |w sin - T/R|; the string lies c off the axis, 1e-4 of R. Seen: 0.02 N/m.
          call assertEqual(abs(w*sin(theta) - w*(1.0_wp - sin(theta))), result%profile%side_force(i), 0.2_wp, message='side force')
       end do
