@@ -33,16 +33,18 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle, pressing)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
       logical, intent(out) :: may_buckle       !< somewhere the soft string is compressed enough to watch its stability
+      real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
       real(wp) :: curvature, compression, side_load
       integer :: e
       may_buckle = .false.
+      pressing = 0.0_wp
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
@@ -53,6 +55,8 @@ contains
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             longest(e) = min(mesh%length(e), longest_element(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, &
                                                              compression, side_load))
+            pressing = max(pressing, max(mesh%weight(e), side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
+                                     /mesh%clearance(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             may_buckle = may_buckle .or. &
                compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
@@ -63,6 +67,13 @@ contains
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate
    end subroutine mesh_for_case
+
+   !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
+   elemental function coil_force(ei, compression, clearance) result(force)
+      real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
+      real(wp) :: force
+      force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
+   end function coil_force
 
    !> Longest element at a free end [m]: half of it hangs over the last gap, and must not sag through the wall.
    elemental function free_end(ei, weight, clearance) result(length)

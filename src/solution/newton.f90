@@ -72,24 +72,24 @@ module dg_newton
 contains
 
    !> Iterates `state` to equilibrium under `loads`. `outcome` is one of the numbers above.
-   subroutine iterate(newton, trajectory, mesh, loads, numerics, tolerance, increment, gaps, state, work, outcome)
+   subroutine iterate(newton, trajectory, mesh, loads, numerics, tolerance, soft, increment, gaps, state, work, outcome)
       type(newton_type), intent(inout) :: newton
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: tolerance          !< of the residual over the force scale [-]
+      logical, intent(in) :: soft                !< a stage before the last: gaps may move at once, and need not be at rest
       integer, intent(in) :: increment
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      logical :: stable, soft
+      logical :: stable
       integer :: info, stalled, rounds
       row%increment = increment
       stalled = 0
-      soft = tolerance > numerics%tolerance
       call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
       rounds = 0
       do

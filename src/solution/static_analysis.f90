@@ -28,11 +28,14 @@ module dg_static_analysis
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
    !> string within micrometres of the axis, not so stiff as to spoil the matrix.
    real(wp), parameter :: support_length = 1.0_wp
-   !> The softest wall yields to the string's weight by this part of the clearance [-]: as soft as beams of some metres
+   !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
    !> are between two contacts, so that no single gap matters.
    real(wp), parameter :: soft_penetration = 0.1_wp
    !> Largest ratio of stiffness from one stage to the next [-]: 30 to 100 cost the same, more loses cases.
    real(wp), parameter :: largest_stiffening = 50.0_wp
+   !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
+   !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
+   real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
    !> Residual over weight at which a stage before the last is left [-].
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
    !> A case that finds no rest with the gaps where they were asked for is tried with the other place, and at last in
@@ -65,11 +68,11 @@ contains
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
-      real(wp) :: worst
+      real(wp) :: worst, pressing
       logical :: may_buckle
       integer :: attempt, outcome, place
       call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle)
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle, pressing)
       call prepare(model, model%cases(case_index), mesh, newton, work)
       newton%stabilise = may_buckle
       if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
@@ -80,7 +83,7 @@ contains
          numerics%max_iterations = min(numerics%max_iterations, model%numerics%max_iterations)
          if (attempt > 1) numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
          if (attempt == attempts) numerics%load_steps = max(numerics%load_steps, careful_steps)
-         call go_through_increments(model, case_index, numerics, mesh, newton, gaps, state, work, loads, outcome)
+         call go_through_increments(model, case_index, numerics, pressing, mesh, newton, gaps, state, work, loads, outcome)
          if (outcome == newton_converged) then
             call look_outside(model, mesh, work, worst, place)
             if (worst > largest_excess) outcome = outcome_outside
@@ -96,10 +99,11 @@ contains
    end subroutine solve_static_analysis
 
    !> One attempt: from the soft string, increment by increment, wall by wall, to the end or to where it fails.
-   subroutine go_through_increments(model, case_index, numerics, mesh, newton, gaps, state, work, loads, outcome)
+   subroutine go_through_increments(model, case_index, numerics, pressing, mesh, newton, gaps, state, work, loads, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: pressing     !< largest expected contact load over its clearance [N/m2]
       type(mesh_type), intent(in) :: mesh
       type(newton_type), intent(inout) :: newton
       type(gap_table_type), intent(out) :: gaps
@@ -111,7 +115,7 @@ contains
       real(wp) :: fraction, tolerance
       integer :: increment, stage
       call lay_out_gaps(numerics, mesh, gaps)
-      call stage_walls(model, mesh, walls)
+      call stage_walls(model, mesh, pressing, walls)
       newton%viscosity = 0.0_wp
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
@@ -121,8 +125,10 @@ contains
             call set_walls(model, mesh, walls(stage), gaps)
             if (increment == 1 .and. stage == 1) &
                call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
-            tolerance = merge(numerics%tolerance, max(numerics%tolerance, stage_tolerance), stage == size(walls))
-            call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, increment, gaps, state, work, outcome)
+            tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/newton%force_scale)
+            if (stage < size(walls)) tolerance = max(tolerance, stage_tolerance)
+            call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), increment, gaps, &
+                         state, work, outcome)
             if (outcome /= newton_converged) return
          end do
       end do
@@ -132,13 +138,14 @@ contains
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
    !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
    !> stiffer wall then starts from the state before.
-   pure subroutine stage_walls(model, mesh, walls)
+   pure subroutine stage_walls(model, mesh, pressing, walls)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
       real(wp), allocatable, intent(out) :: walls(:)
       real(wp) :: soft, stiff, ratio
       integer :: stages, i
-      soft = maxval(mesh%weight/mesh%clearance)/soft_penetration
+      soft = pressing/soft_penetration
       stiff = maxval(mesh%wall)
       stages = 1
       if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest_stiffening))
