@@ -142,11 +142,13 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(19) = [ &
+   type(key_rule_type), parameter :: solver_keys(20) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto standard', later='fast reference', &
          meaning='set of settings'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
+      key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
+         meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded', later='sparse', &
          meaning='how the equations are solved'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &

@@ -182,6 +182,7 @@ contains
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
       if (is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
+      numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
       if (is_sound(group, 'linear_solver')) &
          numerics%linear_solver = merge(solver_banded, solver_block, text_of(group, 'linear_solver', '') == 'banded')
       numerics%tolerance = real_of(group, 'tolerance', numerics%tolerance)

@@ -6,8 +6,8 @@
 module dg_mesh
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
-                           torsional_stiffness
-   use dg_drillstring, only: component_at, component_tops
+                           effective_joint_length, has_joints, torsional_stiffness
+   use dg_drillstring, only: at_joint, component_at, component_tops, joint_ends
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: friction_split, load_case_type
    use dg_model, only: model_type, string_index
@@ -33,6 +33,9 @@ module dg_mesh
       real(wp), allocatable :: weight(:)         !< buoyed, per length [N/m]
       real(wp), allocatable :: clearance(:)      !< (D - d)/2 [m]
       real(wp), allocatable :: radius(:)         !< of contact, d/2 [m]
+      real(wp), allocatable :: lying(:)          !< clearance at which the string lies: that of its joints [m]
+      real(wp), allocatable :: gathered(:)       !< contact load of an element over the string's mean: joints gather it [-]
+      real(wp), allocatable :: spacing(:)        !< between joints, 0 where the string touches all along [m]
       real(wp), allocatable :: axial(:)          !< friction along the hole, > 0 pushes down the hole [-]
       real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
       real(wp), allocatable :: wall(:)           !< wall stiffness Gkc [N/m2]
@@ -51,10 +54,10 @@ contains
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: depths(:)   !< of the nodes, from the first station to the bit [m]
       type(mesh_type), intent(out) :: mesh
-      real(wp) :: tangent(3), curvature(3), end_point(3), middle, top
+      real(wp) :: tangent(3), curvature(3), end_point(3), middle, top, distance
       real(wp), allocatable :: tops(:)
       type(component_type) :: component
-      integer :: e, n, index
+      integer :: e, n, index, part
       index = string_index(model%strings, load_case%string)
       mesh%md = depths
       mesh%nodes = size(mesh%md)
@@ -69,7 +72,8 @@ contains
       end do
       n = mesh%elements
       allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
-                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n))
+                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n), &
+                mesh%lying(n), mesh%gathered(n), mesh%spacing(n))
       top = mesh%md(1)
       allocate (tops(size(model%strings(index)%components)))
       tops = component_tops(model%strings(index), load_case%bit_depth - top)
@@ -81,13 +85,28 @@ contains
          end do
          mesh%chord(:, e) = end_point - mesh%base(:, e)
          middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
-         component = model%strings(index)%components(component_at(tops, load_case%bit_depth - middle))
+         part = component_at(tops, load_case%bit_depth - middle)
+         component = model%strings(index)%components(part)
          mesh%ea(e) = axial_stiffness(component)
          mesh%ei(e) = bending_stiffness(component)
          mesh%gj(e) = torsional_stiffness(component)
          mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
          mesh%radius(e) = 0.5_wp*contact_diameter(component)
          call put_in_hole(model, load_case, middle, e, mesh)
+         mesh%lying(e) = mesh%clearance(e)
+         mesh%gathered(e) = 1.0_wp
+         mesh%spacing(e) = 0.0_wp
+         if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
+         mesh%spacing(e) = component%joint_spacing
+         distance = load_case%bit_depth - middle
+         if (part > 1) distance = distance - tops(part - 1)
+         if (at_joint(component, distance)) then
+            mesh%gathered(e) = component%joint_spacing/effective_joint_length(component)
+         else
+            mesh%gathered(e) = 0.0_wp
+            mesh%radius(e) = 0.5_wp*component%od
+            call put_in_hole(model, load_case, middle, e, mesh)
+         end if
       end do
    end subroutine new_mesh
 
@@ -129,6 +148,7 @@ contains
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
+      if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)
       gap = merge_share*element_length

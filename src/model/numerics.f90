@@ -21,6 +21,7 @@ module dg_numerics
       !> Largest residual force over the string's weight (and moment over weight times one metre) at convergence [-].
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
+      logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
       integer :: linear_solver = solver_block  !< solver_block or solver_banded
       integer :: max_iterations = 200          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads

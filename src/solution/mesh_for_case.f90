@@ -27,6 +27,9 @@ module dg_mesh_for_case
    real(wp), parameter :: watch_share = 0.4_wp
    !> Sag of the overhang at a free end over the clearance [-].
    real(wp), parameter :: overhang_share = 0.01_wp
+   !> Longest element of a pipe body between tool joints over their spacing [-]; nor longer than sqrt(EI/|T|), over which its
+   !> bending moment fades.
+   real(wp), parameter :: body_share = 0.25_wp
    !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
 
@@ -56,7 +59,9 @@ contains
             longest(e) = min(mesh%length(e), longest_element(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, &
                                                              compression, side_load))
             pressing = max(pressing, max(mesh%weight(e), side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
-                                     /mesh%clearance(e))
+                                     *mesh%gathered(e)/mesh%clearance(e))
+            if (mesh%spacing(e) > 0.0_wp) longest(e) = min(longest(e), body_share*mesh%spacing(e), &
+                                                           sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             may_buckle = may_buckle .or. &
                compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))

@@ -47,7 +47,7 @@ contains
          friction = mesh%rotary(e)*friction_scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
-         offset(:, i) = (mesh%clearance(e) + force/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
+         offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
@@ -58,7 +58,7 @@ contains
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         gaps%state(e) = merge(state_elastic, state_free, load(e) + load(e + 1) > 0.0_wp)
+         gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
       end do
    end subroutine predict
 

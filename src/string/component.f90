@@ -6,7 +6,10 @@ module dg_component
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, buoyed_weight
+   public :: contact_diameter, buoyed_weight, has_joints, effective_joint_length
+
+   !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
+   real(wp), parameter :: usual_joint_length = 0.5_wp
 
    type :: component_type
       character(:), allocatable :: name      !< free text
@@ -68,6 +71,23 @@ contains
       real(wp) :: diameter
       diameter = max(component%joint_od, component%od)
    end function contact_diameter
+
+   !> Whether the component touches at joints spaced along it, its body between them being thinner. Stabilisers and other tools
+   !> touch at their joint_od all along.
+   elemental function has_joints(component) result(has)
+      type(component_type), intent(in) :: component
+      logical :: has
+      has = component%joint_od > component%od .and. component%kind /= 'stabilizer'
+   end function has_joints
+
+   !> Length of one tool joint [m].
+   elemental function effective_joint_length(component) result(length)
+      type(component_type), intent(in) :: component
+      real(wp) :: length
+      length = component%joint_length
+      if (.not. length > 0.0_wp) length = usual_joint_length
+      length = min(length, component%joint_spacing)
+   end function effective_joint_length
 
    !> Weight in mud per length [N/m]: mass g (1 - mud density/material density). This is the effective
    !> (buoyed) weight that goes with effective axial force: no pressure loads on ends.

@@ -1,10 +1,10 @@
 !> A drillstring: named components in order from the bit upwards.
 module dg_drillstring
    use dg_kinds, only: wp
-   use dg_component, only: component_type
+   use dg_component, only: component_type, effective_joint_length, has_joints
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops
+   public :: drillstring_type, component_at, component_tops, joint_ends, at_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
@@ -39,4 +39,35 @@ contains
       end do
       index = size(tops)
    end function component_at
+
+   !> Ends of all tool joints, as distances above the bit [m]. Joints stand every joint_spacing from a component's lower
+   !> end, half a joint at its ends.
+   pure function joint_ends(string, tops) result(ends)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), allocatable :: ends(:)
+      real(wp) :: bottom, centre, half
+      integer :: i, k
+      allocate (ends(0))
+      bottom = 0.0_wp
+      do i = 1, size(tops)
+         if (has_joints(string%components(i))) then
+            half = 0.5_wp*effective_joint_length(string%components(i))
+            do k = 0, int((tops(i) - bottom)/string%components(i)%joint_spacing) + 1
+               centre = bottom + k*string%components(i)%joint_spacing
+               ends = [ends, min(max([centre - half, centre + half], bottom), tops(i))]
+            end do
+         end if
+         bottom = tops(i)
+      end do
+   end function joint_ends
+
+   !> Whether a place, by its distance above the lower end of its component [m], is at a tool joint.
+   pure function at_joint(component, distance) result(at)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: distance
+      logical :: at
+      at = has_joints(component) .and. abs(distance - component%joint_spacing*anint(distance/component%joint_spacing)) &
+           <= 0.5_wp*effective_joint_length(component)
+   end function at_joint
 end module dg_drillstring
