@@ -21,6 +21,8 @@ MAY_USE = {
     "soft_string": {"base", "trajectory", "string", "hole", "model", "gap_element", "results"},
     "solution": {"base", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string"},
+    "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
+    "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "report": {"base", "model", "results"},
 }

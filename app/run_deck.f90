@@ -5,11 +5,13 @@ module dg_run_deck
    use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_history_file, only: write_history
-   use dg_job, only: job_type, model_mcge, model_soft, model_name
+   use dg_job, only: job_type, model_mcge, model_mixed, model_rigid, model_soft, model_name
+   use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
+   use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_summary_file, only: write_summary
@@ -72,6 +74,10 @@ contains
          call solve_static_analysis(model, case_index, result, error)
       case (model_soft)
          call solve_soft_string(model, case_index, result, error)
+      case (model_rigid)
+         call solve_rigid_string(model, case_index, result, error)
+      case (model_mixed)
+         call solve_mixed_string(model, case_index, result, error)
       case default
          call raise(error, status_failure, 'no model of number '//to_text(number))
       end select

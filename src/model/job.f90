@@ -3,13 +3,15 @@ module dg_job
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: job_type, model_mcge, model_soft, model_count, model_name
+   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name
 
    integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
    integer, parameter :: model_soft = 2  !< flexible: soft string
-   integer, parameter :: model_count = 2
+   integer, parameter :: model_rigid = 3 !< stiff string that follows the hole axis
+   integer, parameter :: model_mixed = 4 !< stiff where stiffness matters, soft elsewhere
+   integer, parameter :: model_count = 4
    !> Names in decks and files, in the order of the numbers above.
-   character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft']
+   character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft', 'rigid', 'mixed']
 
    type :: job_type
       character(:), allocatable :: title

@@ -11,10 +11,13 @@ module dg_soft_string
    use dg_model, only: model_type, string_index
    use dg_profile, only: profile_type, new_profile, state_free, state_elastic
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type, breakpoints
+   use dg_string_range, only: range_warning
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, inclination_of, point_on_arc, position_at, top_md
    implicit none
    private
    public :: solve_soft_string
+   ! What the stiff string does alike.
+   public :: subdivided, fill_profile, check_string_case
 
    !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp
@@ -35,15 +38,9 @@ contains
       character(120) :: text
       real(wp) :: position(3), tangent(3)
       call system_clock(start, rate)
+      call check_string_case(model, case_index, error)
+      if (allocated(error)) return
       associate (load_case => model%cases(case_index))
-         if (string_index(model%strings, load_case%string) == 0) then
-            call raise(error, status_bad_input, 'load case '//load_case%name//": there is no string '"//load_case%string//"'")
-            return
-         end if
-         if (load_case%bit_depth <= top_md(model%trajectory)) then
-            call raise(error, status_bad_input, 'load case '//load_case%name//': bit_depth must lie below the first station')
-            return
-         end if
          md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
          allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
          call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
@@ -57,15 +54,12 @@ contains
          result%normal_force = totals%normal_force
          result%elements = totals%steps
          result%status = result_converged
-         result%message = ''
+         result%message = range_warning(model, case_index, md, axial)
          if (totals%runaway) then
             result%status = result_locked_up
             write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
                ' m; lower the friction or the curvature'
             result%message = trim(text)
-         else if (axial(1) < 0.0_wp) then
-            result%message = 'the weight of the string does not overcome friction and bit load: '// &
-                             'the string would have to be pushed at surface'
          end if
       end associate
       call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
@@ -76,6 +70,20 @@ contains
       call system_clock(finish)
       result%seconds = real(finish - start, wp)/real(rate, wp)
    end subroutine solve_soft_string
+
+   !> Refuses (bad input) a load case without a string or with the bit above the first station.
+   pure subroutine check_string_case(model, case_index, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(error_type), allocatable, intent(out) :: error
+      associate (load_case => model%cases(case_index))
+         if (string_index(model%strings, load_case%string) == 0) then
+            call raise(error, status_bad_input, 'load case '//load_case%name//": there is no string '"//load_case%string//"'")
+         else if (load_case%bit_depth <= top_md(model%trajectory)) then
+            call raise(error, status_bad_input, 'load case '//load_case%name//': bit_depth must lie below the first station')
+         end if
+      end associate
+   end subroutine check_string_case
 
    !> Depths with points between, none farther apart than `spacing` [m].
    pure function subdivided(md, spacing) result(fine)

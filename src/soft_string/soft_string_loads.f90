@@ -10,7 +10,7 @@
 !> Brett et al. 1989 (the paper's flexible type) use the same balance.
 module dg_soft_string_loads
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter, buoyed_weight
+   use dg_component, only: bending_stiffness, contact_diameter, buoyed_weight
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: friction_split
@@ -19,6 +19,8 @@ module dg_soft_string_loads
    implicit none
    private
    public :: soft_string_at, soft_totals_type, breakpoints
+   ! The pieces of a string, which the stiff string shares.
+   public :: piece_type, piece_above, at_offset, longest_step, largest_angle, runaway_force
 
    !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
    !> angle it is exact to 1e-9 even with a friction coefficient of one. What limits it is the kink of n where
@@ -50,6 +52,8 @@ module dg_soft_string_loads
       real(wp) :: radius = 0.0_wp   !< of contact [m]
       real(wp) :: axial = 0.0_wp    !< f of the balance above [-]
       real(wp) :: rotary = 0.0_wp   !< m of the balance above [-]
+      real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
+      real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
    end type piece_type
 
 contains
@@ -125,6 +129,8 @@ contains
             if (i < size(tops)) piece%top = max(piece%top, tops(i))
             piece%weight = buoyed_weight(string%components(i), model%mud_density, model%gravity)
             piece%radius = 0.5_wp*contact_diameter(string%components(i))
+            piece%stiffness = bending_stiffness(string%components(i))
+            piece%clearance = 0.5_wp*model%holes(hole)%diameter - piece%radius
          end associate
          call friction_split(load_case, friction_scale*mu_axial, friction_scale*mu_rotary, piece%radius, &
                              piece%axial, piece%rotary)

@@ -137,7 +137,7 @@ contains
    end subroutine test_values
 
    subroutine test_later()
-      call refuse("'soft'", "'soft', 'rigid'", 1, "models = 'rigid' is not available in this version")
+      call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
       call refuse("&boundary top_lateral = 'centred' /", "&sweep name = 'x' /", 15, 'group &sweep: not available in this version')
       call refuse("element_length = 10.0", "linear_solver = 'sparse'", 20, "'sparse' is not available in this version")
       call refuse("element_length = 10.0", "fidelity = 'reference'", 20, "'reference' is not available in this version")

@@ -32,6 +32,7 @@ contains
       use dg_test_gap_table, only: gap_table_suite
       use dg_test_hermite, only: hermite_suite
       use dg_test_mesh, only: mesh_suite
+      use dg_test_curvature_change, only: curvature_change_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -58,5 +59,6 @@ contains
       call suite%addTest(gap_table_suite())
       call suite%addTest(hermite_suite())
       call suite%addTest(mesh_suite())
+      call suite%addTest(curvature_change_suite())
    end function load_tests
 end program unit

@@ -15,6 +15,7 @@ contains
       use dg_test_beams, only: beams_suite
       use dg_test_supports, only: supports_suite
       use dg_test_contact_wells, only: contact_wells_suite
+      use dg_test_stiff_wells, only: stiff_wells_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -24,5 +25,6 @@ contains
       call suite%addTest(beams_suite())
       call suite%addTest(supports_suite())
       call suite%addTest(contact_wells_suite())
+      call suite%addTest(stiff_wells_suite())
    end function load_tests
 end program verification

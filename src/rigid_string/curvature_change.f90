@@ -1,0 +1,162 @@
+!> Places where the bending moment of a string that follows the hole would jump, and the length over which a
+!> real string makes the change.
+!>
+!> Minimum curvature gives every arc its own constant curvature, so that E I k jumps at stations (and where the
+!> component changes in a bend). A jump of moment would take a couple of infinite forces. A string in a hole with
+!> clearance bends gradually instead. Its moment is taken as the hole's with each jump d spread by
+!>     (d/2) exp(-|x|/l) before it,  -(d/2) exp(-|x|/l) behind it:
+!> the shape that a tensioned beam takes under a load that jumps, for which l = sqrt(E I/|T|), the bending
+!> length. It leaves the axis by l^2 |dk|, which must fit the clearance c, therefore
+!>     l = min(sqrt(E I/|T|), sqrt(c/|dk|)).
+!> Where the first is the smaller, E I |dk| <= |T| c, tension bends the string as it likes and stiffness adds
+!> nothing to the contact force of a soft string; where the second is, the wall forces the bend by a pair of
+!> contact forces of |d|/(2 l) each.
+module dg_curvature_change
+   use dg_kinds, only: wp
+   use dg_model, only: model_type
+   use dg_soft_string_loads, only: at_offset, breakpoints, piece_above, piece_type, soft_string_at
+   implicit none
+   private
+   public :: change_type, curvature_changes, bending_at, reach
+
+   type :: change_type
+      real(wp) :: md = 0.0_wp                !< [m]
+      real(wp) :: moment(3) = 0.0_wp         !< of E I k, below less above [N.m]
+      real(wp) :: curvature(3) = 0.0_wp      !< of k, below less above [1/m]
+      real(wp) :: length = 0.0_wp            !< l of the description above [m]
+      real(wp) :: stiffness = 0.0_wp         !< the greater E I of both sides [N.m2]
+      logical :: forced = .false.            !< by the wall: l is that of the clearance
+   end type change_type
+
+   !> Lengths l beyond which a change is forgotten [-]: exp(-20) is 2e-9.
+   real(wp), parameter :: reach = 20.0_wp
+   !> Distance from a depth at which the pieces on its two sides are looked up [m]: twice what `breakpoints`
+   !> takes for one depth.
+   real(wp), parameter :: beside = 2.0e-6_wp
+   !> Jump of moment that is none [N.m]: round-off of a bend of 1e7 N.m2 cut into arcs.
+   real(wp), parameter :: least_moment = 1.0e-6_wp
+   !> No string bends over less than its diameter: beams end there.
+   real(wp), parameter :: least_diameters = 1.0_wp
+
+contains
+
+   !> All changes along the string of a load case, from the top down; bending lengths with the tension of the
+   !> soft string.
+   pure subroutine curvature_changes(model, case_index, changes)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(change_type), allocatable, intent(out) :: changes(:)
+      type(change_type), allocatable :: found(:)
+      type(piece_type) :: above, below
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
+      real(wp), dimension(3) :: position, across, bend_above, bend_below
+      real(wp) :: turn, clearance
+      integer :: i, n
+      call places(model, case_index, md)
+      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), found(size(md)))
+      call soft_string_at(model, case_index, md, axial, torque, contact)
+      n = 0
+      do i = 2, size(md) - 1
+         above = piece_above(model, case_index, md(i) - beside, 1.0_wp)
+         below = piece_above(model, case_index, md(i) + beside, 1.0_wp)
+         call at_offset(above, md(i) - above%arc%md, position, across, bend_above)
+         call at_offset(below, md(i) - below%arc%md, position, across, bend_below)
+         associate (change => found(n + 1))
+            change%md = md(i)
+            change%moment = below%stiffness*bend_below - above%stiffness*bend_above
+            if (norm2(change%moment) <= least_moment) cycle
+            change%curvature = bend_below - bend_above
+            change%stiffness = max(above%stiffness, below%stiffness)
+            turn = norm2(change%moment)/change%stiffness
+            clearance = max(min(above%clearance, below%clearance), 0.0_wp)
+            change%forced = norm2(change%moment) > abs(axial(i))*clearance
+            if (change%forced) then
+               change%length = sqrt(clearance/turn)
+            else
+               change%length = sqrt(change%stiffness/abs(axial(i)))
+            end if
+            change%length = max(change%length, least_diameters*2.0_wp*max(above%radius, below%radius))
+         end associate
+         n = n + 1
+      end do
+      allocate (changes(n))
+      changes = found(:n)
+   end subroutine curvature_changes
+
+   !> Depths where anything may change, with those of all arcs: a spline has arcs between stations.
+   pure subroutine places(model, case_index, md)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), allocatable, intent(out) :: md(:)
+      real(wp), allocatable :: marks(:)
+      integer :: i, j, n
+      allocate (marks, source=breakpoints(model, case_index))
+      allocate (md(size(marks) + size(model%trajectory%arcs)))
+      n = 0
+      j = 1
+      do i = 1, size(marks)
+         do while (j <= size(model%trajectory%arcs))
+            if (model%trajectory%arcs(j)%md >= marks(i) - beside) exit
+            call put(model%trajectory%arcs(j)%md, md, n)
+            j = j + 1
+         end do
+         call put(marks(i), md, n)
+      end do
+      md = md(:n)
+   end subroutine places
+
+   !> Appends a depth that is not there yet.
+   pure subroutine put(depth, md, n)
+      real(wp), intent(in) :: depth        !< [m]
+      real(wp), intent(inout) :: md(:)     !< the first n are set, ascending [m]
+      integer, intent(inout) :: n
+      if (n > 0) then
+         if (depth <= md(n) + beside) return
+      end if
+      n = n + 1
+      md(n) = depth
+   end subroutine put
+
+   !> What the changes add to the hole's own curvature and moment at a depth, across the hole.
+   pure subroutine bending_at(changes, md, side, tangent, curvature, curvature_slope, moment, shear, shear_slope)
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: md                    !< [m]
+      real(wp), intent(in) :: side                  !< a depth on the side of md that is meant: slopes jump at changes [m]
+      real(wp), intent(in) :: tangent(3)            !< of the hole
+      real(wp), intent(out) :: curvature(3)         !< added to k [1/m]
+      real(wp), intent(out) :: curvature_slope(3)   !< d/ds of it, jumps of the hole's k smoothed [1/m2]
+      real(wp), intent(out) :: moment(3)            !< added to E I k [N.m]
+      real(wp), intent(out) :: shear(3)             !< -d(E I k)/ds, jumps smoothed [N]
+      real(wp), intent(out) :: shear_slope(3)       !< d/ds of it [N/m]
+      real(wp) :: distance, decay, half, along
+      integer :: j
+      curvature = 0.0_wp
+      curvature_slope = 0.0_wp
+      moment = 0.0_wp
+      shear = 0.0_wp
+      shear_slope = 0.0_wp
+      do j = 1, size(changes)
+         distance = abs(md - changes(j)%md)/changes(j)%length
+         if (distance > reach) cycle
+         decay = 0.5_wp*exp(-distance)
+         half = sign(decay, changes(j)%md - side)    ! positive above the change
+         along = decay/changes(j)%length
+         curvature = curvature + half*changes(j)%curvature
+         curvature_slope = curvature_slope + along*changes(j)%curvature
+         moment = moment + half*changes(j)%moment
+         shear = shear - along*changes(j)%moment
+         shear_slope = shear_slope - (half/changes(j)%length**2)*changes(j)%moment
+      end do
+      curvature = across_hole(curvature)
+      curvature_slope = across_hole(curvature_slope)
+      moment = across_hole(moment)
+      shear = across_hole(shear)
+      shear_slope = across_hole(shear_slope)
+   contains
+      pure function across_hole(vector) result(lateral)
+         real(wp), intent(in) :: vector(3)
+         real(wp) :: lateral(3)
+         lateral = vector - dot_product(vector, tangent)*tangent
+      end function across_hole
+   end subroutine bending_at
+end module dg_curvature_change

@@ -1,0 +1,81 @@
+!> The rigid model (stiff string that follows the hole) of a load case, as a result like any other model's.
+!>
+!> Valid where the string follows the hole: bends that fit the string (no clearance left means no answer), and
+!> compression below helical buckling. `message` says where a case leaves that range.
+module dg_rigid_string
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_curvature_change, only: change_type, curvature_changes
+   use dg_error, only: error_type
+   use dg_job, only: model_rigid
+   use dg_model, only: model_type
+   use dg_profile, only: state_elastic, state_free
+   use dg_rigid_string_loads, only: rigid_string_at
+   use dg_soft_string, only: check_string_case, fill_profile, subdivided
+   use dg_soft_string_loads, only: breakpoints, soft_totals_type
+   use dg_string_range, only: range_warning
+   use dg_trajectory, only: inclination_of, position_at
+   implicit none
+   private
+   public :: solve_rigid_string, solve_at_changes
+
+contains
+
+   !> Solves a load case with the stiff string, stiff everywhere. Statuses and refusals are those of the soft string.
+   subroutine solve_rigid_string(model, case_index, result, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      type(change_type), allocatable :: changes(:)
+      integer(int64) :: start, finish, rate
+      call system_clock(start, rate)
+      call check_string_case(model, case_index, error)
+      if (allocated(error)) return
+      call curvature_changes(model, case_index, changes)
+      call solve_at_changes(model, case_index, changes, result)
+      result%model = model_rigid
+      call system_clock(finish)
+      result%seconds = real(finish - start, wp)/real(rate, wp)
+   end subroutine solve_rigid_string
+
+   !> Solves a load case that has passed check_string_case with a string that is stiff at some changes of curvature.
+   subroutine solve_at_changes(model, case_index, changes, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(change_type), intent(in) :: changes(:)
+      type(case_result_type), intent(out) :: result
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), bending(:)
+      type(soft_totals_type) :: totals
+      character(120) :: text
+      real(wp) :: position(3), tangent(3)
+      associate (load_case => model%cases(case_index))
+         md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)))
+         call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, totals)
+         call position_at(model%trajectory, load_case%bit_depth, position, tangent)
+         result%case_index = case_index
+         result%inclination = inclination_of(tangent)
+         result%hookload = axial(1)
+         result%friction = totals%weight - load_case%wob - axial(1)
+         result%torque = torque(1)
+         result%normal_force = totals%normal_force
+         result%elements = totals%steps
+         result%status = result_converged
+         result%message = range_warning(model, case_index, md, axial)
+         if (totals%runaway) then
+            result%status = result_locked_up
+            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
+               ' m; lower the friction or the curvature'
+            result%message = trim(text)
+         end if
+      end associate
+      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      result%profile%bending = bending
+      result%states = 0
+      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
+      result%states(state_free) = count(result%profile%gap_state == state_free)
+      allocate (result%history(0))
+   end subroutine solve_at_changes
+end module dg_rigid_string

@@ -1,0 +1,177 @@
+!> Forces in a stiff string that follows the hole axis, integrated from the bit up.
+!>
+!> Ho 1988 (SPE 18047): balance of forces and moments of a rod along the hole, here in vectors; Payne & Abbassian
+!> 1997 (SPE 28293) on when it matters. Force F = T t + V and moment E I t x k - M t of the lower part on the upper:
+!>     dF/ds + w g + q = 0,   d(E I t x k - M t)/ds + t x F = -(moment of friction)
+!> give shear, contact force on the wall per metre and axial force (s' up the hole):
+!>     V = -(d(E I k)/ds) - M t x k
+!>     c = T k + w (g - (g.t) t) + dV/ds,   n = |c|
+!>     dT/ds' = w g.t + f n - V.k,   dM/ds' = m r n
+!> the parts of dV/ds and d(E I k)/ds across the hole being meant. On an arc E I k only turns with the hole, so that
+!> stiffness acts at the changes of curvature (dg_curvature_change) alone. In c the part -(dM/ds) t x k is left
+!> out: it is m r k n, some 1e-5 of n and across it. At its ends the string keeps the hole's direction and
+!> curvature, as if it went on. Without changes, so for E I = 0, this is the soft string.
+module dg_rigid_string_loads
+   use dg_kinds, only: wp
+   use dg_curvature_change, only: bending_at, change_type
+   use dg_model, only: model_type
+   use dg_soft_string_loads, only: at_offset, largest_angle, longest_step, piece_above, piece_type, runaway_force, &
+      soft_totals_type
+   use dg_trajectory, only: point_on_arc
+   use dg_vector, only: cross
+   implicit none
+   private
+   public :: rigid_string_at
+
+   !> Steps near a change [-]: this part of its length l, growing by this part of the distance from it. The fourth-order
+   !> step leaves 1e-5 of the pair of forces, itself some per cent of a bend's contact force.
+   real(wp), parameter :: length_share = 0.25_wp
+   real(wp), parameter :: distance_share = 0.125_wp
+
+contains
+
+   !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths; where they
+   !> jump `contact` is the one just below.
+   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, totals)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(change_type), intent(in) :: changes(:)  !< at which the string is stiff
+      real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
+      real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
+      real(wp), intent(out) :: torque(:)           !< [N.m]
+      real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
+      real(wp), intent(out) :: bending(:)          !< resultant moment [N.m]
+      type(soft_totals_type), intent(out) :: totals
+      type(piece_type) :: piece
+      real(wp) :: position, force, moment
+      integer :: i
+      associate (load_case => model%cases(case_index))
+         position = load_case%bit_depth
+         force = -load_case%wob
+         moment = load_case%tob
+      end associate
+      piece = piece_above(model, case_index, position, 1.0_wp)
+      do i = size(md), 1, -1
+         do while (position > md(i))
+            call climb(piece, changes, max(piece%top, md(i)), position, force, moment, totals)
+            if (position > md(i)) piece = piece_above(model, case_index, position, 1.0_wp)
+         end do
+         axial(i) = force
+         torque(i) = moment
+         call contact_and_bending(piece, changes, md(i), force, moment, contact(:, i), bending(i))
+         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, 1.0_wp)
+      end do
+   end subroutine rigid_string_at
+
+   !> Integrates up a piece of string from `position` to `target`: weight as difference of vertical depth, friction
+   !> and shear by the classical Runge-Kutta method, with short steps at changes of curvature.
+   pure subroutine climb(piece, changes, target, position, force, moment, sums)
+      type(piece_type), intent(in) :: piece
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: target           !< [m]
+      real(wp), intent(inout) :: position      !< [m]
+      real(wp), intent(inout) :: force         !< [N]
+      real(wp), intent(inout) :: moment        !< [N.m]
+      type(soft_totals_type), intent(inout) :: sums
+      real(wp) :: step, side, upper, n1, n2, n3, n4, d1, d2, d3, d4, middle, ahead, normal, z1, z2, z3
+      integer :: steps
+      if (sums%runaway) position = target
+      do while (position > target)
+         step = step_from(piece, changes, target, position)
+         upper = position - step
+         if (upper <= target) upper = target
+         step = position - upper
+         side = 0.5_wp*(position + upper)
+         steps = sums%steps + 1
+         z1 = depth_at(piece, position)
+         z2 = depth_at(piece, side)
+         z3 = depth_at(piece, upper)
+         middle = force + piece%weight*(z1 - z2)
+         ahead = force + piece%weight*(z1 - z3)
+         call rates(piece, changes, position, side, force, moment, n1, d1)
+         call rates(piece, changes, side, side, middle + 0.5_wp*step*d1, moment, n2, d2)
+         call rates(piece, changes, side, side, middle + 0.5_wp*step*d2, moment, n3, d3)
+         call rates(piece, changes, upper, side, ahead + step*d3, moment, n4, d4)
+         normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
+         force = ahead + step*(d1 + 2.0_wp*d2 + 2.0_wp*d3 + d4)/6.0_wp
+         moment = moment + piece%rotary*piece%radius*normal
+         sums%normal_force = sums%normal_force + normal
+         sums%weight = sums%weight + piece%weight*(z1 - z3)
+         sums%steps = steps
+         position = upper
+         if (abs(force) > runaway_force) then
+            sums%runaway = .true.
+            sums%runaway_md = upper
+            position = target
+         end if
+      end do
+   end subroutine climb
+
+   !> Length of the next step up from `position` [m].
+   pure function step_from(piece, changes, target, position) result(step)
+      type(piece_type), intent(in) :: piece
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: target, position   !< [m]
+      real(wp) :: step
+      real(wp) :: distance
+      integer :: j
+      step = position - target
+      if (piece%arc%curvature > 0.0_wp) step = min(step, longest_step, largest_angle/piece%arc%curvature)
+      do j = 1, size(changes)
+         distance = position - changes(j)%md
+         step = min(step, length_share*changes(j)%length + distance_share*abs(distance))
+      end do
+   end function step_from
+
+   !> Contact force per metre, and what it and the shear add to the axial force per metre up the hole.
+   pure subroutine rates(piece, changes, md, side, force, moment, normal, change)
+      type(piece_type), intent(in) :: piece
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: md        !< [m]
+      real(wp), intent(in) :: side      !< a depth on the side meant [m]
+      real(wp), intent(in) :: force     !< [N]
+      real(wp), intent(in) :: moment    !< torque [N.m]
+      real(wp), intent(out) :: normal   !< [N/m]
+      real(wp), intent(out) :: change   !< [N/m]
+      real(wp) :: contact(3), bend(3), shear(3), bending(3)
+      call balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
+      normal = norm2(contact)
+      change = piece%axial*normal - dot_product(shear, bend)
+   end subroutine rates
+
+   !> Contact force on the wall, curvature of the string, shear and moment at a depth.
+   pure subroutine balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
+      type(piece_type), intent(in) :: piece
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: md, side, force, moment
+      real(wp), intent(out) :: contact(3), bend(3), shear(3), bending(3)
+      real(wp), dimension(3) :: position, across, tangent, hole, more, more_slope, shear_slope
+      call at_offset(piece, md - piece%arc%md, position, across, hole)
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, hole)
+      call bending_at(changes, md, side, tangent, more, more_slope, bending, shear, shear_slope)
+      bend = hole + more
+      bending = bending + piece%stiffness*hole
+      contact = force*bend + across + shear_slope - moment*cross(tangent, more_slope)
+   end subroutine balance
+
+   !> Contact force [N/m] and resultant moment [N.m] just below a depth.
+   pure subroutine contact_and_bending(piece, changes, md, force, moment, contact, resultant)
+      type(piece_type), intent(in) :: piece
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: md, force, moment
+      real(wp), intent(out) :: contact(3), resultant
+      real(wp) :: bend(3), shear(3), bending(3)
+      call balance(piece, changes, md, md + spacing(md), force, moment, contact, bend, shear, bending)
+      resultant = norm2(bending)
+   end subroutine contact_and_bending
+
+   !> True vertical depth from the start of the piece's arc [m].
+   pure function depth_at(piece, md) result(z)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: md
+      real(wp) :: z
+      real(wp) :: position(3), tangent(3), curvature(3)
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, curvature)
+      z = position(3)
+   end function depth_at
+end module dg_rigid_string_loads
