@@ -8,6 +8,7 @@ module dg_run_deck
    use dg_job, only: job_type, model_mcge, model_mixed, model_rigid, model_soft, model_name
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
+   use dg_model_table, only: print_model_table
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
@@ -59,6 +60,7 @@ contains
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
       call print_result_table(output_unit, job, model, results)
+      call print_model_table(output_unit, job, model, results)
       flush (output_unit)
    end subroutine run_deck
 

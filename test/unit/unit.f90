@@ -33,6 +33,7 @@ contains
       use dg_test_hermite, only: hermite_suite
       use dg_test_mesh, only: mesh_suite
       use dg_test_curvature_change, only: curvature_change_suite
+      use dg_test_model_table, only: model_table_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -60,5 +61,6 @@ contains
       call suite%addTest(hermite_suite())
       call suite%addTest(mesh_suite())
       call suite%addTest(curvature_change_suite())
+      call suite%addTest(model_table_suite())
    end function load_tests
 end program unit
