@@ -8,7 +8,7 @@ module dg_deck_parts
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
    use dg_model, only: boundary_type
-   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, solver_banded, solver_block
+   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_banded, solver_block
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -179,8 +179,9 @@ contains
       type(checked_group_type), intent(in) :: group
       type(numerics_type), intent(out) :: numerics
       type(fault_list_type), intent(inout) :: faults
+      numerics = settings_of(text_of(group, 'fidelity', 'auto'))
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
-      if (is_sound(group, 'gap_location')) &
+      if (is_given(group, 'gap_location') .and. is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
       if (is_sound(group, 'linear_solver')) &

@@ -7,6 +7,7 @@ module dg_read_deck
    use dg_deck_draft, only: draft_type
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
+   use dg_numerics, only: settings_of
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
@@ -206,6 +207,7 @@ contains
       holes = 0
       components = 0
       cases = 0
+      draft%numerics = settings_of('auto')      ! for a deck without &solver
       do i = 1, size(groups)
          select case (groups(i)%name)
          case ('job')

@@ -6,10 +6,20 @@ module dg_numerics
    private
    public :: numerics_type, default_elastic_share
    public :: gap_at_extremum, gap_at_nodes
+   public :: fidelity_count, fidelity_name, settings_of
    public :: solver_banded, solver_block
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
    integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
+
+   integer, parameter :: fidelity_count = 4
+   !> Names in decks. auto lets elements be as long as the local scale bears; fast the same with fixed gaps and a loose
+   !> tolerance; standard and reference ask for a fine mesh everywhere.
+   character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
+   !> Longest element of each [m].
+   real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
+   !> Tolerance of `fast` [-]: a hook load of 700 kN to a newton.
+   real(wp), parameter :: fast_tolerance = 1.0e-6_wp
 
    !> Relative compression over which the wall yields elastically before it counts as rigid, where neither
    !> deck nor mud sheath say otherwise [-]: 5 % of the clearance, 2 mm in a usual hole.
@@ -38,4 +48,19 @@ module dg_numerics
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: history = .false.             !< keep and write the iteration history
    end type numerics_type
+
+contains
+
+   !> Settings of a fidelity by its name; the defaults of the type for an unknown one.
+   pure function settings_of(fidelity) result(numerics)
+      character(*), intent(in) :: fidelity
+      type(numerics_type) :: numerics
+      integer :: i
+      do i = 1, fidelity_count
+         if (fidelity == fidelity_name(i)) numerics%element_length = fidelity_length(i)
+      end do
+      if (fidelity /= 'fast') return
+      numerics%gap_location = gap_at_nodes
+      numerics%tolerance = fast_tolerance
+   end function settings_of
 end module dg_numerics

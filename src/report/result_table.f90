@@ -2,7 +2,7 @@
 !> Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_case_result, only: case_result_type, result_converged, result_status_name, scale_count, scale_name
    use dg_comparison, only: moves_axially, percent_error, rotates
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_label, optional_real
@@ -291,7 +291,27 @@ contains
          trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &
          moment_unit(units)
       call append_text(lines, line)
+      if (any(results%element_lengths(2) > 0.0_wp)) call append_text(lines, mesh_line(results, units))
    end subroutine append_costs
+
+   !> What the meshes are like, and which local scales asked for shorter elements than the deck, in all cases together.
+   pure function mesh_line(results, units) result(line)
+      type(case_result_type), intent(in) :: results(:)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: line
+      integer :: i, number
+      real(wp) :: least
+      least = minval(results%element_lengths(1), mask=results%element_lengths(2) > 0.0_wp)
+      line = 'elements of '//trim(adjustl(fixed_cell(least/units%length, seconds_width, 1)))//' to '// &
+         trim(adjustl(fixed_cell(maxval(results%element_lengths(2))/units%length, seconds_width, 1)))//' '//trim(units%length_label)
+      number = 0
+      do i = 1, scale_count
+         if (sum(results%shortened(i)) == 0) cycle
+         line = line//trim(merge('; intervals cut finer for', ',                        ', number == 0))//' '// &
+            trim(scale_name(i))//' ('//to_text(sum(results%shortened(i)))//')'
+         number = number + 1
+      end do
+   end function mesh_line
 
    !> What the models had to say, and what the mark in Table 1 means.
    pure subroutine append_messages(lines, cases, results)

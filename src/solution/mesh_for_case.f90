@@ -4,6 +4,7 @@
 !> leave the hole, neither by its own sag nor by running straight where the hole bends, nor may it buckle.
 module dg_mesh_for_case
    use dg_kinds, only: wp
+   use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load
    use dg_constants, only: pi
    use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
@@ -12,7 +13,7 @@ module dg_mesh_for_case
    use dg_trajectory, only: arc_at
    implicit none
    private
-   public :: mesh_for_case, longest_element
+   public :: mesh_for_case
 
    !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
    !> element buckles between its nodes, where no gap can hold it, and the iteration ends nowhere.
@@ -36,18 +37,20 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle, pressing)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
       logical, intent(out) :: may_buckle       !< somewhere the soft string is compressed enough to watch its stability
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
+      integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
-      real(wp) :: curvature, compression, side_load
-      integer :: e
+      real(wp) :: curvature, compression, side_load, scales(scale_count)
+      integer :: e, i
       may_buckle = .false.
       pressing = 0.0_wp
+      shortened = 0
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
@@ -56,19 +59,23 @@ contains
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            longest(e) = min(mesh%length(e), longest_element(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, &
-                                                             compression, side_load))
             pressing = max(pressing, max(mesh%weight(e), side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
                                      *mesh%gathered(e)/mesh%clearance(e))
-            if (mesh%spacing(e) > 0.0_wp) longest(e) = min(longest(e), body_share*mesh%spacing(e), &
-                                                           sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
+            scales = local_scales(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
+            if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = min(body_share*mesh%spacing(e), &
+                                                                    sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
+            if ((e == 1 .and. .not. model%boundary%top_centred) .or. (e == mesh%elements .and. .not. model%boundary%bit_centred)) &
+               scales(scale_end) = free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e))
+            longest(e) = max(minval(scales), shortest)
+            if (longest(e) < mesh%length(e)) then
+               i = minloc(scales, dim=1)
+               shortened(i) = shortened(i) + 1
+            end if
+            longest(e) = min(longest(e), mesh%length(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             may_buckle = may_buckle .or. &
                compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
          end do
-         e = mesh%elements
-         if (.not. model%boundary%top_centred) longest(1) = min(longest(1), free_end(mesh%ei(1), mesh%weight(1), mesh%clearance(1)))
-         if (.not. model%boundary%bit_centred) longest(e) = min(longest(e), free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e)))
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate
    end subroutine mesh_for_case
@@ -88,24 +95,23 @@ contains
       if (weight > 0.0_wp) length = max((8.0_wp*ei*overhang_share*clearance/weight)**0.25_wp, shortest)
    end function free_end
 
-   !> Longest element [m] that the local scale bears.
-   elemental function longest_element(ei, weight, clearance, curvature, compression, side_load) result(length)
+   !> Longest elements [m] that the local scales bear, by scale; huge where one says nothing.
+   pure function local_scales(ei, weight, clearance, curvature, compression, side_load) result(lengths)
       real(wp), intent(in) :: ei           !< [N.m2]
       real(wp), intent(in) :: weight       !< [N/m]
       real(wp), intent(in) :: clearance    !< [m]
       real(wp), intent(in) :: curvature    !< of the hole [1/m]
       real(wp), intent(in) :: compression  !< [N]; <= 0 where in tension
       real(wp), intent(in) :: side_load    !< contact force [N/m]
-      real(wp) :: length
+      real(wp) :: lengths(scale_count)
       real(wp) :: share
-      length = huge(length)
+      lengths = huge(lengths)
       if (compression > 0.0_wp) then
          share = quarter_wave_share
          if (compression > coiling_load(ei, side_load, weight, clearance)) share = coil_share
-         length = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
+         lengths(scale_compression) = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
       end if
-      if (curvature > 0.0_wp) length = min(length, sqrt(8.0_wp*clearance_share*clearance/curvature))
-      if (side_load > 0.0_wp) length = min(length, (384.0_wp*ei*clearance_share*clearance/side_load)**0.25_wp)
-      length = max(length, shortest)
-   end function longest_element
+      if (curvature > 0.0_wp) lengths(scale_bend) = sqrt(8.0_wp*clearance_share*clearance/curvature)
+      if (side_load > 0.0_wp) lengths(scale_load) = (384.0_wp*ei*clearance_share*clearance/side_load)**0.25_wp
+   end function local_scales
 end module dg_mesh_for_case

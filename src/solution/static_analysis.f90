@@ -4,7 +4,7 @@ module dg_static_analysis
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
-   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type
    use dg_gap_table, only: count_states, gap_table_type, new_gap_table
@@ -70,9 +70,10 @@ contains
       integer(int64) :: ticks, start, rate
       real(wp) :: worst, pressing
       logical :: may_buckle
+      integer :: shortened(scale_count)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle, pressing)
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle, pressing, shortened)
       call prepare(model, model%cases(case_index), mesh, newton, work)
       newton%stabilise = may_buckle
       if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
@@ -91,6 +92,8 @@ contains
          if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
       end do
       call fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
+      result%shortened = shortened
+      result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
       if (result%status == result_converged .and. attempt > 1) result%message = 'converged with gaps '// &
          trim(merge('at the nodes         ', 'at their extremum x0 ', numerics%gap_location == gap_at_nodes))// &
          ': with the place asked for the iteration found no rest; shorter elements may help'

@@ -133,6 +133,7 @@ contains
       call refuse("operation = 'sliding'", "operation = 'slidign'", 18, "did you mean 'sliding'?")
       call refuse("azi = 3*10.0", "azi = 3*10.0, interpolation = 'splin'", 5, "did you mean 'spline'?")
       call refuse("element_length = 10.0", "gap_location = 'node'", 20, "did you mean 'nodes'?")
+      call refuse("element_length = 10.0", "fidelity = 'referense'", 20, "did you mean 'reference'?")
       call refuse("element_length = 10.0", "gk_contact = 10.0, gk_max = 5.0", 20, 'gk_max must be at least gk_contact')
    end subroutine test_values
 
@@ -140,7 +141,6 @@ contains
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
       call refuse("&boundary top_lateral = 'centred' /", "&sweep name = 'x' /", 15, 'group &sweep: not available in this version')
       call refuse("element_length = 10.0", "linear_solver = 'sparse'", 20, "'sparse' is not available in this version")
-      call refuse("element_length = 10.0", "fidelity = 'reference'", 20, "'reference' is not available in this version")
       call refuse("kind = 'collar'", "catalogue = 'DC'", 11, 'catalogue is not available in this version')
    end subroutine test_later
 
