@@ -6,7 +6,7 @@ module dg_static_analysis
    use dg_block_matrix, only: new_block_matrix
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_error, only: error_type
-   use dg_gap_state, only: gap_law_type
+   use dg_gap_state, only: gap_law_type, state_free
    use dg_gap_table, only: count_states, gap_table_type, new_gap_table
    use dg_gap_survey, only: node_offset
    use dg_job, only: model_mcge
@@ -16,9 +16,10 @@ module dg_static_analysis
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
-   use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type
+   use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
+   use dg_refinement, only: take_over
    use dg_trajectory, only: inclination_of, position_at
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
@@ -47,6 +48,11 @@ module dg_static_analysis
    real(wp), parameter :: largest_excess = 0.5_wp
    !> Outcome of an attempt that converged to such a place, beside those of dg_newton.
    integer, parameter :: outcome_outside = 100
+   !> A mesh with so many times the elements of the coarsest is solved on that first; the iterations that may take, and its
+   !> tolerance [-].
+   real(wp), parameter :: much_finer = 2.5_wp
+   integer, parameter :: coarse_iterations = 60
+   real(wp), parameter :: coarse_tolerance = 1.0e-6_wp
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -69,7 +75,8 @@ contains
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
       real(wp) :: worst, pressing
-      logical :: may_buckle
+      logical :: may_buckle, started
+      integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
@@ -78,13 +85,16 @@ contains
       newton%stabilise = may_buckle
       if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
       allocate (state(6, mesh%nodes))
+      allocate (gap_states(mesh%elements), source=state_free)
+      call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
       do attempt = 1, attempts
          numerics = model%numerics
          numerics%max_iterations = newton%iterations + ceiling(attempt_share(attempt)*model%numerics%max_iterations)
          numerics%max_iterations = min(numerics%max_iterations, model%numerics%max_iterations)
          if (attempt > 1) numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
          if (attempt == attempts) numerics%load_steps = max(numerics%load_steps, careful_steps)
-         call go_through_increments(model, case_index, numerics, pressing, mesh, newton, gaps, state, work, loads, outcome)
+         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, mesh, newton, &
+                                    gaps, state, work, loads, outcome)
          if (outcome == newton_converged) then
             call look_outside(model, mesh, work, worst, place)
             if (worst > largest_excess) outcome = outcome_outside
@@ -101,12 +111,52 @@ contains
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
 
+   !> Solves the case on the coarsest mesh that the local scale bears, where the mesh asked for is much finer and the string
+   !> not near buckling, and takes its shape over as a start.
+   subroutine start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      logical, intent(in) :: may_buckle
+      real(wp), intent(inout) :: state(:, :)
+      integer, intent(inout) :: gap_states(:)
+      logical, intent(out) :: started
+      type(mesh_type) :: coarse
+      type(gap_table_type) :: gaps
+      type(newton_type) :: newton
+      type(workspace_type) :: work
+      type(load_type) :: loads
+      type(numerics_type) :: numerics
+      real(wp), allocatable :: solved(:, :)
+      real(wp) :: pressing
+      logical :: watch
+      integer :: outcome, shortened(scale_count), none(0)
+      started = .false.
+      if (may_buckle .or. model%numerics%load_steps > 1) return
+      numerics = settings_of('auto')
+      if (.not. model%numerics%element_length*much_finer < numerics%element_length) return
+      call mesh_for_case(model, case_index, numerics%element_length, coarse, watch, pressing, shortened)
+      if (mesh%elements < much_finer*coarse%elements) return
+      numerics = model%numerics
+      numerics%max_iterations = min(coarse_iterations, numerics%max_iterations)
+      numerics%tolerance = max(numerics%tolerance, coarse_tolerance)
+      call prepare(model, model%cases(case_index), coarse, newton, work)
+      allocate (solved(6, coarse%nodes))
+      call go_through_increments(model, case_index, numerics, pressing, .false., none, coarse, newton, gaps, solved, work, &
+                                 loads, outcome)
+      started = outcome == newton_converged
+      if (started) call take_over(model%trajectory, coarse, work, gaps, solved, mesh, state, gap_states)
+   end subroutine start_from_coarse
+
    !> One attempt: from the soft string, increment by increment, wall by wall, to the end or to where it fails.
-   subroutine go_through_increments(model, case_index, numerics, pressing, mesh, newton, gaps, state, work, loads, outcome)
+   subroutine go_through_increments(model, case_index, numerics, pressing, started, gap_states, mesh, newton, gaps, state, &
+                                    work, loads, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: pressing     !< largest expected contact load over its clearance [N/m2]
+      logical, intent(in) :: started       !< `state` is a start already: one increment, from the middle walls on
+      integer, intent(in) :: gap_states(:) !< of the gaps at such a start
       type(mesh_type), intent(in) :: mesh
       type(newton_type), intent(inout) :: newton
       type(gap_table_type), intent(out) :: gaps
@@ -118,15 +168,16 @@ contains
       real(wp) :: fraction, tolerance
       integer :: increment, stage
       call lay_out_gaps(numerics, mesh, gaps)
+      if (started) gaps%state = gap_states
       call stage_walls(model, mesh, pressing, walls)
       newton%viscosity = 0.0_wp
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, loads)
-         do stage = merge(1, size(walls), increment == 1), size(walls)
+         do stage = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1), size(walls)
             call set_walls(model, mesh, walls(stage), gaps)
-            if (increment == 1 .and. stage == 1) &
+            if (increment == 1 .and. stage == 1 .and. .not. started) &
                call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
             tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/newton%force_scale)
             if (stage < size(walls)) tolerance = max(tolerance, stage_tolerance)

@@ -128,6 +128,9 @@ contains
          do j = 1, size(spacing)
             model%numerics%gap_location = place
             model%numerics%element_length = spacing(j)
+            ! Two load steps: started from a coarse mesh, some gaps settle off the middle of their elements, and the
+            ! spacing is even no more (seen: 2e-3 instead of 2e-4 at 1 m).
+            model%numerics%load_steps = 2
             call solve(model, operation_trip_out, -3.0e5_wp, 0.0_wp, result, 'arc')
             worst = 0.0_wp
             do i = 1, size(result%profile%md)
