@@ -23,8 +23,9 @@ MAY_USE = {
                  "soft_string"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
     "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
+    "legacy": {"base", "trajectory", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
-    "report": {"base", "model", "results"},
+    "report": {"base", "trajectory", "model", "results", "legacy"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)

@@ -21,6 +21,7 @@ HEADERS = {
     "summary.csv": ("summary_file.f90", "summary_header"),
     "profile_<case>_<model>.csv": ("profile_file.f90", "profile_header"),
     "history_<case>_<model>.csv": ("history_file.f90", "history_header"),
+    "legacy_<label>.csv": ("legacy_rows.f90", "legacy_header"),
 }
 # Keys whose default the table of keys leaves to the code that makes use of them.
 DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}}

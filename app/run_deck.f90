@@ -12,6 +12,7 @@ module dg_run_deck
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
+   use dg_run_legacy, only: run_legacy
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
@@ -61,6 +62,12 @@ contains
       call note_failure(error, status)
       call print_result_table(output_unit, job, model, results)
       call print_model_table(output_unit, job, model, results)
+      if (allocated(job%legacy)) then
+         do i = 1, size(job%legacy)
+            call run_legacy(output_unit, job, model, results, i, error)
+            call note_failure(error, status)
+         end do
+      end if
       flush (output_unit)
    end subroutine run_deck
 

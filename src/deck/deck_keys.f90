@@ -25,7 +25,7 @@ module dg_deck_keys
       group_rule_type('sweep', repeatable=.true., available=.false., meaning='hook load and torque against depth'), &
       group_rule_type('calibrate', repeatable=.true., available=.false., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', available=.false., meaning='accuracy and cost of models and settings'), &
-      group_rule_type('legacy', repeatable=.true., available=.false., meaning='results of another program, beside ours')]
+      group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
 
    ! Bounds [deck units of SI].
    real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
@@ -175,6 +175,23 @@ module dg_deck_keys
          meaning='lateral offset seeded in compressed parts over the clearance'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
 
+   type(key_rule_type), parameter :: legacy_keys(13) = [ &
+      key_rule_type('legacy', 'label', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
+      key_rule_type('legacy', 'file', kind_text, required=.true., meaning='table of results; path relative to the deck'), &
+      key_rule_type('legacy', 'case', kind_text, required=.true., meaning='name of the load case beside which it is laid'), &
+      key_rule_type('legacy', 'units', kind_text, choices='SI field', meaning='unit system of the file; default the deck''s'), &
+      key_rule_type('legacy', 'skip', kind_integer, default='0', low=0.0_wp, high=1.0e6_wp, &
+         meaning='lines on top of the file before its table'), &
+      key_rule_type('legacy', 'md', kind_text, default='md', &
+         meaning='column of measured depth: heading, number, or first and last character ''1:10'''), &
+      key_rule_type('legacy', 'axial', kind_text, meaning='the same for axial force, tension positive; default axial'), &
+      key_rule_type('legacy', 'torque', kind_text, meaning='the same for torque; default torque'), &
+      key_rule_type('legacy', 'side_force', kind_text, meaning='the same for contact force per length; default side_force'), &
+      key_rule_type('legacy', 'md_unit', kind_text, meaning='unit of that column, where not that of units: m, ft'), &
+      key_rule_type('legacy', 'axial_unit', kind_text, meaning='N, kN, lbf, klbf'), &
+      key_rule_type('legacy', 'torque_unit', kind_text, meaning='N.m, kN.m, ft.lbf, kft.lbf'), &
+      key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, lbf/ft, klbf/ft')]
+
 contains
 
    !> Rules of the keys of a group; none for a group that this version does not have.
@@ -190,6 +207,7 @@ contains
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
+      case ('legacy'); rules = legacy_keys
       case default; allocate (rules(0))
       end select
    end function keys_of

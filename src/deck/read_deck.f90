@@ -5,6 +5,7 @@ module dg_read_deck
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: draft_type
+   use dg_deck_legacy, only: take_legacy
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
@@ -66,6 +67,7 @@ contains
       call take_draft(checked, draft, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)
+      call take_legacy(draft, checked, job%legacy, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck
 

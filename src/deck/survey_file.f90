@@ -11,6 +11,8 @@ module dg_survey_file
    implicit none
    private
    public :: station_list_type, read_survey_file
+   ! Rows and headings, which other tables share.
+   public :: blank_brackets, close_brackets, split_fields, split_unit, without_comment
 
    !> Stations as read, with the place of each for messages. SI units.
    type :: station_list_type

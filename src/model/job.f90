@@ -1,5 +1,6 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
+   use dg_legacy_table, only: legacy_table_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -19,6 +20,7 @@ module dg_job
       character(:), allocatable :: output_dir
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
+      type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
       logical :: profiles = .true.
       logical :: quiet = .false.
    end type job_type

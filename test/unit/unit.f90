@@ -34,6 +34,7 @@ contains
       use dg_test_mesh, only: mesh_suite
       use dg_test_curvature_change, only: curvature_change_suite
       use dg_test_model_table, only: model_table_suite
+      use dg_test_legacy, only: legacy_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -62,5 +63,6 @@ contains
       call suite%addTest(mesh_suite())
       call suite%addTest(curvature_change_suite())
       call suite%addTest(model_table_suite())
+      call suite%addTest(legacy_suite())
    end function load_tests
 end program unit

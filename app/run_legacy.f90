@@ -1,0 +1,44 @@
+!> Lays other programs' results beside ours: prints and writes the comparison.
+module dg_run_legacy
+   use dg_case_result, only: case_result_type
+   use dg_error, only: error_type
+   use dg_job, only: job_type
+   use dg_legacy_comparison, only: comparison_type, compare_with_legacy
+   use dg_legacy_report, only: legacy_report
+   use dg_legacy_rows, only: append_legacy_rows, write_legacy_file
+   use dg_model, only: model_type
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: run_legacy
+
+contains
+
+   !> One table beside all results of its case: printed to `unit`, written to legacy_<label>.csv.
+   subroutine run_legacy(unit, job, model, results, number, error)
+      integer, intent(in) :: unit
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      integer, intent(in) :: number            !< of the table in the job
+      type(error_type), allocatable, intent(out) :: error
+      type(comparison_type) :: comparison
+      type(text_type), allocatable :: rows(:), lines(:)
+      integer :: i, j, status
+      allocate (rows(0))
+      associate (table => job%legacy(number))
+         do i = 1, size(results)
+            if (results(i)%case_index /= table%case_index .or. .not. allocated(results(i)%profile%md)) cycle
+            call compare_with_legacy(table, results(i)%profile, model%trajectory, comparison)
+            lines = legacy_report(job%units, table, model%cases(table%case_index)%name, results(i)%model, comparison, &
+                                  results(i)%model == job%models(1))
+            do j = 1, size(lines)
+               write (unit, '(a)', iostat=status) lines(j)%text
+               if (status /= 0) exit   ! nobody reads on: the files hold the results
+            end do
+            call append_legacy_rows(rows, job%units, model%cases(table%case_index)%name, results(i)%model, comparison)
+         end do
+         call write_legacy_file(job%output_dir//'/legacy_'//table%label//'.csv', job, rows, error)
+      end associate
+   end subroutine run_legacy
+end module dg_run_legacy

@@ -1,0 +1,136 @@
+!> The groups &legacy of a deck: which columns of which file, laid beside which load case.
+module dg_deck_legacy
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
+   use dg_deck_draft, only: draft_type
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_file_lines, only: beside
+   use dg_legacy_file, only: column_count, column_name, column_type, read_legacy_file, unit_value
+   use dg_legacy_table, only: legacy_table_type
+   use dg_text, only: is_separator_free, lower_case, quoted, suggestion, to_text
+   implicit none
+   private
+   public :: take_legacy
+
+   character(*), parameter :: digits = '0123456789'
+   !> Letters of a load case's name that a suggestion repeats.
+   integer, parameter :: name_shown = 64
+   !> Most digits of a column number.
+   integer, parameter :: longest_number = 6
+   !> Units of the four columns in the two systems.
+   character(*), parameter :: si_name(column_count) = [character(7) :: 'm', 'kN', 'kN.m', 'kN/m']
+   character(*), parameter :: field_name(column_count) = [character(7) :: 'ft', 'klbf', 'kft.lbf', 'klbf/ft']
+   character(*), parameter :: legal_units(column_count) = [character(28) :: 'm, ft', 'N, kN, lbf, klbf', &
+      'N.m, kN.m, ft.lbf, kft.lbf', 'N/m, kN/m, lbf/ft, klbf/ft']
+
+contains
+
+   !> All tables of a deck, in its order; each group's faults.
+   subroutine take_legacy(draft, groups, tables, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: groups(:)
+      type(legacy_table_type), allocatable, intent(out) :: tables(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, j, n
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name == 'legacy') n = n + 1
+      end do
+      allocate (tables(n))
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'legacy') cycle
+         n = n + 1
+         call take_one(draft, groups(i), tables(n), faults)
+         do j = 1, n - 1
+            if (tables(n)%label == '' .or. lower_case(tables(j)%label) /= lower_case(tables(n)%label)) cycle
+            call add_fault(faults, draft%path, line_of(groups(i), 'label'), 'group &legacy: label '// &
+                           quoted(tables(n)%label)//' is taken; labels must be unique, letter case aside')
+         end do
+      end do
+   end subroutine take_legacy
+
+   subroutine take_one(draft, group, table, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(legacy_table_type), intent(out) :: table
+      type(fault_list_type), intent(inout) :: faults
+      type(column_type) :: columns(column_count)
+      character(name_shown) :: names(size(draft%cases))
+      logical :: field, sound
+      integer :: k
+
+      sound = is_sound(group, 'file') .and. is_sound(group, 'label') .and. is_sound(group, 'case')
+      table%label = text_of(group, 'label', '')
+      table%file = beside(draft%path, text_of(group, 'file', ''))
+      if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
+         quoted(table%label)//' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+      if (is_sound(group, 'case')) then
+         do k = 1, size(names)
+            names(k) = draft%cases(k)%load_case%name
+            if (draft%cases(k)%load_case%name == text_of(group, 'case', '')) table%case_index = k
+         end do
+         if (table%case_index == 0) call fault('case', 'there is no load case '//quoted(text_of(group, 'case', ''))//'; '// &
+                                               suggestion(text_of(group, 'case', ''), names))
+      end if
+      field = draft%units%name == 'field'
+      if (is_given(group, 'units')) field = lower_case(text_of(group, 'units', '')) == 'field'
+      do k = 1, column_count
+         call take_column(k, trim(column_name(k)), columns(k))
+      end do
+      if (any(columns%last > 0)) then
+         do k = 1, column_count
+            if (columns(k)%last == 0 .and. columns(k)%required) call fault(trim(column_name(k)), trim(column_name(k))// &
+               ' = '//quoted(columns(k)%place)//' is no place of characters, other columns are; give all as ''first:last''')
+         end do
+      end if
+      if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, table%has, &
+                                       sound, faults)
+
+   contains
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         sound = .false.
+         call add_fault(faults, draft%path, line_of(group, key), 'group &legacy: '//message)
+      end subroutine fault
+
+      !> Place and unit of one column.
+      subroutine take_column(k, key, column)
+         integer, intent(in) :: k
+         character(*), intent(in) :: key
+         type(column_type), intent(out) :: column
+         integer :: colon
+         column%place = text_of(group, key, key)
+         column%required = k == 1 .or. is_given(group, key)
+         colon = index(column%place, ':')
+         if (column%place == '') then
+            call fault(key, key//' is empty; give a heading, a number, or characters ''first:last''')
+         else if (is_number(column%place)) then
+            read (column%place, *) column%number
+            if (column%number == 0) call fault(key, key//' = 0 is no column; the first is 1')
+         else if (colon > 0) then
+            if (is_number(column%place(:colon - 1)) .and. is_number(column%place(colon + 1:))) then
+               read (column%place(:colon - 1), *) column%first
+               read (column%place(colon + 1:), *) column%last
+            end if
+            if (column%first < 1 .or. column%last < column%first) &
+               call fault(key, key//' = '//quoted(column%place)//' are no characters of a row; as in ''11:20''')
+         end if
+         column%unit_name = trim(si_name(k))
+         if (field) column%unit_name = trim(field_name(k))
+         if (is_given(group, key//'_unit')) column%unit_name = text_of(group, key//'_unit', column%unit_name)
+         column%unit = unit_value(k, column%unit_name)
+         if (.not. column%unit > 0.0_wp) then
+            call fault(key//'_unit', key//'_unit = '//quoted(column%unit_name)//' is unknown; legal: '//trim(legal_units(k)))
+            column%unit = 1.0_wp
+         end if
+      end subroutine take_column
+
+      pure function is_number(text) result(is)
+         character(*), intent(in) :: text
+         logical :: is
+         is = len(text) > 0 .and. len(text) <= longest_number .and. verify(text, digits) == 0
+      end function is_number
+   end subroutine take_one
+end module dg_deck_legacy

@@ -1,0 +1,145 @@
+!> Another program's results against ours along the hole: differences, and where they arise.
+!>
+!> Forces of a string are summed from the bit up. A difference that is there at some depth may have come from
+!> anywhere below; what tells is how much it grows over each interval of the hole.
+module dg_legacy_comparison
+   use dg_kinds, only: wp
+   use dg_hole_interval, only: hole_intervals, interval_type
+   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_torque
+   use dg_profile, only: profile_type
+   use dg_trajectory, only: trajectory_type
+   implicit none
+   private
+   public :: comparison_type, parting_type, compare_with_legacy, agreement
+
+   !> Largest difference over the largest value up to which two programs agree [-].
+   real(wp), parameter :: agreement = 1.0e-3_wp
+   !> Two programs part where the difference has grown to this share of the largest one [-].
+   real(wp), parameter :: parted = 0.05_wp
+
+   !> One quantity: how far two programs are apart, and where they part.
+   type :: parting_type
+      logical :: present = .false.
+      logical :: agrees = .true.              !< to `agreement`
+      real(wp) :: scale = 0.0_wp              !< our largest absolute value [SI]
+      real(wp) :: largest = 0.0_wp            !< difference of largest size, theirs less ours [SI]
+      real(wp) :: largest_md = 0.0_wp         !< [m]
+      real(wp) :: mean = 0.0_wp               !< of absolute differences [SI]
+      real(wp) :: parting_md = 0.0_wp         !< lowest depth above which they are apart [m]
+      integer :: worst = 0                    !< interval over which the difference grows most
+      real(wp) :: share = 0.0_wp              !< of that interval in all growth [-]
+      real(wp), allocatable :: growth(:)      !< of the difference over each interval, from its lower to its upper end [SI];
+                                              !< for side force the integral of the difference [N]
+   end type parting_type
+
+   type :: comparison_type
+      real(wp), allocatable :: md(:)          !< depths of theirs within our string [m]
+      real(wp), allocatable :: ours(:, :)     !< (size(md), quantity_count) [SI]
+      real(wp), allocatable :: theirs(:, :)   !< the same
+      integer :: outside = 0                  !< rows of theirs beyond our string
+      type(interval_type), allocatable :: intervals(:)
+      type(parting_type) :: parting(quantity_count)
+   end type comparison_type
+
+contains
+
+   !> Lays a table beside a profile. Rows beyond the ends of the string are counted and left out.
+   pure subroutine compare_with_legacy(table, profile, trajectory, comparison)
+      type(legacy_table_type), intent(in) :: table
+      type(profile_type), intent(in) :: profile
+      type(trajectory_type), intent(in) :: trajectory
+      type(comparison_type), intent(out) :: comparison
+      logical :: inside(size(table%md))
+      real(wp) :: slack
+      integer :: i, n
+      n = size(profile%md)
+      slack = 1.0e-6_wp*profile%md(n)     ! round-off of converted depths
+      inside = table%md >= profile%md(1) - slack .and. table%md <= profile%md(n) + slack
+      comparison%md = pack(table%md, inside)
+      comparison%outside = count(.not. inside)
+      allocate (comparison%theirs(size(comparison%md), quantity_count), comparison%ours(size(comparison%md), quantity_count))
+      do i = 1, quantity_count
+         comparison%theirs(:, i) = pack(table%values(:, i), inside)
+      end do
+      do i = 1, size(comparison%md)
+         comparison%ours(i, 1) = interpolated(profile%md, profile%axial, comparison%md(i))
+         comparison%ours(i, 2) = interpolated(profile%md, profile%torque, comparison%md(i))
+         comparison%ours(i, 3) = interpolated(profile%md, profile%side_force, comparison%md(i))
+      end do
+      allocate (comparison%intervals, source=hole_intervals(trajectory, profile%md(n)))
+      if (size(comparison%md) == 0) return
+      do i = 1, quantity_count
+         if (table%has(i)) call find_parting(comparison%md, comparison%theirs(:, i) - comparison%ours(:, i), &
+                                             maxval(abs(comparison%ours(:, i))), comparison%intervals, &
+                                             i == quantity_axial .or. i == quantity_torque, comparison%parting(i))
+      end do
+   end subroutine compare_with_legacy
+
+   !> Where a difference arises. `summed`: the quantity is summed up along the string; else its integral is judged.
+   pure subroutine find_parting(md, difference, scale, intervals, summed, parting)
+      real(wp), intent(in) :: md(:)           !< ascending [m]
+      real(wp), intent(in) :: difference(:)   !< theirs less ours
+      real(wp), intent(in) :: scale           !< our largest absolute value
+      type(interval_type), intent(in) :: intervals(:)
+      logical, intent(in) :: summed
+      type(parting_type), intent(out) :: parting
+      integer :: at, i
+      real(wp) :: total, total_there(size(md))
+      at = maxloc(abs(difference), 1)
+      parting%present = .true.
+      parting%scale = scale
+      parting%largest = difference(at)
+      parting%largest_md = md(at)
+      parting%mean = sum(abs(difference))/real(size(md), wp)
+      parting%agrees = abs(parting%largest) <= agreement*scale
+      total_there = difference
+      if (.not. summed) then
+         total_there(size(md)) = 0.0_wp
+         do i = size(md) - 1, 1, -1
+            total_there(i) = total_there(i + 1) + 0.5_wp*(difference(i) + difference(i + 1))*(md(i + 1) - md(i))
+         end do
+      end if
+      allocate (parting%growth(size(intervals)))
+      do i = 1, size(intervals)
+         parting%growth(i) = interpolated(md, total_there, intervals(i)%md_top) &
+                             - interpolated(md, total_there, intervals(i)%md_bottom)
+      end do
+      parting%worst = maxloc(abs(parting%growth), 1)
+      total = sum(abs(parting%growth))
+      if (total > 0.0_wp) parting%share = abs(parting%growth(parting%worst))/total
+      ! The lowest of the depths from which they are apart; the row below still agrees.
+      parting%parting_md = md(1)
+      do i = size(md), 1, -1
+         if (abs(total_there(i) - total_there(size(md))) > parted*maxval(abs(total_there - total_there(size(md))))) then
+            parting%parting_md = md(min(i + 1, size(md)))
+            exit
+         end if
+      end do
+   end subroutine find_parting
+
+   !> Linear interpolation in a table; its end values beyond its ends.
+   pure function interpolated(x, y, at) result(value)
+      real(wp), intent(in) :: x(:)   !< ascending
+      real(wp), intent(in) :: y(:)
+      real(wp), intent(in) :: at
+      real(wp) :: value
+      integer :: low, high, middle
+      low = 1
+      high = size(x)
+      if (at <= x(low)) then
+         value = y(low)
+      else if (at >= x(high)) then
+         value = y(high)
+      else
+         do while (high - low > 1)
+            middle = (low + high)/2
+            if (x(middle) <= at) then
+               low = middle
+            else
+               high = middle
+            end if
+         end do
+         value = y(low) + (y(high) - y(low))*(at - x(low))/(x(high) - x(low))
+      end if
+   end function interpolated
+end module dg_legacy_comparison

@@ -1,0 +1,176 @@
+!> Another program's results beside ours on standard output: table of differences, and in words where along the hole
+!> the two part. Every line fits 120 columns.
+module dg_legacy_report
+   use dg_kinds, only: wp
+   use dg_hole_interval, only: interval_at, interval_name
+   use dg_job, only: model_name
+   use dg_legacy_comparison, only: comparison_type, parting_type
+   use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: legacy_report
+
+   integer, parameter :: cell = 12
+   integer, parameter :: hole_width = 10
+   !> Rows of a printed table; the file has all.
+   integer, parameter :: most_rows = 16
+   !> Digits of forces and depths in words.
+   integer, parameter :: shown = 5
+   character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
+   real(wp), parameter :: per_cent = 100.0_wp
+
+contains
+
+   !> Words, and where asked for the tables, of one table beside one model.
+   pure function legacy_report(units, table, case_name, model, comparison, with_tables) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(legacy_table_type), intent(in) :: table
+      character(*), intent(in) :: case_name
+      integer, intent(in) :: model
+      type(comparison_type), intent(in) :: comparison
+      logical, intent(in) :: with_tables
+      type(text_type), allocatable :: lines(:)
+      integer :: k
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Legacy '//table%label//' beside case '//case_name//', model '//trim(model_name(model)))
+      if (comparison%outside > 0) call append_text(lines, to_text(comparison%outside)//' of its '//to_text(size(table%md))// &
+                                                   ' rows lie beyond the string and are left out')
+      if (size(comparison%md) == 0) return
+      do k = 1, quantity_count
+         if (.not. comparison%parting(k)%present) cycle
+         if (with_tables) call append_table(lines, units, k, comparison)
+         call append_words(lines, units, k, comparison, comparison%parting(k))
+      end do
+   end function legacy_report
+
+   !> Ours and theirs against depth, thinned out to `most_rows`.
+   pure subroutine append_table(lines, units, k, comparison)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: k
+      type(comparison_type), intent(in) :: comparison
+      character(:), allocatable :: rule
+      type(text_type) :: unit
+      real(wp) :: factor, ours, theirs
+      integer :: i, interval, n, row, rows
+      call unit_of(units, k, factor, unit)
+      rule = repeat('-', 2*cell + hole_width + 3*cell)
+      n = size(comparison%md)
+      rows = min(n, most_rows)
+      call append_text(lines, rule)
+      call append_text(lines, right_aligned('Depth', cell)//'  '//left_aligned('Hole', hole_width)// &
+                       right_aligned('Ours', cell)//right_aligned('Legacy', cell)//right_aligned('Difference', cell)// &
+                       right_aligned('%', cell - 2))
+      call append_text(lines, right_aligned(trim(units%length_label), cell)//repeat(' ', hole_width + 2)// &
+                       right_aligned(unit%text, cell)//right_aligned(unit%text, cell)//right_aligned(unit%text, cell))
+      call append_text(lines, rule)
+      do row = 1, rows
+         i = 1
+         if (rows > 1) i = 1 + ((row - 1)*(n - 1))/(rows - 1)
+         ours = comparison%ours(i, k)/factor
+         theirs = comparison%theirs(i, k)/factor
+         interval = interval_at(comparison%intervals, comparison%md(i))
+         call append_text(lines, fixed_cell(comparison%md(i)/units%length, cell, 1)//'  '// &
+                          left_aligned(trim(interval_name(comparison%intervals(interval)%kind)), hole_width)// &
+                          fixed_cell(ours, cell, 3)//fixed_cell(theirs, cell, 3)//fixed_cell(theirs - ours, cell, 3)// &
+                          fixed_cell(share_of(theirs - ours, comparison%parting(k)%scale/factor), cell - 2, 2))
+      end do
+      call append_text(lines, rule)
+   end subroutine append_table
+
+   !> Largest and mean difference, growth by interval of the hole, and where they part.
+   pure subroutine append_words(lines, units, k, comparison, parting)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: k
+      type(comparison_type), intent(in) :: comparison
+      type(parting_type), intent(in) :: parting
+      type(text_type) :: unit
+      character(:), allocatable :: what
+      real(wp) :: factor
+      integer :: i
+      call unit_of(units, k, factor, unit)
+      what = trim(quantity_words(k))
+      call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit%text//' ('// &
+                       to_text(share_of(abs(parting%largest), parting%scale), 3)//' % of our largest) at '// &
+                       depth(parting%largest_md)//', mean '//to_text(parting%mean/factor, shown)//' '//unit%text//' over '// &
+                       to_text(size(comparison%md))//' depths')
+      if (parting%agrees) then
+         call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
+         return
+      end if
+      call append_text(lines, 'It grows, from the bit up:')
+      do i = size(comparison%intervals), 1, -1
+         associate (interval => comparison%intervals(i))
+            call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
+                             depth(interval%md_bottom)//' up to '//depth(interval%md_top)//': '// &
+                             growth_text(parting%growth(i)))
+         end associate
+      end do
+      associate (worst => comparison%intervals(parting%worst))
+         call append_text(lines, 'They part at '//depth(parting%parting_md)//'; '// &
+                          to_text(per_cent*parting%share, 3)//' % of the difference in '//what//' arises in the '// &
+                          trim(interval_name(worst%kind))//' section, '//depth(worst%md_top)//' to '//depth(worst%md_bottom)//'.')
+      end associate
+
+   contains
+
+      pure function depth(md) result(text)
+         real(wp), intent(in) :: md
+         character(:), allocatable :: text
+         text = to_text(md/units%length, shown + 1)//' '//trim(units%length_label)
+      end function depth
+
+      pure function growth_text(growth) result(text)
+         real(wp), intent(in) :: growth
+         character(:), allocatable :: text
+         if (k == quantity_side_force) then     ! an integral along the hole
+            text = signed(growth/units%force)//' '//trim(units%force_label)
+         else
+            text = signed(growth/factor)//' '//unit%text
+         end if
+      end function growth_text
+   end subroutine append_words
+
+   !> With its sign, also where that is plus.
+   pure function signed(value) result(text)
+      real(wp), intent(in) :: value
+      character(:), allocatable :: text
+      text = to_text(value, shown)
+      if (value > 0.0_wp) text = '+'//text
+   end function signed
+
+   pure function share_of(part, whole) result(share)
+      real(wp), intent(in) :: part, whole
+      real(wp) :: share
+      share = 0.0_wp
+      if (whole > 0.0_wp) share = per_cent*part/whole
+   end function share_of
+
+   !> SI value and name of the unit of a quantity.
+   pure subroutine unit_of(units, k, factor, unit)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: k
+      real(wp), intent(out) :: factor
+      type(text_type), intent(out) :: unit
+      logical :: field
+      field = units%name == 'field'
+      select case (k)
+      case (1)
+         factor = units%force
+         unit%text = trim(units%force_label)
+      case (2)
+         factor = units%moment
+         unit%text = 'kN.m'
+         if (field) unit%text = 'kft.lbf'
+      case default
+         factor = units%force_per_length
+         unit%text = 'kN/m'
+         if (field) unit%text = 'klbf/ft'
+      end select
+   end subroutine unit_of
+end module dg_legacy_report

@@ -1,0 +1,143 @@
+!> The group &legacy from file to words: every form of table reads alike; every fault has its file, line and remedy.
+module dg_test_legacy_runs
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_program_run, only: deck_path, good_deck, results_path, run_deck_text, run_program, run_type, scratch
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: legacy_runs_suite
+
+   character(*), parameter :: newline = achar(10), tab = achar(9)
+   !> Outside the scratch folder, which every run empties.
+   character(*), parameter :: table_path = 'build/test_legacy_table.txt'
+   character(*), parameter :: group = "&legacy label = 'x', file = '../test_legacy_table.txt', case = 'u'"
+
+contains
+
+   function legacy_runs_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('legacy_runs')
+      call suite%addTest(TestMethod('shipped_example_locates_the_error', test_example))
+      call suite%addTest(TestMethod('every_form_of_table', test_forms))
+      call suite%addTest(TestMethod('bad_tables', test_bad_tables))
+      call suite%addTest(TestMethod('bad_groups', test_bad_groups))
+   end function legacy_runs_suite
+
+   !> Writes a table, lines parted by |, and runs the good deck with a group that names it; the group stands in line 21.
+   function run_with(table, keys) result(run)
+      character(*), intent(in) :: table
+      character(*), intent(in) :: keys
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      type(error_type), allocatable :: error
+      integer :: first, length
+      allocate (lines(0))
+      first = 1
+      do while (first <= len(table))
+         length = index(table(first:)//'|', '|') - 1
+         call append_text(lines, table(first:first + length - 1))
+         first = first + length + 1
+      end do
+      call write_text_file(table_path, lines, error)
+      call assertFalse(allocated(error), message='table')
+      run = run_deck_text(good_deck()//group//keys//' /'//newline)
+   end function run_with
+
+   !> The wrong sign of curvature makes its error in the build section alone, in all three operations.
+   subroutine test_example()
+      type(run_type) :: run
+      integer :: at, found
+      run = run_program('input/johancsik_well_3.nml --output '//results_path)
+      call assertEqual(0, run%status)
+      found = 0
+      at = 1
+      do while (index(run%output(at:), 'arises in the build section, 2399.93 ft to 4199.48 ft.') > 0)
+         at = at + index(run%output(at:), 'arises in the build section')
+         found = found + 1
+      end do
+      call assertEqual(12, found, message='three cases, four models')
+      call assertTrue(index(run%output, 'They part at 4200 ft; 100 % of the difference in axial force arises') > 0)
+      call assertTrue(index(run%output, 'largest +10.658 klbf (3.24 % of our largest)') > 0, message='48 kN up')
+   end subroutine test_example
+
+   !> 150 kN at surface falling to 0 at 900 m: the same table in every form gives the same words.
+   subroutine test_forms()
+      type(run_type) :: run
+      character(:), allocatable :: words
+      run = run_with('md,axial,note|0,150,a|450,75,b|900,0,c', '')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      words = told(run)
+      call assertGreaterThan(len(words), 0, message='words')
+      call same('semicolons, decimal comma', 'axial;md|150,0;0,0|75,0;450|0;900', '')
+      call same('tabs', '# printed by X|MD (m)'//tab//'Axial [kN]|0'//tab//'150||450'//tab//'75|900'//tab//'0', '')
+      call same('blanks and headings', 'md   tension|  0   150|450   75|900     0', ", axial = 'tension'")
+      call same('numbers of columns, no header', '1 0 150|2 450 75|3 900 0', ", md = '2', axial = '3'")
+      call same('fixed', 'report|  md axial|   0 150.0| 450 75| 900   0.0', ", md = '1:4', axial = '5:10', skip = 2")
+      call same('newtons', 'md,axial_N|0,150000|450,75000|900,0', ", axial_unit = 'N'")
+      call same('field units', 'md_ft,axial_klbf|0,33.7213414706957|1476.37795275591,16.8606707353478|2952.75590551181,0', &
+                ", units = 'field'")
+   contains
+      subroutine same(what, table, keys)
+         character(*), intent(in) :: what, table, keys
+         run = run_with(table, keys)
+         call assertEqual(0, run%status, message=what//': '//run%diagnostics)
+         call assertEqual(words, told(run), message=what)
+      end subroutine same
+   end subroutine test_forms
+
+   !> The line that tells the largest difference.
+   function told(run) result(words)
+      type(run_type), intent(in) :: run
+      character(:), allocatable :: words
+      integer :: at
+      at = index(run%output, 'Difference in')
+      words = ''
+      if (at > 0) words = run%output(at:at + index(run%output(at:), newline) - 2)
+   end function told
+
+   subroutine refuse(table, keys, place, expected)
+      character(*), intent(in) :: table, keys, place, expected
+      type(run_type) :: run
+      run = run_with(table, keys)
+      call assertEqual(2, run%status, message='status of: '//expected)
+      call assertTrue(index(run%diagnostics, place//' ') > 0 .and. index(run%diagnostics, expected) > 0, &
+                      message='wanted '//place//' '//expected//'; got: '//run%diagnostics)
+      call assertFalse(run%has_results, message='no folder of results: '//expected)
+   end subroutine refuse
+
+   subroutine test_bad_tables()
+      character(*), parameter :: file = '/../test_legacy_table.txt:'
+      call refuse('md,axial|0,150|450|900,0', '', file//'3:', 'the row has 1 columns, the table 2')
+      call refuse('md,axial|0,150|450,75,3|900,0', '', file//'3:', 'the row has 3 columns, the table 2')
+      call refuse('md,tension|0,150|900,0', ", axial = 'tensoin'", file//'1:', "did you mean 'tension'?")
+      call refuse('depth,axial|0,150|900,0', '', file//'1:', "the header names no 'md' for md")
+      call refuse('md,pull|0,150|900,0', '', file, 'none of axial, torque, side_force')
+      call refuse('md (m),axial (klbf)|0,150|900,0', '', file//'1:', 'the header gives axial in klbf')
+      call refuse('md_ft,axial|0,150|900,0', '', file//'1:', 'the header gives md in ft')
+      call refuse('md,axial|0,150|900,0|450,75', '', file//'4:', 'md = 450 is not below md = 900 of line 3')
+      call refuse('md,axial|0,150|450,75|450,0', '', file//'4:', 'depths must increase')
+      call refuse('md,axial|0,150|450,abc', '', file//'3:', "axial = 'abc' is no number")
+      call refuse('md,axial|0,150', '', file, 'it has 1 rows of numbers')
+      call refuse('', '', file, 'it has 0 rows of numbers')
+      call refuse('md,axial,axial|0,150,1|900,0,1', '', file//'1:', 'twice')
+      call refuse('0 150|900 0', ", md = '1', axial = '3'", file//'1:', 'axial is to be column 3; the table has 2')
+      call refuse('   0 150|900', ", md = '1:4', axial = '5:8'", file//'2:', 'the row ends at character 3')
+   end subroutine test_bad_tables
+
+   subroutine test_bad_groups()
+      character(*), parameter :: good = 'md,axial|0,150|900,0', line = deck_path//':21:'
+      call refuse(good, ", axial_unit = 'tons'", line, "axial_unit = 'tons' is unknown; legal: N, kN, lbf, klbf")
+      call refuse(good, ", axial = '5:4'", line, "axial = '5:4' are no characters")
+      call refuse(good, ", md = '1:4', axial = 'axial'", line, 'is no place of characters')
+      call refuse(good, ", axial = '0'", line, 'axial = 0 is no column')
+      call refuse(good, ", axil = '2'", line, "did you mean 'axial'?")
+      call refuse(good, " / &legacy label = 'X', file = '../test_legacy_table.txt', case = 'u'", line, 'labels must be unique')
+      call refuse(good, " / &legacy label = 'y', file = '../test_legacy_table.txt', case = 'v'", line, "no load case 'v'")
+      call refuse(good, " / &legacy label = 'a/b', file = '../test_legacy_table.txt', case = 'u'", line, &
+                  'cannot be part of a file name')
+      call refuse(good, " / &legacy label = 'y', file = 'nowhere.csv', case = 'u'", scratch//'/nowhere.csv:', 'legacy file')
+      call refuse(good, " / &legacy label = 'y', case = 'u'", line, 'key file is missing')
+   end subroutine test_bad_groups
+end module dg_test_legacy_runs
