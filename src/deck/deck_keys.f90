@@ -142,7 +142,7 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(20) = [ &
+   type(key_rule_type), parameter :: solver_keys(21) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='sets element_length where that is not given: 30, 60, 10, 1 m; fast also gap_location and tolerance'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
@@ -173,6 +173,8 @@ module dg_deck_keys
       key_rule_type('solver', 'soften', kind_logical, default='.true.', meaning='reach the stiffness of the wall in stages'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
          meaning='lateral offset seeded in compressed parts over the clearance'), &
+      key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &
+         meaning='soft, rigid, mixed: a turning string climbs the wall, which lessens contact by 1/sqrt(1 + mu1^2)'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
 
    type(key_rule_type), parameter :: legacy_keys(13) = [ &

@@ -46,6 +46,7 @@ module dg_numerics
       real(wp) :: viscous_limit = 1.0_wp       !< the same while the string is held from buckling further by viscosity [-]
       logical :: soften = .true.               !< reach the wall's stiffness in stages
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
+      logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: history = .false.             !< keep and write the iteration history
    end type numerics_type
 

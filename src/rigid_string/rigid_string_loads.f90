@@ -15,7 +15,7 @@ module dg_rigid_string_loads
    use dg_kinds, only: wp
    use dg_curvature_change, only: bending_at, change_type
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, largest_angle, longest_step, piece_above, piece_type, runaway_force, &
+   use dg_soft_string_loads, only: at_offset, climbed, largest_angle, longest_step, piece_above, piece_type, runaway_force, &
       soft_totals_type
    use dg_trajectory, only: point_on_arc
    use dg_vector, only: cross
@@ -135,7 +135,7 @@ contains
       real(wp), intent(out) :: change   !< [N/m]
       real(wp) :: contact(3), bend(3), shear(3), bending(3)
       call balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
-      normal = norm2(contact)
+      normal = piece%climb*norm2(contact)
       change = piece%axial*normal - dot_product(shear, bend)
    end subroutine rates
 
@@ -162,6 +162,7 @@ contains
       real(wp), intent(out) :: contact(3), resultant
       real(wp) :: bend(3), shear(3), bending(3)
       call balance(piece, changes, md, md + spacing(md), force, moment, contact, bend, shear, bending)
+      contact = climbed(piece, md, contact)
       resultant = norm2(bending)
    end subroutine contact_and_bending
 

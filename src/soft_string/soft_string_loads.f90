@@ -16,11 +16,12 @@ module dg_soft_string_loads
    use dg_load_case, only: friction_split
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
+   use dg_vector, only: cross
    implicit none
    private
    public :: soft_string_at, soft_totals_type, breakpoints
    ! The pieces of a string, which the stiff string shares.
-   public :: piece_type, piece_above, at_offset, longest_step, largest_angle, runaway_force
+   public :: piece_type, piece_above, at_offset, climbed, longest_step, largest_angle, runaway_force
 
    !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
    !> angle it is exact to 1e-9 even with a friction coefficient of one. What limits it is the kink of n where
@@ -52,6 +53,7 @@ module dg_soft_string_loads
       real(wp) :: radius = 0.0_wp   !< of contact [m]
       real(wp) :: axial = 0.0_wp    !< f of the balance above [-]
       real(wp) :: rotary = 0.0_wp   !< m of the balance above [-]
+      real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
       real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
    end type piece_type
@@ -134,6 +136,7 @@ contains
          end associate
          call friction_split(load_case, friction_scale*mu_axial, friction_scale*mu_rotary, piece%radius, &
                              piece%axial, piece%rotary)
+         if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
       end associate
    end function piece_above
 
@@ -168,11 +171,11 @@ contains
          block
             real(wp) :: n1, n2, n3, n4, middle
             middle = force + piece%weight*(here(3) - half_way(3))
-            n1 = norm2(force*bend_here + across_here)
-            n2 = norm2((middle + 0.5_wp*step*piece%axial*n1)*bend_half + across_half)
-            n3 = norm2((middle + 0.5_wp*step*piece%axial*n2)*bend_half + across_half)
+            n1 = piece%climb*norm2(force*bend_here + across_here)
+            n2 = piece%climb*norm2((middle + 0.5_wp*step*piece%axial*n1)*bend_half + across_half)
+            n3 = piece%climb*norm2((middle + 0.5_wp*step*piece%axial*n2)*bend_half + across_half)
             force = force + piece%weight*(here(3) - there(3))
-            n4 = norm2((force + step*piece%axial*n3)*bend_there + across_there)
+            n4 = piece%climb*norm2((force + step*piece%axial*n3)*bend_there + across_there)
             normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
          end block
          force = force + piece%axial*normal
@@ -210,8 +213,22 @@ contains
       real(wp) :: contact(3)
       real(wp) :: position(3), across(3), bend(3)
       call at_offset(piece, md - piece%arc%md, position, across, bend)
-      contact = force*bend + across
+      contact = climbed(piece, md, force*bend + across)
    end function contact_force
+
+   !> Contact force under a load across the hole [N/m]: the load itself, or with wall climb what balances it together
+   !> with its own friction around the hole, load = n + m t x n, where the turning string comes to rest.
+   pure function climbed(piece, md, load) result(contact)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: md        !< [m]
+      real(wp), intent(in) :: load(3)
+      real(wp) :: contact(3)
+      real(wp) :: position(3), tangent(3), bend(3)
+      contact = load
+      if (piece%climb >= 1.0_wp) return
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, bend)
+      contact = piece%climb**2*(load - piece%rotary*cross(tangent, load))
+   end function climbed
 
    !> Depths between the top of the string and the bit where something changes: first station and bit, survey
    !> stations, ends of hole sections and components. Ascending, none twice [m].

@@ -1,8 +1,8 @@
 !> Rigid and mixed strings in whole wells: the soft string's answers where stiffness does nothing, closed forms where it
 !> does, and the same friction in every operation of every model.
 module dg_test_stiff_wells
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertLessThanOrEqual, &
-      assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, &
+      TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: degree, pi
@@ -49,6 +49,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('static', test_static))
       call suite%addTest(TestMethod('casing_run', test_casing))
+      call suite%addTest(TestMethod('wall_climb', test_climb))
       call suite%addTest(TestMethod('warns_outside_its_range', test_warning))
    end function stiff_wells_suite
 
@@ -332,6 +333,29 @@ contains
          if (which /= mcge) call assertGreaterThan(abs(result%hookload - reference%hookload), 10.0_wp, message='stiffness is seen')
       end do
    end subroutine test_casing
+
+   !> A turning string climbs until contact and its friction carry the weight: n = w sin(th)/sqrt(1 + mu^2), at 180 deg
+   !> less atan(mu); closed form, straight hole. The beams, which climb by themselves, agree.
+   subroutine test_climb()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: mu = 0.3_wp, radius = 0.0635_wp
+      real(wp) :: side
+      integer :: which
+      call new_well(model, [0.0_wp, 400.0_wp], [50.0_wp, 50.0_wp], [0.0_wp, 0.0_wp], 0.2159_wp, mu, &
+                    pipe(300.0_wp, 0.127_wp, 0.1086_wp))
+      call set_case(model, operation_rotate_off_bottom, 0.0_wp, 0.0_wp)
+      model%numerics%wall_climb = .true.
+      side = 300.0_wp*sin(50.0_wp*degree)/sqrt(1.0_wp + mu**2)
+      do which = soft, mcge
+         call solve(which, model, result)
+         call assertRelativelyEqual(mu*radius*side*400.0_wp, result%torque, merge(1.0e-3_wp, 1.0e-12_wp, which == mcge), &
+                                    message='torque, '//names(which))
+         if (which == mcge) cycle
+         call assertRelativelyEqual(side, result%profile%side_force(2), 1.0e-12_wp, message='side force, '//names(which))
+         call assertEqual(pi - atan(mu), result%profile%clock(2), 1.0e-12_wp, message='clock, '//names(which))
+      end do
+   end subroutine test_climb
 
    !> Compression beyond helical buckling is out of the range of a string on the axis; tension is in it.
    subroutine test_warning()
