@@ -1,10 +1,10 @@
 !> Files that appear whole or not at all: written under another name in the same folder, then renamed
 !> (POSIX rename replaces in one step).
 module dg_file_system
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_char, c_int
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_error, only: error_type, raise, status_failure
-   use dg_text, only: text_type
+   use dg_text, only: c_text, text_type
    implicit none
    private
    public :: write_text_file, rename_file, delete_file
@@ -81,14 +81,4 @@ contains
       status = c_remove(c_text(path))
       if (status /= 0) return ! absent, or not ours to remove: nothing that a caller could do about it
    end subroutine delete_file
-
-   pure function c_text(text) result(chars)
-      character(*), intent(in) :: text
-      character(kind=c_char) :: chars(len(text) + 1)
-      integer :: i
-      do i = 1, len(text)
-         chars(i) = text(i:i)
-      end do
-      chars(len(text) + 1) = c_null_char
-   end function c_text
 end module dg_file_system

@@ -1,7 +1,8 @@
 !> Makes folders. POSIX calls, because Fortran has none and a shell command would need quoting.
 module dg_folder
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_char, c_int
    use dg_error, only: error_type, raise, status_failure
+   use dg_text, only: c_text
    implicit none
    private
    public :: make_folder, is_folder
@@ -60,14 +61,4 @@ contains
       integer(c_int), parameter :: exists = 0_c_int   ! F_OK
       is = c_access(c_text(path//'/.'), exists) == 0
    end function is_folder
-
-   pure function c_text(text) result(chars)
-      character(*), intent(in) :: text
-      character(kind=c_char) :: chars(len(text) + 1)
-      integer :: i
-      do i = 1, len(text)
-         chars(i) = text(i:i)
-      end do
-      chars(len(text) + 1) = c_null_char
-   end function c_text
 end module dg_folder

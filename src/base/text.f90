@@ -1,10 +1,11 @@
 !> Small text tools: letter case, likeness of names, numbers as text with the fewest digits.
 module dg_text
+   use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    use dg_kinds, only: wp
    implicit none
    private
    public :: text_type, append_text, joined
-   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free
+   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text
 
    !> A text of its own length, for lists of texts.
    type :: text_type
@@ -219,4 +220,15 @@ contains
       write (form, '(a,i0,a)') '(es30.', digits - 1, 'e3)'
       write (buffer, form) number
    end subroutine write_digits
+
+   !> A text as C wants it: characters and a null.
+   pure function c_text(text) result(chars)
+      character(*), intent(in) :: text
+      character(kind=c_char) :: chars(len(text) + 1)
+      integer :: i
+      do i = 1, len(text)
+         chars(i) = text(i:i)
+      end do
+      chars(len(text) + 1) = c_null_char
+   end function c_text
 end module dg_text
