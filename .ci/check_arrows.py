@@ -25,7 +25,8 @@ MAY_USE = {
     "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
     "legacy": {"base", "trajectory", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
-    "report": {"base", "trajectory", "model", "results", "legacy"},
+    "string_limits": {"base", "trajectory", "string", "hole", "model", "results", "soft_string"},
+    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)

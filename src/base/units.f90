@@ -38,6 +38,8 @@ module dg_units
       character(8) :: force_label = 'kN'
       character(8) :: moment_label = 'kNm'
       character(8) :: force_per_length_label = 'kN_m'
+      character(8) :: stress_label = 'MPa'
+      character(9) :: curvature_label = 'deg_30m'
    end type unit_system_type
 
 contains
@@ -69,5 +71,7 @@ contains
       units%force_label = 'klbf'
       units%moment_label = 'kftlbf'
       units%force_per_length_label = 'klbf_ft'
+      units%stress_label = 'ksi'
+      units%curvature_label = 'deg_100ft'
    end function field_units
 end module dg_units

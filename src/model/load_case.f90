@@ -7,6 +7,7 @@ module dg_load_case
    public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
    public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
    public :: operation_count, operation_name, operation_label, operation_from_name, friction_split
+   public :: moves_axially, rotates
 
    integer, parameter :: operation_trip_out = 1
    integer, parameter :: operation_trip_in = 2
@@ -105,4 +106,19 @@ contains
       case default
       end select
    end subroutine friction_split
+
+   !> Whether friction acts along the hole, so that Table 1 has a frictional resistance.
+   elemental function moves_axially(operation) result(yes)
+      integer, intent(in) :: operation
+      logical :: yes
+      yes = any(operation == [operation_trip_out, operation_trip_in, operation_sliding_drilling, operation_ream, &
+                              operation_backream])
+   end function moves_axially
+
+   !> Whether the string turns, so that Table 1 has a force moment.
+   elemental function rotates(operation) result(yes)
+      integer, intent(in) :: operation
+      logical :: yes
+      yes = any(operation == [operation_rotate_off_bottom, operation_rotary_drilling, operation_ream, operation_backream])
+   end function rotates
 end module dg_load_case

@@ -3,9 +3,9 @@
 module dg_result_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_status_name, scale_count, scale_name
-   use dg_comparison, only: moves_axially, percent_error, rotates
+   use dg_comparison, only: percent_error
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: load_case_type, operation_label, optional_real
+   use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
    use dg_model, only: model_type
    use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_text, only: append_text, text_type, to_text

@@ -2,6 +2,7 @@
 !> special cases. SI units; conversion happens in the report.
 module dg_profile
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    use dg_gap_state, only: state_elastic, state_free, state_name, state_rigid
    implicit none
    private
@@ -21,18 +22,20 @@ module dg_profile
       real(wp), allocatable :: displacement(:) !< of the string axis off the hole axis [m]
       real(wp), allocatable :: clock(:)        !< where it lies [rad], from the high side (from north where the
                                                !< hole is vertical), clockwise looking down the hole, 0 to 2 pi
+      real(wp), allocatable :: shear(:)        !< resultant shear force [N]; missing where a model has none
       integer, allocatable :: gap_state(:)     !< state_free, state_elastic, state_rigid
    end type profile_type
 
 contains
 
-   !> A profile of `n` rows, all zero and free.
+   !> A profile of `n` rows, all zero and free, without shear force.
    pure function new_profile(n) result(profile)
       integer, intent(in) :: n
       type(profile_type) :: profile
       allocate (profile%md(n), profile%tvd(n), profile%north(n), profile%east(n), profile%inclination(n), &
                 profile%azimuth(n), profile%axial(n), profile%torque(n), profile%side_force(n), profile%bending(n), &
                 profile%displacement(n), profile%clock(n), source=0.0_wp)
+      allocate (profile%shear(n), source=missing)
       allocate (profile%gap_state(n), source=state_free)
    end function new_profile
 end module dg_profile

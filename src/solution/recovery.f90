@@ -16,8 +16,8 @@ module dg_recovery
 
 contains
 
-   !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial force and bending
-   !> moment are those of the cross-section at the node: end forces with the element's own loads taken off, the
+   !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial and shear force
+   !> and bending moment are those of the cross-section at the node: end forces with the element's own loads taken off, the
    !> mean of both sides. Side force is the gaps' contact force over their length, shared by both ends.
    pure subroutine recover_profile(trajectory, mesh, gaps, work, profile)
       type(trajectory_type), intent(in) :: trajectory
@@ -25,7 +25,8 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(profile_type), intent(out) :: profile
-      real(wp) :: position(3), tangent(3), gap(3), foot_tangent(3), share, above(3), below(3)
+      real(wp) :: position(3), tangent(3), gap(3), foot_tangent(3), share, above(3), below(3), &
+                  upper(3), lower(3), across(3)
       integer :: n, e, sides
       profile = new_profile(mesh%nodes)
       profile%md = mesh%md
@@ -39,6 +40,8 @@ contains
          call node_offset(trajectory, mesh, work, n, gap, foot_tangent)
          profile%displacement(n) = norm2(gap)
          profile%clock(n) = clock_angle(foot_tangent, gap)
+         upper = 0.0_wp
+         lower = 0.0_wp
          above = 0.0_wp
          below = 0.0_wp
          share = 0.0_wp
@@ -48,6 +51,7 @@ contains
             sides = sides + 1
             profile%axial(n) = profile%axial(n) + dot_product(work%end_force(7:9, e), work%d(:, n))
             profile%torque(n) = profile%torque(n) - work%torque(e)
+            upper = work%end_force(7:9, e)
             above = cross(work%d(:, n), work%end_force(10:12, e))
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
@@ -58,6 +62,7 @@ contains
             sides = sides + 1
             profile%axial(n) = profile%axial(n) - dot_product(work%end_force(1:3, e), work%d(:, n))
             profile%torque(n) = profile%torque(n) - work%torque(e)
+            lower = work%end_force(1:3, e)
             below = cross(work%d(:, n), work%end_force(4:6, e))
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
@@ -66,6 +71,8 @@ contains
          profile%axial(n) = profile%axial(n)/sides
          profile%torque(n) = profile%torque(n)/sides
          profile%bending(n) = norm2(above - below)/sides
+         across = (upper - lower)/sides
+         profile%shear(n) = norm2(across - dot_product(across, work%d(:, n))*work%d(:, n))
          profile%side_force(n) = max(profile%side_force(n), 0.0_wp)/share
       end do
    end subroutine recover_profile

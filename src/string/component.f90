@@ -25,6 +25,7 @@ module dg_component
       real(wp) :: joint_length = 0.0_wp      !< [m]
       real(wp) :: joint_spacing = 9.5_wp     !< [m]
       real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
+      real(wp) :: makeup_torque = 0.0_wp     !< of its connections [N.m]; 0: not given
    end type component_type
 
 contains

@@ -14,7 +14,7 @@ module dg_trajectory
    public :: arc_at, closest_point, position_at, frame_at, true_vertical_depth, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
    public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
-   public :: inclination_of, azimuth_of, high_side, clock_angle
+   public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
 
    integer, parameter :: interpolation_minimum_curvature = 1
    integer, parameter :: interpolation_spline = 2

@@ -1,10 +1,10 @@
 module dg_test_report_cells
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_comparison, only: moves_axially, percent_error, rotates
+   use dg_comparison, only: percent_error
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
-      operation_static, operation_trip_out, optional_real
-   use dg_number_text, only: count_cell, csv_number, csv_optional, csv_text, fixed_cell, left_aligned, right_aligned, &
+   use dg_load_case, only: given, moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
+      operation_static, operation_trip_out, optional_real, rotates
+   use dg_number_text, only: count_cell, csv_number, csv_text, fixed_cell, left_aligned, right_aligned, &
       scientific_cell
    implicit none
    private
@@ -61,8 +61,6 @@ contains
       end do
       call assertEqual('0.000000000', csv_number(-0.0_wp))
       call assertEqual('12', csv_number(12))
-      call assertEqual('', csv_optional(nothing, 1.0_wp))
-      call assertEqual(csv_number(0.5_wp), csv_optional(given(500.0_wp), 1.0e3_wp))
    end subroutine test_csv_numbers
 
    !> RFC 4180.

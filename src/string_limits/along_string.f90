@@ -1,0 +1,191 @@
+!> What an engineer reads off along the string, from the profile of any model and the data of string, hole and mud:
+!> pressures, true axial force, stresses, safety factors, buckling limits. One place for all models.
+!>
+!> The mud stands still: the pressure inside and outside the string is p = rho g z alike, z below the first station.
+!> Where two components, hole sections or bends meet, both sides are looked at: stresses are those of the
+!> more highly used side, buckling limits the lower ones.
+module dg_along_string
+   use dg_kinds, only: wp
+   use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
+                                 lubinski_first, vertical_unit
+   use dg_case_result, only: case_result_type
+   use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter
+   use dg_drillstring, only: component_at, component_tops
+   use dg_hole_section, only: hole_section_at
+   use dg_job, only: model_soft
+   use dg_load_case, only: rotates
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: model_type, string_index
+   use dg_pipe_stress, only: envelope_use, pipe_stress, pipe_stress_type, tension_capacity, true_axial
+   use dg_trajectory, only: arc_at, point_on_arc, top_md
+   implicit none
+   private
+   public :: along_string_type, find_along_string, new_along_string, mud_pressure
+
+   !> One value a row of the profile. `missing` where there is none: safety factors without a yield strength, buckling
+   !> limits of a weightless string in a straight hole.
+   type :: along_string_type
+      real(wp), allocatable :: pressure(:)          !< of the mud, inside and outside [Pa]
+      real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
+      real(wp), allocatable :: axial_stress(:)      !< of the true axial force [Pa]
+      real(wp), allocatable :: bending_stress(:)    !< amplitude at the outer surface [Pa]
+      real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
+      real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
+      real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
+      real(wp), allocatable :: safety_factor(:)     !< yield strength over von_mises [-]
+      real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left [-]
+      real(wp), allocatable :: overpull(:)          !< tension that may be added here [N]
+      real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
+      real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling [N]
+      real(wp), allocatable :: helical(:)           !< at helical buckling, the lower published limit [N]
+      real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
+      real(wp), allocatable :: buckling_margin(:)   !< compression left before sinusoidal buckling [N]
+      integer, allocatable :: buckling(:)           !< buckling_none, buckling_sinusoidal, buckling_helical
+      real(wp), allocatable :: curvature(:)         !< of the hole, the larger of both sides [1/m]
+      real(wp), allocatable :: od(:)                !< of the body of the stressed side [m]
+      real(wp), allocatable :: hole_diameter(:)     !< the smaller of both sides [m]
+   end type along_string_type
+
+   !> Half the distance between what counts as above and below a row [m].
+   real(wp), parameter :: hair = 1.0e-6_wp
+
+contains
+
+   !> All columns, one value a row of `result%profile`.
+   pure subroutine find_along_string(model, result, along)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(out) :: along
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, depth, moment
+      integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
+      n = size(result%profile%md)
+      along = new_along_string(n)
+      string = string_index(model%strings, model%cases(result%case_index)%string)
+      bit = model%cases(result%case_index)%bit_depth
+      allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      associate (profile => result%profile, components => model%strings(string)%components)
+         do i = 1, n
+            do side = 1, 2
+               depth = min(max(profile%md(i) + merge(-hair, hair, side == 1), top_md(model%trajectory)), bit)
+               part(side) = component_at(tops, bit - depth)
+               hole(side) = hole_section_at(model%holes, depth)
+               arc(side) = arc_at(model%trajectory, depth)
+            end do
+            along%pressure(i) = mud_pressure(model, profile%tvd(i))
+            along%hole_diameter(i) = minval(model%holes(hole)%diameter)
+            owner = component_at(tops, bit - profile%md(i))
+            do side = 1, 2
+               if (side == 1 .or. part(2) /= part(1)) then
+                  ! A stiff string carries one moment across a joint. That of a soft one is the curvature of the hole times
+                  ! the stiffness of the component at the row: each side has its own.
+                  moment = profile%bending(i)
+                  if (result%model == model_soft) moment = moment*bending_stiffness(components(part(side)))/ &
+                     bending_stiffness(components(owner))
+                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment, along)
+               end if
+               if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1)) &
+                  call put_limits(model, i, profile%md(i), components(part(side)), model%holes(hole(side))%diameter, &
+                                  arc(side), along)
+            end do
+            if (rotates(model%cases(result%case_index)%operation)) along%bending_range(i) = 2.0_wp*along%bending_stress(i)
+            if (is_missing(along%sinusoidal(i))) cycle
+            along%buckling_margin(i) = along%sinusoidal(i) + profile%axial(i)
+            along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
+         end do
+      end associate
+   end subroutine find_along_string
+
+   !> Pressure of the standing mud [Pa] at a true vertical depth below the first station [m]; none above it.
+   pure function mud_pressure(model, tvd) result(pressure)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: tvd
+      real(wp) :: pressure
+      pressure = model%mud_density*model%gravity*max(tvd, 0.0_wp)
+   end function mud_pressure
+
+   !> Stresses at row `i` on one side of it; kept where this side is used more highly than the one before.
+   pure subroutine put_stress(i, part, axial, torque, moment, along)
+      integer, intent(in) :: i
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: axial    !< effective [N]
+      real(wp), intent(in) :: torque   !< [N.m]
+      real(wp), intent(in) :: moment   !< [N.m]
+      type(along_string_type), intent(inout) :: along
+      type(pipe_stress_type) :: stress
+      real(wp) :: force, factor
+      logical :: second, worse
+      force = true_axial(axial, part%od, part%id, along%pressure(i), along%pressure(i))
+      stress = pipe_stress(part%od, part%id, force, torque, moment, along%pressure(i), along%pressure(i))
+      second = along%od(i) > 0.0_wp
+      factor = missing
+      ! A string under no load at all has no factor.
+      if (part%yield > 0.0_wp .and. stress%von_mises > epsilon(1.0_wp)*part%yield) factor = part%yield/stress%von_mises
+      worse = .not. second .or. stress%von_mises > along%von_mises(i)
+      if (second .and. .not. is_missing(factor) .and. .not. is_missing(along%safety_factor(i))) &
+         worse = factor < along%safety_factor(i)
+      if (worse) then
+         along%od(i) = part%od
+         along%true_axial(i) = force
+         along%axial_stress(i) = stress%axial
+         along%bending_stress(i) = stress%bending
+         along%torsional_stress(i) = stress%torsional
+         along%hoop_stress(i) = stress%hoop
+         along%von_mises(i) = stress%von_mises
+         if (.not. is_missing(factor)) along%safety_factor(i) = factor
+      else if (is_missing(along%safety_factor(i))) then
+         along%safety_factor(i) = factor
+      end if
+      if (.not. part%yield > 0.0_wp) return
+      call keep_least(along%envelope_margin(i), 1.0_wp - envelope_use(part%od, part%id, axial, torque, part%yield))
+      call keep_least(along%overpull(i), tension_capacity(part%od, part%id, torque, part%yield) - axial)
+   end subroutine put_stress
+
+   !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
+   pure subroutine put_limits(model, i, md, part, diameter, arc, along)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: i
+      real(wp), intent(in) :: md        !< [m]
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: diameter  !< of the hole [m]
+      integer, intent(in) :: arc        !< of the trajectory
+      type(along_string_type), intent(inout) :: along
+      real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      real(wp) :: position(3), tangent(3), curvature(3), weight, clearance, ei, inclined, vertical
+      call point_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, position, tangent, curvature)
+      along%curvature(i) = max(along%curvature(i), norm2(curvature))
+      clearance = 0.5_wp*(diameter - contact_diameter(part))
+      if (.not. clearance > 0.0_wp) return
+      ei = bending_stiffness(part)
+      weight = max(buoyed_weight(part, model%mud_density, model%gravity), 0.0_wp)
+      inclined = curved_limit(ei, weight*(down - tangent(3)*tangent), curvature, clearance)
+      vertical = vertical_unit(ei, weight*tangent(3))
+      if (.not. max(inclined, vertical) > 0.0_wp) return
+      call keep_least(along%sinusoidal(i), max(inclined, lubinski_first*vertical))
+      call keep_least(along%helical(i), helical_limit(inclined, vertical, helical_low))
+      call keep_least(along%helical_upper(i), helical_limit(inclined, vertical, helical_high))
+   end subroutine put_limits
+
+   !> The smaller of a number that may be missing and one that is there.
+   pure subroutine keep_least(number, candidate)
+      real(wp), intent(inout) :: number
+      real(wp), intent(in) :: candidate
+      if (is_missing(number)) then
+         number = candidate
+      else
+         number = min(number, candidate)
+      end if
+   end subroutine keep_least
+
+   !> Columns of `n` rows, all zero or missing.
+   pure function new_along_string(n) result(along)
+      integer, intent(in) :: n
+      type(along_string_type) :: along
+      allocate (along%pressure(n), along%true_axial(n), along%axial_stress(n), along%bending_stress(n), &
+                along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
+                along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
+      allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &
+                along%helical(n), along%helical_upper(n), along%buckling_margin(n), source=missing)
+      allocate (along%buckling(n), source=buckling_none)
+   end function new_along_string
+end module dg_along_string

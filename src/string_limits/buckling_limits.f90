@@ -1,0 +1,121 @@
+!> Compressive forces at which a string in a hole buckles, published closed forms. All forces here are effective and
+!> positive in compression; torque, tool joints and friction are left out of them.
+!>
+!> - Dawson & Paslay 1984 (SPE 11167): a string on the low side of an inclined hole turns into a sine at
+!>   2 sqrt(EI n/c), n being what presses it against the wall per length: in a straight hole w sin(theta).
+!> - In a bend the compression itself presses the string on or lifts it off (He & Kyllingstad 1995, SPE 25370):
+!>   n = |w_across - F k| with the curvature vector k of the hole. So F is the least root of F = 2 sqrt(EI n(F)/c).
+!> - In a vertical hole nothing presses; there the weight of the string itself carries it up to Lubinski's (1950)
+!>   1.94 (EI w^2)^(1/3) at the lower end of the compressed part. The limit is the larger of the two: without
+!>   the second every near-vertical hole would raise an alarm.
+!> - Helical: published limits lie between 1.41 and 2.83 times the sinusoidal one. Two are given: sqrt(2) times
+!>   (Chen, Lin & Cheatham 1990, from energy) and 2 sqrt(2) - 1 times (Wu & Juvkam-Wold 1993, while loading); in a
+!>   vertical hole 5.55 (EI w^2)^(1/3) (Wu & Juvkam-Wold 1993).
+module dg_buckling_limits
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: sinusoidal_limit, curved_limit, vertical_unit, helical_limit, buckled_state
+   public :: helical_low, helical_high, lubinski_first, vertical_helical
+   public :: buckling_none, buckling_sinusoidal, buckling_helical, buckling_name
+
+   real(wp), parameter :: helical_low = sqrt(2.0_wp)                 !< over the sinusoidal limit (Chen et al.)
+   real(wp), parameter :: helical_high = 2.0_wp*sqrt(2.0_wp) - 1.0_wp !< the same (Wu & Juvkam-Wold)
+   real(wp), parameter :: lubinski_first = 1.94_wp                   !< Lubinski 1950, in units of (EI w^2)^(1/3)
+   real(wp), parameter :: vertical_helical = 5.55_wp                 !< Wu & Juvkam-Wold 1993, in the same units
+
+   integer, parameter :: buckling_none = 0
+   integer, parameter :: buckling_sinusoidal = 1
+   integer, parameter :: buckling_helical = 2
+   !> Names in files, by the numbers above.
+   character(*), parameter :: buckling_name(0:2) = [character(10) :: 'none', 'sinusoidal', 'helical']
+
+   !> Steps in which the least root is looked for. Where there are three roots the two lower ones are a good part of the
+   !> interval apart, or so close that the difference between them means nothing.
+   integer, parameter :: search_steps = 64
+   !> Halvings of a step: to round-off.
+   integer, parameter :: halvings = 52
+
+contains
+
+   !> Dawson-Paslay in a straight hole [N].
+   elemental function sinusoidal_limit(ei, across, clearance) result(force)
+      real(wp), intent(in) :: ei          !< bending stiffness [N.m2]
+      real(wp), intent(in) :: across      !< weight across the hole, w sin(theta), >= 0 [N/m]
+      real(wp), intent(in) :: clearance   !< (D - d)/2, > 0 [m]
+      real(wp) :: force
+      force = 2.0_wp*sqrt(ei*across/clearance)
+   end function sinusoidal_limit
+
+   !> The same in a bend [N]: least F > 0 with F^2 c/(4 EI) = |w_across - F k|; 0 where neither weight nor curvature
+   !> presses the string on. It lies between the roots for a string pressed on and lifted off by all of the
+   !> curvature, which are those of a quadratic.
+   pure function curved_limit(ei, across, curvature, clearance) result(force)
+      real(wp), intent(in) :: ei             !< bending stiffness [N.m2]
+      real(wp), intent(in) :: across(3)      !< weight across the hole, a vector [N/m]
+      real(wp), intent(in) :: curvature(3)   !< of the hole axis, dt/ds with t down the hole [1/m]
+      real(wp), intent(in) :: clearance      !< > 0 [m]
+      real(wp) :: force
+      real(wp) :: share, weight, bend, root, low, high, middle, lowest, highest
+      integer :: i
+      share = 0.25_wp*clearance/ei
+      weight = norm2(across)
+      bend = norm2(curvature)
+      root = sqrt(bend**2 + 4.0_wp*share*weight)
+      highest = 0.5_wp*(bend + root)/share
+      force = highest
+      if (bend <= 0.0_wp .or. weight <= 0.0_wp) return
+      lowest = 2.0_wp*weight/(bend + root)
+      low = lowest
+      do i = 1, search_steps
+         high = lowest + (highest - lowest)*i/search_steps
+         if (excess(high) >= 0.0_wp) exit
+         low = high
+      end do
+      do i = 1, halvings
+         middle = 0.5_wp*(low + high)
+         if (excess(middle) >= 0.0_wp) then
+            high = middle
+         else
+            low = middle
+         end if
+      end do
+      force = high
+
+   contains
+
+      pure function excess(f) result(value)
+         real(wp), intent(in) :: f
+         real(wp) :: value
+         value = share*f**2 - norm2(across - f*curvature)
+      end function excess
+   end function curved_limit
+
+   !> Unit of force of a heavy vertical string [N], (EI w^2)^(1/3); 0 where its weight does not hang from above.
+   elemental function vertical_unit(ei, weight) result(force)
+      real(wp), intent(in) :: ei       !< bending stiffness [N.m2]
+      real(wp), intent(in) :: weight   !< along the hole, w cos(theta) [N/m]
+      real(wp) :: force
+      force = 0.0_wp
+      if (weight > 0.0_wp) force = (ei*weight**2)**(1.0_wp/3.0_wp)
+   end function vertical_unit
+
+   !> Helical limit [N] by one of the two factors: of the inclined hole or of the vertical one, the larger.
+   elemental function helical_limit(sinusoidal, vertical, factor) result(force)
+      real(wp), intent(in) :: sinusoidal  !< limit of curved_limit [N]
+      real(wp), intent(in) :: vertical    !< unit of vertical_unit [N]
+      real(wp), intent(in) :: factor      !< helical_low or helical_high
+      real(wp) :: force
+      force = max(factor*sinusoidal, vertical_helical*vertical)
+   end function helical_limit
+
+   !> What a string under `compression` [N] does by its limits [N]; a limit of 0 is none.
+   elemental function buckled_state(compression, sinusoidal, helical) result(state)
+      real(wp), intent(in) :: compression, sinusoidal, helical
+      integer :: state
+      state = buckling_none
+      if (.not. sinusoidal > 0.0_wp) return
+      if (compression > sinusoidal) state = buckling_sinusoidal
+      if (compression > helical) state = buckling_helical
+   end function buckled_state
+end module dg_buckling_limits

@@ -1,0 +1,248 @@
+!> What an engineer reads off of a string as a whole: stretch, wind-up, neutral points, and how far it is from its limits.
+module dg_whole_string
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type, mud_pressure
+   use dg_buckling_limits, only: buckling_none, buckling_sinusoidal
+   use dg_case_result, only: case_result_type
+   use dg_component, only: axial_stiffness, torsional_stiffness
+   use dg_drillstring, only: component_at, component_tops
+   use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type, string_index
+   use dg_soft_string_loads, only: soft_string_at
+   use dg_trajectory, only: top_md
+   implicit none
+   private
+   public :: whole_string_type, find_whole_string, neutral_points_of
+
+   type :: whole_string_type
+      real(wp) :: stretch = 0.0_wp                  !< of the effective axial force, longer > 0 [m]
+      real(wp) :: pressure_stretch = 0.0_wp         !< of the mud's pressure on all sides, <= 0 [m]
+      real(wp) :: windup = 0.0_wp                   !< turn of the top against the bit [rad]
+      real(wp), allocatable :: neutral_points(:)    !< depths where the effective axial force changes sign [m]
+      type(optional_real) :: least_safety           !< least safety factor [-]
+      type(optional_real) :: least_safety_md        !< where [m]
+      type(optional_real) :: least_envelope_margin  !< of the tension-torque envelope [-]
+      type(optional_real) :: overpull_margin        !< pull that may be added at the top before anything yields [N]
+      type(optional_real) :: buckling_margin        !< least, < 0 where the string is buckled [N]
+      type(optional_real) :: buckling_margin_md     !< where [m]
+      integer :: buckling = buckling_none           !< worst state along the string
+      real(wp) :: sinusoidal_length = 0.0_wp        !< of string beyond the sinusoidal, not the helical limit [m]
+      real(wp) :: helical_length = 0.0_wp           !< of string beyond the helical limit [m]
+      real(wp) :: side_force = 0.0_wp               !< largest [N/m]
+      real(wp) :: side_force_md = 0.0_wp            !< where [m]
+      type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
+      type(optional_real) :: wob_no_hookload        !< weight on bit that leaves no hook load [N]
+      type(optional_real) :: rig_limit              !< hook load that the rig may carry [N]
+      type(optional_real) :: rig_margin             !< rig_limit - hook load [N]
+      type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
+      type(optional_real) :: makeup_margin_md       !< where [m]
+   end type whole_string_type
+
+   !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is
+   !> no change of sign by round-off at a bit that carries nothing.
+   real(wp), parameter :: no_force = 1.0e-9_wp
+   !> Half the distance between what counts as above and below a row [m].
+   real(wp), parameter :: hair = 1.0e-6_wp
+   !> Halvings in the search of a weight on bit: to 1e-9 of the bracket.
+   integer, parameter :: halvings = 30
+   !> Doublings of a weight on bit until nothing hangs from the hook any more.
+   integer, parameter :: doublings = 40
+
+contains
+
+   !> All of it, from a result and its columns along the string.
+   !>
+   !> The two weights on bit are those of a soft string with the friction of this case, whatever the model of the
+   !> result: a search with beams would cost a hundred solutions. They leave out what a buckled string adds to the
+   !> contact force, so the second is no lock-up load but a bound of it. Absent for operations that pull.
+   pure subroutine find_whole_string(model, result, along, rig_limit, whole)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(optional_real), intent(in) :: rig_limit   !< [N]
+      type(whole_string_type), intent(out) :: whole
+      integer :: i
+      associate (profile => result%profile)
+         call add_deformation(model, result, whole)
+         allocate (whole%neutral_points, source=neutral_points_of(profile%md, profile%axial))
+         call least_of(along%safety_factor, profile%md, whole%least_safety, whole%least_safety_md)
+         call least_of(along%envelope_margin, profile%md, whole%least_envelope_margin)
+         call least_of(along%overpull, profile%md, whole%overpull_margin)
+         call least_of(along%buckling_margin, profile%md, whole%buckling_margin, whole%buckling_margin_md)
+         whole%buckling = maxval(along%buckling)
+         do i = 2, size(profile%md)
+            associate (length => profile%md(i) - profile%md(i - 1), state => maxval(along%buckling(i - 1:i)))
+               if (minval(along%buckling(i - 1:i)) == buckling_none) cycle
+               if (state == buckling_sinusoidal) whole%sinusoidal_length = whole%sinusoidal_length + length
+               if (state > buckling_sinusoidal) whole%helical_length = whole%helical_length + length
+            end associate
+         end do
+         i = maxloc(profile%side_force, dim=1)
+         whole%side_force = profile%side_force(i)
+         whole%side_force_md = profile%md(i)
+      end associate
+      call add_margins(model, result, rig_limit, whole)
+      call add_weights_on_bit(model, result, along, whole)
+   end subroutine find_whole_string
+
+   !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressure p on all sides,
+   !> -(1 - 2 nu) p/E (Hooke's law with axial, hoop and radial stress). Trapezoids between rows; no component
+   !> ends between two rows.
+   pure subroutine add_deformation(model, result, whole)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(whole_string_type), intent(inout) :: whole
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, length, pressure
+      integer :: i, string
+      string = string_index(model%strings, model%cases(result%case_index)%string)
+      bit = model%cases(result%case_index)%bit_depth
+      allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      associate (profile => result%profile)
+         do i = 2, size(profile%md)
+            length = profile%md(i) - profile%md(i - 1)
+            pressure = 0.5_wp*(mud_pressure(model, profile%tvd(i - 1)) + mud_pressure(model, profile%tvd(i)))
+            associate (part => model%strings(string)%components(component_at(tops, &
+                       bit - 0.5_wp*(profile%md(i - 1) + profile%md(i)))))
+               whole%stretch = whole%stretch + 0.5_wp*length*sum(profile%axial(i - 1:i))/axial_stiffness(part)
+               whole%windup = whole%windup + 0.5_wp*length*sum(profile%torque(i - 1:i))/torsional_stiffness(part)
+               whole%pressure_stretch = whole%pressure_stretch - length*(1.0_wp - 2.0_wp*part%poisson)*pressure/part%youngs
+            end associate
+         end do
+      end associate
+   end subroutine add_deformation
+
+   !> Depths [m] at which a force changes its sign, from the top down; between rows by a straight line.
+   pure function neutral_points_of(md, force) result(points)
+      real(wp), intent(in) :: md(:)      !< [m]
+      real(wp), intent(in) :: force(:)   !< [N]
+      real(wp), allocatable :: points(:)
+      real(wp) :: least
+      integer :: i, last
+      allocate (points(0))
+      least = no_force*maxval(abs(force))
+      last = 0
+      do i = 1, size(md)
+         if (abs(force(i)) <= least) cycle
+         if (last > 0) then
+            if ((force(i) > 0.0_wp) .neqv. (force(last) > 0.0_wp)) &
+               points = [points, md(last) + (md(i) - md(last))*force(last)/(force(last) - force(i))]
+         end if
+         last = i
+      end do
+   end function neutral_points_of
+
+   !> Least of numbers that may be missing, and its depth.
+   pure subroutine least_of(numbers, md, least, least_md)
+      real(wp), intent(in) :: numbers(:)
+      real(wp), intent(in) :: md(:)
+      type(optional_real), intent(out) :: least
+      type(optional_real), intent(out), optional :: least_md
+      integer :: i
+      if (all(is_missing(numbers))) return
+      i = minloc(numbers, mask=.not. is_missing(numbers), dim=1)
+      least = given(numbers(i))
+      if (present(least_md)) least_md = given(md(i))
+   end subroutine least_of
+
+   !> Hook load against the rig, torque against the make-up torque of the connections. A connection at a joint of two
+   !> components is the weaker one's.
+   pure subroutine add_margins(model, result, rig_limit, whole)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(optional_real), intent(in) :: rig_limit
+      type(whole_string_type), intent(inout) :: whole
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, distance, margin
+      integer :: i, side, string
+      whole%rig_limit = rig_limit
+      if (rig_limit%present) whole%rig_margin = given(rig_limit%value - result%hookload)
+      string = string_index(model%strings, model%cases(result%case_index)%string)
+      bit = model%cases(result%case_index)%bit_depth
+      allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      do i = 1, size(result%profile%md)
+         do side = -1, 1, 2
+            distance = max(bit - result%profile%md(i) + side*hair, 0.0_wp)
+            associate (part => model%strings(string)%components(component_at(tops, distance)))
+               if (.not. part%makeup_torque > 0.0_wp) cycle
+               margin = part%makeup_torque - abs(result%profile%torque(i))
+            end associate
+            if (whole%makeup_margin%present .and. margin >= whole%makeup_margin%value) cycle
+            whole%makeup_margin = given(margin)
+            whole%makeup_margin_md = given(result%profile%md(i))
+         end do
+      end do
+   end subroutine add_margins
+
+   !> Weights on bit at which the string begins to buckle, and at which nothing hangs from the hook: by halving, because
+   !> more weight on bit lowers the axial force everywhere.
+   pure subroutine add_weights_on_bit(model, result, along, whole)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(whole_string_type), intent(inout) :: whole
+      type(model_type), allocatable :: trial
+      real(wp) :: low, high, middle, margin
+      integer :: k, n, i
+      k = result%case_index
+      if (any(model%cases(k)%operation == [operation_trip_out, operation_backream])) return
+      n = size(result%profile%md)
+      allocate (trial, source=model)
+      associate (md => result%profile%md)
+         if (.not. is_missing(along%sinusoidal(n))) then
+            low = 0.0_wp
+            high = along%sinusoidal(n)   ! here the bit end itself buckles
+            call least_margin(trial, k, md, along%sinusoidal, 0.0_wp, margin)
+            if (margin < 0.0_wp) high = 0.0_wp
+            do i = 1, halvings
+               if (high <= 0.0_wp) exit
+               middle = 0.5_wp*(low + high)
+               call least_margin(trial, k, md, along%sinusoidal, middle, margin)
+               if (margin < 0.0_wp) then
+                  high = middle
+               else
+                  low = middle
+               end if
+            end do
+            whole%wob_buckling = given(high)
+         end if
+         low = 0.0_wp
+         high = abs(result%hookload) + abs(model%cases(k)%wob)
+         call least_margin(trial, k, md(:1), [0.0_wp], 0.0_wp, margin)
+         if (margin <= 0.0_wp) high = 0.0_wp
+         do i = 1, doublings
+            if (high <= 0.0_wp) exit
+            call least_margin(trial, k, md(:1), [0.0_wp], high, margin)
+            if (margin < 0.0_wp) exit
+            low = high
+            high = 2.0_wp*high
+         end do
+         do i = 1, halvings
+            if (high <= 0.0_wp) exit
+            middle = 0.5_wp*(low + high)
+            call least_margin(trial, k, md(:1), [0.0_wp], middle, margin)
+            if (margin < 0.0_wp) then
+               high = middle
+            else
+               low = middle
+            end if
+         end do
+         whole%wob_no_hookload = given(low)
+      end associate
+   end subroutine add_weights_on_bit
+
+   !> Least of axial force plus allowed compression over some depths, for a weight on bit.
+   pure subroutine least_margin(trial, case_index, md, allowed, wob, margin)
+      type(model_type), intent(inout) :: trial   !< its weight on bit is changed
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md(:)              !< [m]
+      real(wp), intent(in) :: allowed(:)         !< compression, may be missing [N]
+      real(wp), intent(in) :: wob                !< [N]
+      real(wp), intent(out) :: margin            !< [N]
+      real(wp) :: axial(size(md)), torque(size(md)), contact(3, size(md))
+      trial%cases(case_index)%wob = wob
+      call soft_string_at(trial, case_index, md, axial, torque, contact)
+      margin = minval(axial + max(allowed, 0.0_wp), mask=.not. is_missing(allowed))
+   end subroutine least_margin
+end module dg_whole_string

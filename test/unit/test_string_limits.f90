@@ -1,0 +1,298 @@
+!> What is read off along the string and off the whole string, from made-up profiles whose answers are simple.
+module dg_test_string_limits
+   use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_buckling_limits, only: buckling_none, buckling_sinusoidal, sinusoidal_limit, vertical_unit
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, torsional_stiffness, tube_area, &
+                           tube_inertia
+   use dg_constants, only: degree
+   use dg_error, only: error_type
+   use dg_hole_section, only: hole_section_type
+   use dg_job, only: model_mcge, model_soft
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_trip_out, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_profile, only: new_profile
+   use dg_soft_string, only: solve_soft_string
+   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_whole_string, only: find_whole_string, neutral_points_of, whole_string_type
+   implicit none
+   private
+   public :: string_limits_suite
+
+   real(wp), parameter :: rounding = 1.0e-12_wp
+   !> Weights on bit are found by halving to 1e-9 of the bracket.
+   real(wp), parameter :: halved = 1.0e-8_wp
+   real(wp), parameter :: depth = 1000.0_wp, mud = 1200.0_wp
+
+contains
+
+   function string_limits_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('string_limits')
+      call suite%addTest(TestMethod('pressure_and_true_force', test_pressure))
+      call suite%addTest(TestMethod('stress_and_safety', test_stress))
+      call suite%addTest(TestMethod('weaker_side_of_a_joint', test_joint))
+      call suite%addTest(TestMethod('fatigue_only_when_turning', test_fatigue))
+      call suite%addTest(TestMethod('limits_by_inclination', test_inclination))
+      call suite%addTest(TestMethod('weightless_has_no_limit', test_weightless))
+      call suite%addTest(TestMethod('stretch_and_windup', test_stretch))
+      call suite%addTest(TestMethod('neutral_points', test_neutral))
+      call suite%addTest(TestMethod('margins', test_margins))
+      call suite%addTest(TestMethod('weights_on_bit', test_weights))
+      call suite%addTest(TestMethod('no_weight_on_a_pulled_bit', test_pulled))
+   end function string_limits_suite
+
+   !> A straight hole of 200 mm, a collar of 50 m and pipe above it with yield; profile of three rows, nothing on it.
+   subroutine build(model, result, inclination, operation)
+      type(model_type), intent(out) :: model
+      type(case_result_type), intent(out) :: result
+      real(wp), intent(in) :: inclination       !< [deg]
+      integer, intent(in) :: operation
+      type(error_type), allocatable :: error
+      call new_trajectory(model%trajectory, [0.0_wp, depth], [inclination, inclination]*degree, [0.0_wp, 0.0_wp], &
+                          interpolation_minimum_curvature, error)
+      call assertFalse(allocated(error), message='trajectory')
+      allocate (model%holes(1), model%strings(1), model%cases(1))
+      model%holes(1) = hole_section_type('hole', 0.0_wp, depth, 0.2_wp, 0.0_wp, 0.0_wp)
+      model%strings(1)%name = 'main'
+      allocate (model%strings(1)%components(2))
+      model%strings(1)%components(1) = tube(50.0_wp, 0.16_wp, 0.07_wp, 700.0e6_wp)
+      model%strings(1)%components(2) = tube(0.0_wp, 0.127_wp, 0.1086_wp, 500.0e6_wp)
+      model%mud_density = mud
+      model%cases(1)%name = 'case'
+      model%cases(1)%section = ''
+      model%cases(1)%string = 'main'
+      model%cases(1)%bit_depth = depth
+      model%cases(1)%operation = operation
+      result%case_index = 1
+      result%model = model_mcge
+      result%status = result_converged
+      result%profile = new_profile(3)
+      result%profile%md = [0.0_wp, depth - 50.0_wp, depth]
+      result%profile%tvd = result%profile%md*cos(inclination*degree)
+      result%profile%inclination = inclination*degree
+   end subroutine build
+
+   function tube(length, od, id, yield) result(component)
+      real(wp), intent(in) :: length, od, id, yield
+      type(component_type) :: component
+      component%name = 'tube'
+      component%kind = 'drillpipe'
+      component%length = length
+      component%od = od
+      component%id = id
+      component%mass = component%density*tube_area(od, id)
+      component%yield = yield
+   end function tube
+
+   !> p = rho g z; at the bit, where the effective force is 0, the true one is -p A.
+   subroutine test_pressure()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp) :: pressure
+      call build(model, result, 60.0_wp, operation_trip_out)
+      call find_along_string(model, result, along)
+      pressure = mud*model%gravity*500.0_wp
+      call assertEqual(0.0_wp, along%pressure(1))
+      call assertRelativelyEqual(pressure, along%pressure(3), rounding)
+      call assertRelativelyEqual(-pressure*tube_area(0.16_wp, 0.07_wp), along%true_axial(3), rounding)
+      call assertRelativelyEqual(-pressure, along%hoop_stress(3), rounding)
+      call assertEqual(0.2_wp, along%hole_diameter(2), rounding)
+   end subroutine test_pressure
+
+   !> 300 MPa of tension in pipe of 500 MPa: safety 5/3, margin 0.4, overpull 200 MPa times the area.
+   subroutine test_stress()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp) :: area
+      call build(model, result, 60.0_wp, operation_trip_out)
+      area = tube_area(0.127_wp, 0.1086_wp)
+      result%profile%axial(1) = 300.0e6_wp*area
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(300.0e6_wp, along%von_mises(1), rounding)
+      call assertRelativelyEqual(5.0_wp/3.0_wp, along%safety_factor(1), rounding)
+      call assertRelativelyEqual(0.4_wp, along%envelope_margin(1), rounding)
+      call assertRelativelyEqual(200.0e6_wp*area, along%overpull(1), rounding)
+      model%strings(1)%components%yield = 0.0_wp
+      call find_along_string(model, result, along)
+      call assertTrue(all(is_missing(along%safety_factor)), message='no yield, no factor')
+      call assertTrue(all(is_missing(along%envelope_margin)) .and. all(is_missing(along%overpull)))
+   end subroutine test_stress
+
+   !> At a joint of collar and pipe a beam's moment stresses the pipe more; a soft string's is the collar's on the collar.
+   subroutine test_joint()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp), parameter :: moment = 8.0e3_wp
+      call build(model, result, 60.0_wp, operation_trip_out)
+      result%profile%bending(2) = moment
+      call find_along_string(model, result, along)
+      call assertEqual(0.127_wp, along%od(2), rounding)
+      call assertRelativelyEqual(moment*0.0635_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
+      ! The row belongs to the pipe above; one curvature asks for more stress in the thicker collar, E r k.
+      result%model = model_soft
+      model%strings(1)%components%yield = 500.0e6_wp
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(moment*0.08_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
+      call assertEqual(0.16_wp, along%od(2), rounding)
+   end subroutine test_joint
+
+   subroutine test_fatigue()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      call build(model, result, 60.0_wp, operation_rotary_drilling)
+      result%profile%bending = 5.0e3_wp
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(2.0_wp*along%bending_stress(1), along%bending_range(1), rounding)
+      call assertTrue(along%bending_range(1) > 0.0_wp)
+      model%cases(1)%operation = operation_sliding_drilling
+      call find_along_string(model, result, along)
+      call assertEqual(0.0_wp, along%bending_range(1))
+   end subroutine test_fatigue
+
+   !> Inclined: Dawson-Paslay. Vertical: Lubinski, so that 5 kN in drill pipe raise no alarm. Beyond either: buckled.
+   subroutine test_inclination()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp) :: weight, limit
+      call build(model, result, 60.0_wp, operation_sliding_drilling)
+      associate (pipe => model%strings(1)%components(2))
+         weight = buoyed_weight(pipe, mud, model%gravity)
+         limit = sinusoidal_limit(bending_stiffness(pipe), weight*sin(60.0_wp*degree), 0.5_wp*(0.2_wp - 0.127_wp))
+         result%profile%axial(1) = -limit - 100.0_wp
+         call find_along_string(model, result, along)
+         call assertRelativelyEqual(limit, along%sinusoidal(1), rounding)
+         call assertRelativelyEqual(sqrt(2.0_wp)*limit, along%helical(1), rounding)
+         call assertEqual(-100.0_wp, along%buckling_margin(1), rounding*limit)
+         call assertEqual([buckling_sinusoidal, buckling_none, buckling_none], along%buckling)
+         call build(model, result, 0.0_wp, operation_sliding_drilling)
+         result%profile%axial = -5.0e3_wp
+         call find_along_string(model, result, along)
+         call assertRelativelyEqual(1.94_wp*vertical_unit(bending_stiffness(pipe), weight), along%sinusoidal(1), rounding)
+         call assertTrue(all(along%buckling == buckling_none), message='no false alarm')
+      end associate
+   end subroutine test_inclination
+
+   subroutine test_weightless()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      call build(model, result, 60.0_wp, operation_sliding_drilling)
+      model%strings(1)%components%mass = 0.0_wp
+      model%mud_density = 0.0_wp
+      result%profile%axial = -1.0e5_wp
+      call find_along_string(model, result, along)
+      call assertTrue(all(is_missing(along%sinusoidal)))
+      call assertTrue(all(along%buckling == buckling_none))
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertFalse(whole%wob_buckling%present .or. whole%buckling_margin%present)
+      call assertEqual(0.0_wp, whole%wob_no_hookload%value, message='nothing to set down')
+   end subroutine test_weightless
+
+   !> A constant force and torque: T L/(EA) and M L/(GJ) of each part; pressure -(1 - 2 nu) p/E of its mean.
+   subroutine test_stretch()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: mean
+      call build(model, result, 60.0_wp, operation_rotary_drilling)
+      result%profile%axial = 1.0e5_wp
+      result%profile%torque = 1.0e4_wp
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      associate (parts => model%strings(1)%components)
+         call assertRelativelyEqual(1.0e5_wp*(50.0_wp/axial_stiffness(parts(1)) + 950.0_wp/axial_stiffness(parts(2))), &
+                                    whole%stretch, rounding)
+         call assertRelativelyEqual(1.0e4_wp*(50.0_wp/torsional_stiffness(parts(1)) + 950.0_wp/torsional_stiffness(parts(2))), &
+                                    whole%windup, rounding)
+         mean = 0.5_wp*mud*model%gravity*500.0_wp
+         call assertRelativelyEqual(-0.4_wp*mean*depth/206.0e9_wp, whole%pressure_stretch, rounding)
+      end associate
+   end subroutine test_stretch
+
+   !> Between rows by a straight line; a row of exactly zero is one point; round-off at the bit is none.
+   subroutine test_neutral()
+      real(wp), allocatable :: points(:)
+      allocate (points, source=neutral_points_of([0.0_wp, 10.0_wp, 20.0_wp], [300.0_wp, -100.0_wp, -200.0_wp]))
+      call assertEqual(1, size(points))
+      call assertEqual(7.5_wp, points(1), rounding)
+      deallocate (points)
+      allocate (points, source=neutral_points_of([0.0_wp, 10.0_wp, 20.0_wp, 30.0_wp], [100.0_wp, 0.0_wp, -100.0_wp, 50.0_wp]))
+      call assertEqual(2, size(points))
+      call assertEqual(10.0_wp, points(1), rounding)
+      deallocate (points)
+      allocate (points, source=neutral_points_of([0.0_wp, 10.0_wp], [1.0e5_wp, -1.0e-8_wp]))
+      call assertEqual(0, size(points))
+   end subroutine test_neutral
+
+   !> Rig: limit less hook load. Make-up: the weaker of the two connections at a joint.
+   subroutine test_margins()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      call build(model, result, 60.0_wp, operation_rotary_drilling)
+      model%strings(1)%components%makeup_torque = [20.0e3_wp, 30.0e3_wp]
+      result%hookload = 700.0e3_wp
+      result%profile%torque = [18.0e3_wp, 12.0e3_wp, 1.0e3_wp]
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, given(1500.0e3_wp), whole)
+      call assertRelativelyEqual(800.0e3_wp, whole%rig_margin%value, rounding)
+      call assertRelativelyEqual(8.0e3_wp, whole%makeup_margin%value, rounding)
+      call assertRelativelyEqual(depth - 50.0_wp, whole%makeup_margin_md%value, rounding)
+      model%strings(1)%components%makeup_torque = 0.0_wp
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertFalse(whole%makeup_margin%present .or. whole%rig_margin%present)
+   end subroutine test_margins
+
+   !> Straight hole at 60 deg, no friction: compression is largest just above the bit, and just above the collar. Buckling
+   !> begins at the lesser of the collar's limit and the pipe's plus the collar's weight along the hole; the hook load
+   !> is the weight along the hole less the weight on bit.
+   subroutine test_weights()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(error_type), allocatable :: error
+      real(wp) :: along_hole(2), limit(2)
+      integer :: i
+      call build(model, result, 60.0_wp, operation_sliding_drilling)
+      model%cases(1)%wob = 10.0e3_wp
+      call solve_soft_string(model, 1, result, error)
+      call assertFalse(allocated(error))
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      do i = 1, 2
+         associate (part => model%strings(1)%components(i))
+            along_hole(i) = buoyed_weight(part, mud, model%gravity)*merge(50.0_wp, 950.0_wp, i == 1)*0.5_wp
+            limit(i) = sinusoidal_limit(bending_stiffness(part), &
+                                        buoyed_weight(part, mud, model%gravity)*sin(60.0_wp*degree), 0.5_wp*(0.2_wp - part%od))
+         end associate
+      end do
+      call assertRelativelyEqual(min(limit(1), limit(2) + along_hole(1)), whole%wob_buckling%value, halved)
+      call assertRelativelyEqual(sum(along_hole), whole%wob_no_hookload%value, halved)
+      call assertEqual(1, size(whole%neutral_points))
+      call assertRelativelyEqual(depth - 10.0e3_wp/along_hole(1)*50.0_wp, whole%neutral_points(1), 1.0e-9_wp)
+   end subroutine test_weights
+
+   subroutine test_pulled()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      call build(model, result, 60.0_wp, operation_trip_out)
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertFalse(whole%wob_buckling%present .or. whole%wob_no_hookload%present)
+   end subroutine test_pulled
+end module dg_test_string_limits
