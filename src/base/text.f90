@@ -4,7 +4,7 @@ module dg_text
    use dg_kinds, only: wp
    implicit none
    private
-   public :: text_type, append_text, joined
+   public :: text_type, append_text, joined, text_or_nothing
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text
 
    !> A text of its own length, for lists of texts.
@@ -51,6 +51,14 @@ contains
          text = text//trim(list(i))
       end do
    end function joined
+
+   !> A text that may be unallocated: then ''.
+   pure function text_or_nothing(text) result(found)
+      character(:), allocatable, intent(in) :: text
+      character(:), allocatable :: found
+      found = ''
+      if (allocated(text)) found = text
+   end function text_or_nothing
 
    !> ASCII capitals to small letters; other bytes stay as they are.
    pure function lower_case(text) result(lower)

@@ -40,7 +40,7 @@ module dg_deck_keys
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
 
-   type(key_rule_type), parameter :: job_keys(9) = [ &
+   type(key_rule_type), parameter :: job_keys(10) = [ &
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
@@ -49,8 +49,10 @@ module dg_deck_keys
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
       key_rule_type('job', 'hdf5', kind_logical, default='.true.', meaning='write results.h5'), &
-      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='write plots'), &
+      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='write files for ParaView'), &
       key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
+      key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='hook load that the rig may carry; default: not known'), &
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
@@ -86,7 +88,7 @@ module dg_deck_keys
    type(key_rule_type), parameter :: fluid_keys(1) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the mud')]
 
-   type(key_rule_type), parameter :: component_keys(15) = [ &
+   type(key_rule_type), parameter :: component_keys(16) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -111,7 +113,9 @@ module dg_deck_keys
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
          meaning='distance between tool joints'), &
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
-         meaning='yield strength; 0: not given')]
+         meaning='yield strength; 0: not given'), &
+      key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='make-up torque of its connections; 0: not given')]
 
    type(key_rule_type), parameter :: boundary_keys(2) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &

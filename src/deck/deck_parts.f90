@@ -71,6 +71,7 @@ contains
          part%joint_length = real_of(group, 'joint_length', part%joint_length)
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
          part%yield = real_of(group, 'yield', part%yield)
+         part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
             call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))

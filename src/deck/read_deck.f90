@@ -18,6 +18,7 @@ module dg_read_deck
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: read_lines
    use dg_job, only: job_type, model_count, model_name
+   use dg_load_case, only: given
    use dg_model, only: model_type
    use dg_text, only: text_type, append_text, lower_case, quoted, suggestion, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
@@ -64,6 +65,7 @@ contains
          end if
       end do
       call take_job(path, draft%units, checked, job, notes)
+      job%deck_text = text_of_lines(lines)
       call take_draft(checked, draft, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)
@@ -167,10 +169,10 @@ contains
          job%output_dir = text_of(groups(i), 'output_dir', job%output_dir)
          if (job%output_dir == '') job%output_dir = default_folder(path)
          job%profiles = logical_of(groups(i), 'profiles', .true.)
-         if (is_given(groups(i), 'hdf5') .and. logical_of(groups(i), 'hdf5', .false.)) &
-            call append_text(notes, 'hdf5 = .true.: this version writes no results.h5')
-         if (is_given(groups(i), 'plots') .and. logical_of(groups(i), 'plots', .false.)) &
-            call append_text(notes, 'plots = .true.: this version writes no plots')
+         job%hdf5 = logical_of(groups(i), 'hdf5', .true.)
+         job%plots = logical_of(groups(i), 'plots', .true.)
+         if (is_given(groups(i), 'rig_limit') .and. is_sound(groups(i), 'rig_limit')) &
+            job%rig_limit = given(real_of(groups(i), 'rig_limit', 0.0_wp))
          if (real_of(groups(i), 'threads', 0.0_wp) > 1.0_wp) &
             call append_text(notes, 'threads: this version solves one case at a time')
          if (.not. is_sound(groups(i), 'models')) return
@@ -186,6 +188,23 @@ contains
          return
       end do
    end subroutine take_job
+
+   !> The lines of a file in one text, in linear time.
+   pure function text_of_lines(lines) result(text)
+      type(text_type), intent(in) :: lines(:)
+      character(:), allocatable :: text
+      integer :: i, length
+      length = 0
+      do i = 1, size(lines)
+         length = length + len(lines(i)%text) + 1
+      end do
+      allocate (character(length) :: text)
+      length = 0
+      do i = 1, size(lines)
+         text(length + 1:length + len(lines(i)%text) + 1) = lines(i)%text//new_line('a')
+         length = length + len(lines(i)%text) + 1
+      end do
+   end function text_of_lines
 
    !> output/<name of the deck without .nml>.
    pure function default_folder(path) result(folder)

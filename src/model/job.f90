@@ -1,6 +1,7 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
    use dg_legacy_table, only: legacy_table_type
+   use dg_load_case, only: optional_real
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -21,7 +22,11 @@ module dg_job
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
-      logical :: profiles = .true.
+      type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
+      character(:), allocatable :: deck_text   !< the deck itself, for the record
+      logical :: profiles = .true.             !< write profiles along the string
+      logical :: hdf5 = .true.                 !< write results.h5
+      logical :: plots = .true.                !< write files to look at
       logical :: quiet = .false.
    end type job_type
 end module dg_job

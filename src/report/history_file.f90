@@ -1,15 +1,28 @@
 !> history_<case>_<model>.csv: the course of the iteration, one row an iteration.
 module dg_history_file
    use dg_case_result, only: case_result_type, iteration_type
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_moment, &
+                        quantity_none, quantity_width
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type
-   use dg_number_text, only: csv_number
    use dg_text, only: text_type
-   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: write_history, history_header, history_row
+   public :: write_history, history_columns, history_fields
+
+   type(column_type), parameter :: history_columns(10) = [ &
+      column_type('increment', quantity_none, 'load step'), &
+      column_type('iteration', quantity_none, 'counted through all load steps and stages of the wall'), &
+      column_type('residual', quantity_force, 'largest nodal force out of balance'), &
+      column_type('residual', quantity_moment, 'largest nodal moment out of balance'), &
+      column_type('lateral_step', quantity_width, 'largest lateral change asked for by the step that led here'), &
+      column_type('viscosity', quantity_none, 'viscous stiffness that held the string back in that step, in units of '// &
+         'F^2/(4 EI)'), &
+      column_type('contacts', quantity_none, 'gaps that touch'), &
+      column_type('flips', quantity_none, 'gaps that changed state after that step'), &
+      column_type('moves', quantity_none, 'gaps that moved to another x0 after that step'), &
+      column_type('hookload', quantity_force, 'hook load at this iteration')]
 
 contains
 
@@ -20,35 +33,32 @@ contains
       type(case_result_type), intent(in) :: result
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
+      type(field_list_type) :: row
       integer :: i, n
       n = 0
       if (allocated(result%history)) n = size(result%history)
       allocate (lines(0:n))
-      lines(0)%text = history_header(job%units)
+      lines(0)%text = csv_header(history_columns, job%units)
       do i = 1, n
-         lines(i)%text = history_row(job%units, result%history(i))
+         call history_fields(result%history(i), row)
+         lines(i)%text = csv_row(history_columns, job%units, row%fields)
       end do
       call write_text_file(path, lines, error)
    end subroutine write_history
 
-   pure function history_header(units) result(header)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: header
-      character(:), allocatable :: force, moment
-      force = trim(units%force_label)
-      moment = trim(units%moment_label)
-      header = 'increment,iteration,residual_'//force//',residual_'//moment//',lateral_step_'//trim(units%diameter_label)// &
-         ',viscosity,contacts,flips,moves,hookload_'//force
-   end function history_header
-
-   pure function history_row(units, step) result(row)
-      type(unit_system_type), intent(in) :: units
+   !> Values of one iteration in the order of the columns.
+   pure subroutine history_fields(step, row)
       type(iteration_type), intent(in) :: step
-      character(:), allocatable :: row
-      row = csv_number(step%increment)//','//csv_number(step%iteration)//','// &
-         csv_number(step%residual_force/units%force)//','//csv_number(step%residual_moment/units%moment)//','// &
-         csv_number(step%lateral_step/units%diameter)//','//csv_number(step%viscosity)//','// &
-         csv_number(step%contacts)//','//csv_number(step%flips)//','//csv_number(step%moves)//','// &
-         csv_number(step%hookload/units%force)
-   end function history_row
+      type(field_list_type), intent(out) :: row
+      call put(row, step%increment)
+      call put(row, step%iteration)
+      call put(row, step%residual_force)
+      call put(row, step%residual_moment)
+      call put(row, step%lateral_step)
+      call put(row, step%viscosity)
+      call put(row, step%contacts)
+      call put(row, step%flips)
+      call put(row, step%moves)
+      call put(row, step%hookload)
+   end subroutine history_fields
 end module dg_history_file

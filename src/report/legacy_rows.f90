@@ -1,5 +1,7 @@
 !> legacy_<label>.csv: another program's results beside ours, one row a model and depth.
 module dg_legacy_rows
+   use dg_column, only: column_type, csv_header, quantity_force, quantity_length, quantity_line_load, quantity_moment, &
+                        quantity_text
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_hole_interval, only: interval_at, interval_name
@@ -12,22 +14,25 @@ module dg_legacy_rows
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_legacy_rows, legacy_header, write_legacy_file
+   public :: append_legacy_rows, legacy_columns, write_legacy_file
+
+   type(column_type), parameter :: legacy_columns(13) = [ &
+      column_type('case', quantity_text, 'name of the load case'), &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('md', quantity_length, 'measured depth, of the other program''s row'), &
+      column_type('hole', quantity_text, 'kind of hole there: vertical (to 1 deg), build, hold, drop, turn (0.25 deg/30 m '// &
+         'and less is held)'), &
+      column_type('axial', quantity_force, 'our axial force, between the depths of our profile'), &
+      column_type('legacy_axial', quantity_force, 'the other program''s'), &
+      column_type('axial_difference', quantity_force, ''), &
+      column_type('torque', quantity_moment, 'our torque'), &
+      column_type('legacy_torque', quantity_moment, 'the other program''s'), &
+      column_type('torque_difference', quantity_moment, ''), &
+      column_type('side_force', quantity_line_load, 'our normal contact force per length'), &
+      column_type('legacy_side_force', quantity_line_load, 'the other program''s'), &
+      column_type('side_force_difference', quantity_line_load, '')]
 
 contains
-
-   pure function legacy_header(units) result(header)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: header
-      character(:), allocatable :: length, force, moment, side
-      length = '_'//trim(units%length_label)
-      force = '_'//trim(units%force_label)
-      moment = '_'//trim(units%moment_label)
-      side = '_'//trim(units%force_per_length_label)
-      header = 'case,model,md'//length//',hole,axial'//force//',legacy_axial'//force//',axial_difference'//force// &
-         ',torque'//moment//',legacy_torque'//moment//',torque_difference'//moment//',side_force'//side// &
-         ',legacy_side_force'//side//',side_force_difference'//side
-   end function legacy_header
 
    !> Appends the rows of one model; fields of a quantity that the table has not are empty but for ours.
    subroutine append_legacy_rows(lines, units, case_name, model, comparison)
@@ -65,7 +70,7 @@ contains
       type(text_type), allocatable :: lines(:)
       integer :: i
       allocate (lines(0:size(rows)))
-      lines(0)%text = legacy_header(job%units)
+      lines(0)%text = csv_header(legacy_columns, job%units)
       do i = 1, size(rows)
          lines(i)%text = rows(i)%text
       end do

@@ -5,7 +5,7 @@ module dg_number_text
    implicit none
    private
    public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
-   public :: csv_number, csv_optional, csv_text
+   public :: csv_number, csv_text
 
    !> A cell of a table, '-' where there is no value.
    interface fixed_cell
@@ -117,15 +117,6 @@ contains
       write (buffer, '(i0)') value
       field = trim(buffer)
    end function csv_integer
-
-   !> A number in SI units over the SI value of one unit, empty where it is absent.
-   pure function csv_optional(number, unit) result(field)
-      type(optional_real), intent(in) :: number
-      real(wp), intent(in) :: unit
-      character(:), allocatable :: field
-      field = ''
-      if (number%present) field = csv_real(number%value/unit)
-   end function csv_optional
 
    !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180).
    pure function csv_text(text) result(field)

@@ -1,60 +1,56 @@
 !> profile_<case>_<model>.csv: results along the string, surface to bit.
 module dg_profile_file
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
+   use dg_column, only: csv_header, csv_value, quantity_text, unit_size
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type
-   use dg_number_text, only: csv_number
-   use dg_profile, only: profile_type, state_name
+   use dg_profile_columns, only: code_names, profile_codes, profile_columns, profile_values
    use dg_text, only: text_type
-   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: write_profile, profile_header, profile_row
+   public :: write_profile
 
 contains
 
-   !> Writes the profile of `result` to `path`. Columns are added at the end only: others rely on the names.
-   subroutine write_profile(path, job, result, error)
+   !> Writes the profile of `result` to `path`.
+   subroutine write_profile(path, job, result, along, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
-      integer :: i, n
+      real(wp), allocatable :: values(:, :)
+      integer, allocatable :: codes(:, :)
+      character(10) :: names(0:2)
+      character(:), allocatable :: row
+      integer :: i, j, n
       n = 0
       if (allocated(result%profile%md)) n = size(result%profile%md)
-      allocate (lines(0:n))
-      lines(0)%text = profile_header(job%units)
+      allocate (lines(0:n), values(n, size(profile_columns)), codes(n, size(profile_columns)))
+      lines(0)%text = csv_header(profile_columns, job%units)
+      if (n > 0) then
+         do j = 1, size(profile_columns)
+            call profile_values(trim(profile_columns(j)%name), result%profile, along, values(:, j))
+            call profile_codes(trim(profile_columns(j)%name), result%profile, along, codes(:, j))
+         end do
+      end if
       do i = 1, n
-         lines(i)%text = profile_row(job%units, result%profile, i)
+         row = ''
+         do j = 1, size(profile_columns)
+            if (j > 1) row = row//','
+            if (profile_columns(j)%quantity == quantity_text) then
+               names = code_names(trim(profile_columns(j)%name))
+               row = row//trim(names(codes(i, j)))
+            else
+               row = row//csv_value(values(i, j), unit_size(profile_columns(j)%quantity, job%units))
+            end if
+         end do
+         lines(i)%text = row
       end do
       call write_text_file(path, lines, error)
    end subroutine write_profile
-
-   pure function profile_header(units) result(header)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: header
-      character(:), allocatable :: length, force, moment
-      length = '_'//trim(units%length_label)
-      force = '_'//trim(units%force_label)
-      moment = '_'//trim(units%moment_label)
-      header = 'md'//length//',tvd'//length//',north'//length//',east'//length//',inclination_deg,azimuth_deg,axial'// &
-         force//',torque'//moment//',side_force_'//trim(units%force_per_length_label)//',bending'//moment// &
-         ',displacement_'//trim(units%diameter_label)//',clock_deg,gap_state'
-   end function profile_header
-
-   pure function profile_row(units, profile, i) result(row)
-      type(unit_system_type), intent(in) :: units
-      type(profile_type), intent(in) :: profile
-      integer, intent(in) :: i
-      character(:), allocatable :: row
-      row = csv_number(profile%md(i)/units%length)//','//csv_number(profile%tvd(i)/units%length)//','// &
-         csv_number(profile%north(i)/units%length)//','//csv_number(profile%east(i)/units%length)//','// &
-         csv_number(profile%inclination(i)/units%angle)//','//csv_number(profile%azimuth(i)/units%angle)//','// &
-         csv_number(profile%axial(i)/units%force)//','//csv_number(profile%torque(i)/units%moment)//','// &
-         csv_number(profile%side_force(i)/units%force_per_length)//','//csv_number(profile%bending(i)/units%moment)//','// &
-         csv_number(profile%displacement(i)/units%diameter)//','//csv_number(profile%clock(i)/units%angle)//','// &
-         trim(state_name(profile%gap_state(i)))
-   end function profile_row
 end module dg_profile_file

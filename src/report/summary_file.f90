@@ -1,26 +1,58 @@
 !> summary.csv: one row a case and model.
 module dg_summary_file
-   use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_status_name
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_angle, quantity_force, &
+                        quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
    use dg_comparison, only: percent_error
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name
    use dg_model, only: model_type
-   use dg_number_text, only: csv_number, csv_optional, csv_text
-   use dg_text, only: text_type
+   use dg_text, only: text_or_nothing, text_type
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: write_summary, summary_header, summary_row
+   public :: write_summary, summary_row, summary_columns, summary_fields
 
-   real(wp), parameter :: one = 1.0_wp !< unit of numbers that carry none (per cent)
+   !> New ones are added at the end only: others rely on the names and the order.
+   type(column_type), parameter :: summary_columns(29) = [ &
+      column_type('case', quantity_text, 'name of the load case'), &
+      column_type('section', quantity_text, 'its label'), &
+      column_type('model', quantity_text, 'mcge (beams with contact gap elements), soft (soft string), '// &
+         'rigid (stiff string on the hole axis) or mixed (stiff in places)'), &
+      column_type('operation', quantity_text, 'long name of the operation'), &
+      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
+      column_type('inclination', quantity_angle, 'of the hole at the bit'), &
+      column_type('wob', quantity_force, 'weight on bit, as in the deck'), &
+      column_type('hookload', quantity_force, 'axial force held at the top'), &
+      column_type('measured', quantity_force, 'measured hook load, as in the deck'), &
+      column_type('error', quantity_percent, '100 |hookload - measured| / measured'), &
+      column_type('reference', quantity_force, 'hook load of another calculation, as in the deck'), &
+      column_type('reference_error', quantity_percent, '100 |hookload - reference| / reference'), &
+      column_type('friction', quantity_force, 'frictional resistance: buoyed weight along the hole - wob - hookload; '// &
+         'negative going up, positive going down'), &
+      column_type('torque', quantity_moment, 'torque at the top, bit torque included: the force moment of Table 1'), &
+      column_type('normal_force', quantity_force, 'sum of the contact forces over the string'), &
+      column_type('status', quantity_text, 'converged, not_converged or locked_up: only the first is a solution'), &
+      column_type('iterations', quantity_none, 'Newton iterations on the final mesh, all stages and attempts '// &
+         'together; 0 for the other models'), &
+      column_type('elements', quantity_none, 'beam elements, or steps of integration of the others'), &
+      column_type('seconds', quantity_time, 'wall time of this case''s solution alone'), &
+      column_type('measured_torque', quantity_moment, 'measured torque, as in the deck'), &
+      column_type('torque_error', quantity_percent, '100 |torque - measured| / measured'), &
+      column_type('gaps_free', quantity_none, 'gap elements (other models: points of the profile) that do not touch'), &
+      column_type('gaps_elastic', quantity_none, 'in elastic contact'), &
+      column_type('gaps_rigid', quantity_none, 'in rigid contact'), &
+      column_type('flips', quantity_none, 'changes of state during the iteration'), &
+      column_type('moves', quantity_none, 'changes of place x0 during the iteration'), &
+      column_type('equilibrium', quantity_force, 'what is left of the sum of all forces on the string, supports included'), &
+      column_type('equilibrium', quantity_moment, 'the same of all moments about the top'), &
+      column_type('message', quantity_text, 'reason and remedy where not converged, else warnings')]
 
 contains
 
-   !> Writes summary.csv to `path`, in the order of `results`. Columns are added at the end only: others
-   !> rely on the names.
+   !> Writes summary.csv to `path`, in the order of `results`.
    subroutine write_summary(path, job, model, results, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
@@ -29,58 +61,57 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(text_type) :: lines(0:size(results))
       integer :: i
-      lines(0)%text = summary_header(job%units)
+      lines(0)%text = csv_header(summary_columns, job%units)
       do i = 1, size(results)
          lines(i)%text = summary_row(job%units, model%cases(results(i)%case_index), results(i))
       end do
       call write_text_file(path, lines, error)
    end subroutine write_summary
 
-   pure function summary_header(units) result(header)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: header
-      character(:), allocatable :: length, force, moment
-      length = '_'//trim(units%length_label)
-      force = '_'//trim(units%force_label)
-      moment = '_'//trim(units%moment_label)
-      header = 'case,section,model,operation,bit_depth'//length//',inclination_deg,wob'//force//',hookload'//force// &
-         ',measured'//force//',error_pct,reference'//force//',reference_error_pct,friction'//force// &
-         ',torque'//moment//',normal_force'//force//',status,iterations,elements,seconds'// &
-         ',measured_torque'//moment//',torque_error_pct,gaps_free,gaps_elastic,gaps_rigid,flips,moves'// &
-         ',equilibrium'//force//',equilibrium'//moment//',message'
-   end function summary_header
-
-   pure function summary_row(units, load_case, result) result(row)
+   pure function summary_row(units, load_case, result) result(line)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
-      character(:), allocatable :: row
-      integer :: state
-      row = csv_text(load_case%name)//','//csv_text(text_or_nothing(load_case%section))//','// &
-         trim(model_name(result%model))//','//trim(operation_name(load_case%operation))//','// &
-         csv_number(load_case%bit_depth/units%length)//','//csv_number(result%inclination/units%angle)//','// &
-         csv_number(load_case%wob/units%force)//','//csv_number(result%hookload/units%force)//','// &
-         csv_optional(load_case%measured_hookload, units%force)//','// &
-         csv_optional(percent_error(result%hookload, load_case%measured_hookload), one)//','// &
-         csv_optional(load_case%reference_hookload, units%force)//','// &
-         csv_optional(percent_error(result%hookload, load_case%reference_hookload), one)//','// &
-         csv_number(result%friction/units%force)//','//csv_number(result%torque/units%moment)//','// &
-         csv_number(result%normal_force/units%force)//','//trim(result_status_name(result%status))//','// &
-         csv_number(result%iterations)//','//csv_number(result%elements)//','//csv_number(result%seconds)
-      row = row//','//csv_optional(load_case%measured_torque, units%moment)//','// &
-         csv_optional(percent_error(result%torque, load_case%measured_torque), one)
-      do state = lbound(result%states, 1), ubound(result%states, 1)
-         row = row//','//csv_number(result%states(state))
-      end do
-      row = row//','//csv_number(result%flips)//','//csv_number(result%moves)//','// &
-         csv_number(result%equilibrium_force/units%force)//','//csv_number(result%equilibrium_moment/units%moment)//','// &
-         csv_text(text_or_nothing(result%message))
+      character(:), allocatable :: line
+      type(field_list_type) :: row
+      call summary_fields(load_case, result, row)
+      line = csv_row(summary_columns, units, row%fields)
    end function summary_row
 
-   pure function text_or_nothing(text) result(found)
-      character(:), allocatable, intent(in) :: text
-      character(:), allocatable :: found
-      found = ''
-      if (allocated(text)) found = text
-   end function text_or_nothing
+   !> Values of a result in the order of the columns.
+   pure subroutine summary_fields(load_case, result, row)
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      type(field_list_type), intent(out) :: row
+      integer :: state
+      call put(row, load_case%name)
+      call put(row, text_or_nothing(load_case%section))
+      call put(row, trim(model_name(result%model)))
+      call put(row, trim(operation_name(load_case%operation)))
+      call put(row, load_case%bit_depth)
+      call put(row, result%inclination)
+      call put(row, load_case%wob)
+      call put(row, result%hookload)
+      call put(row, load_case%measured_hookload)
+      call put(row, percent_error(result%hookload, load_case%measured_hookload))
+      call put(row, load_case%reference_hookload)
+      call put(row, percent_error(result%hookload, load_case%reference_hookload))
+      call put(row, result%friction)
+      call put(row, result%torque)
+      call put(row, result%normal_force)
+      call put(row, trim(result_status_name(result%status)))
+      call put(row, result%iterations)
+      call put(row, result%elements)
+      call put(row, result%seconds)
+      call put(row, load_case%measured_torque)
+      call put(row, percent_error(result%torque, load_case%measured_torque))
+      do state = lbound(result%states, 1), ubound(result%states, 1)
+         call put(row, result%states(state))
+      end do
+      call put(row, result%flips)
+      call put(row, result%moves)
+      call put(row, result%equilibrium_force)
+      call put(row, result%equilibrium_moment)
+      call put(row, text_or_nothing(result%message))
+   end subroutine summary_fields
 end module dg_summary_file

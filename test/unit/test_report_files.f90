@@ -5,8 +5,10 @@ module dg_test_report_files
    use dg_history_file, only: write_history
    use dg_job, only: job_type
    use dg_model, only: model_type
+   use dg_along_string, only: new_along_string
+   use dg_column, only: csv_header
    use dg_profile_file, only: write_profile
-   use dg_summary_file, only: summary_header, summary_row, write_summary
+   use dg_summary_file, only: summary_columns, summary_row, write_summary
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
    use dg_case_result, only: case_result_type
@@ -15,7 +17,7 @@ module dg_test_report_files
    private
    public :: report_files_suite
 
-   integer, parameter :: line_length = 600
+   integer, parameter :: line_length = 1000
    !> Scratch file, below fpm's own folder.
    character(*), parameter :: path = 'build/test_report_files.txt'
 
@@ -117,7 +119,7 @@ contains
 
    subroutine test_summary_in_field_units()
       character(:), allocatable :: header
-      header = summary_header(field_units())
+      header = csv_header(summary_columns, field_units())
       call assertTrue(index(header, ',bit_depth_ft,inclination_deg,wob_klbf,hookload_klbf,') > 0, message=header)
       call assertTrue(index(header, ',torque_kftlbf,') > 0, message=header)
    end subroutine test_summary_in_field_units
@@ -127,15 +129,18 @@ contains
       type(text_type), allocatable :: found(:)
       type(case_result_type), allocatable :: results(:)
       allocate (results, source=sample_results())
-      call write_profile(path, sample_job(), results(1), error)
+      call write_profile(path, sample_job(), results(1), new_along_string(2), error)
       call assertFalse(allocated(error))
       call read_lines(path, found)
       call assertEqual(3, size(found))
-      call assertEqual('md_m,tvd_m,north_m,east_m,inclination_deg,azimuth_deg,axial_kN,torque_kNm,side_force_kN_m,'// &
-                       'bending_kNm,displacement_mm,clock_deg,gap_state', found(1)%text)
+      call assertEqual(1, index(found(1)%text, 'md_m,tvd_m,north_m,east_m,inclination_deg,azimuth_deg,axial_kN,torque_kNm,'// &
+                                'side_force_kN_m,bending_kNm,displacement_mm,clock_deg,gap_state,true_axial_kN,shear_kN,'), &
+                       message='the first thirteen are a contract')
       call assertTrue(index(found(2)%text, ',733.4000000,') > 0, message=found(2)%text)
-      call assertEqual('2075.000000,0.000000000,0.000000000,0.000000000,65.00000000,0.000000000,0.000000000,0.000000000,'// &
-                       '0.000000000,0.000000000,44.50000000,0.000000000,elastic', found(3)%text)
+      call assertEqual(1, index(found(3)%text, '2075.000000,0.000000000,0.000000000,0.000000000,65.00000000,0.000000000,'// &
+                                '0.000000000,0.000000000,0.000000000,0.000000000,44.50000000,0.000000000,elastic,'), &
+                       message=found(3)%text)
+      call assertTrue(index(found(3)%text, ',elastic,0.000000000,,') > 0, message='no shear force: an empty field')
    end subroutine test_profile
 
    !> 2075 m = 6807.742782 ft; 733.4 kN = 164.8748789 klbf; 44.5 mm = 1.751968504 in.
@@ -147,7 +152,7 @@ contains
       job = sample_job()
       job%units = field_units()
       allocate (results, source=sample_results())
-      call write_profile(path, job, results(1), error)
+      call write_profile(path, job, results(1), new_along_string(2), error)
       call read_lines(path, found)
       call assertTrue(index(found(1)%text, 'md_ft,') == 1 .and. index(found(1)%text, ',side_force_klbf_ft,') > 0, &
                       message=found(1)%text)

@@ -1,0 +1,116 @@
+!> limits.csv: what limits the string as a whole, one row a case and model.
+module dg_limits_file
+   use dg_buckling_limits, only: buckling_name
+   use dg_case_result, only: case_result_type, result_status_name
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+                        quantity_line_load, quantity_moment, quantity_none, quantity_text, quantity_turns
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_job, only: job_type, model_name
+   use dg_model, only: model_type
+   use dg_text, only: text_type
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: write_limits, limits_columns, limits_fields
+
+   !> New ones are added at the end only.
+   type(column_type), parameter :: limits_columns(26) = [ &
+      column_type('case', quantity_text, 'name of the load case'), &
+      column_type('model', quantity_text, 'name of the model'), &
+      column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
+      column_type('stretch', quantity_length, 'of the string by the effective axial force'), &
+      column_type('pressure_stretch', quantity_length, 'of the string by the pressure of the mud on all sides, not in stretch'), &
+      column_type('windup', quantity_turns, 'turn of the top against the bit'), &
+      column_type('neutral_points', quantity_none, 'places where the effective axial force changes sign'), &
+      column_type('neutral_top', quantity_length, 'depth of the uppermost of them'), &
+      column_type('neutral_bottom', quantity_length, 'depth of the lowest'), &
+      column_type('least_safety_factor', quantity_none, 'along the string; empty where no yield is given'), &
+      column_type('least_safety_md', quantity_length, 'where'), &
+      column_type('least_envelope_margin', quantity_none, 'of the tension-torque envelope, along the string'), &
+      column_type('overpull_margin', quantity_force, 'pull that may be added at the top before the string yields, if all '// &
+         'of it arrived at the weakest place'), &
+      column_type('buckling', quantity_text, 'worst state along the string: none, sinusoidal or helical'), &
+      column_type('buckling_margin', quantity_force, 'least along the string; negative where it is buckled'), &
+      column_type('buckling_margin_md', quantity_length, 'where'), &
+      column_type('sinusoidal_length', quantity_length, 'of string buckled into a sine'), &
+      column_type('helical_length', quantity_length, 'of string beyond the lower helical limit'), &
+      column_type('largest_side_force', quantity_line_load, 'along the string'), &
+      column_type('largest_side_force_md', quantity_length, 'where'), &
+      column_type('wob_buckling', quantity_force, 'weight on bit at which the string begins to buckle somewhere (soft string); '// &
+         '0: it does without any; empty for operations that pull'), &
+      column_type('wob_no_hookload', quantity_force, 'weight on bit that leaves no hook load (soft string, friction of '// &
+         'buckled string left out: a bound of the lock-up load)'), &
+      column_type('rig_limit', quantity_force, 'as in the deck'), &
+      column_type('rig_margin', quantity_force, 'rig_limit - hook load'), &
+      column_type('makeup_margin', quantity_moment, 'least make-up torque of a connection - torque there; empty where none '// &
+         'is given'), &
+      column_type('makeup_margin_md', quantity_length, 'where')]
+
+contains
+
+   !> Writes limits.csv to `path`: rows of the results that have a profile.
+   subroutine write_limits(path, job, model, results, wholes, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)   !< as many
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      type(field_list_type) :: row
+      integer :: i, n
+      allocate (lines(0:count([(allocated(results(i)%profile%md), i=1, size(results))])))
+      lines(0)%text = csv_header(limits_columns, job%units)
+      n = 0
+      do i = 1, size(results)
+         if (.not. allocated(results(i)%profile%md)) cycle
+         call limits_fields(model%cases(results(i)%case_index)%name, results(i), wholes(i), row)
+         n = n + 1
+         lines(n)%text = csv_row(limits_columns, job%units, row%fields)
+      end do
+      call write_text_file(path, lines, error)
+   end subroutine write_limits
+
+   !> Values of one result in the order of the columns.
+   pure subroutine limits_fields(name, result, whole, row)
+      character(*), intent(in) :: name    !< of the load case
+      type(case_result_type), intent(in) :: result
+      type(whole_string_type), intent(in) :: whole
+      type(field_list_type), intent(out) :: row
+      integer :: points
+      points = 0
+      if (allocated(whole%neutral_points)) points = size(whole%neutral_points)
+      call put(row, name)
+      call put(row, trim(model_name(result%model)))
+      call put(row, trim(result_status_name(result%status)))
+      call put(row, whole%stretch)
+      call put(row, whole%pressure_stretch)
+      call put(row, whole%windup)
+      call put(row, points)
+      if (points > 0) then
+         call put(row, whole%neutral_points(1))
+         call put(row, whole%neutral_points(points))
+      else
+         call put_none(row)
+         call put_none(row)
+      end if
+      call put(row, whole%least_safety)
+      call put(row, whole%least_safety_md)
+      call put(row, whole%least_envelope_margin)
+      call put(row, whole%overpull_margin)
+      call put(row, trim(buckling_name(whole%buckling)))
+      call put(row, whole%buckling_margin)
+      call put(row, whole%buckling_margin_md)
+      call put(row, whole%sinusoidal_length)
+      call put(row, whole%helical_length)
+      call put(row, whole%side_force)
+      call put(row, whole%side_force_md)
+      call put(row, whole%wob_buckling)
+      call put(row, whole%wob_no_hookload)
+      call put(row, whole%rig_limit)
+      call put(row, whole%rig_margin)
+      call put(row, whole%makeup_margin)
+      call put(row, whole%makeup_margin_md)
+   end subroutine limits_fields
+end module dg_limits_file
