@@ -3,10 +3,11 @@
 
   input/README.md   one table a group, between marks; must be the table that the deck reader's own rules give
                     (src/deck/deck_keys.f90, defaults of &solver from src/model/numerics.f90); all operations named
-  output/README.md  one table a file: the columns of its header in src/report, all of them, in their order
+  output/README.md  one table a file, between marks; must be the table that the writer's own columns give
+                    (src/report/*.f90), units of SI decks
   src/README.md     one row a folder, with the arrows of check_arrows.py; files and procedures that it cites exist
 
-Usage: check_docs.py [--write]     --write brings the tables of input/README.md up to date
+Usage: check_docs.py [--write]     --write brings the tables of input/ and output/README.md up to date
 """
 import pathlib
 import re
@@ -16,12 +17,14 @@ import check_arrows
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Files of results and the function that gives the header of each.
-HEADERS = {
-    "summary.csv": ("summary_file.f90", "summary_header"),
-    "profile_<case>_<model>.csv": ("profile_file.f90", "profile_header"),
-    "history_<case>_<model>.csv": ("history_file.f90", "history_header"),
-    "legacy_<label>.csv": ("legacy_rows.f90", "legacy_header"),
+# Tables of columns and the files that they are of.
+COLUMNS = {
+    "summary_columns": "summary.csv",
+    "profile_columns": "profile_<case>_<model>.csv",
+    "limits_columns": "limits.csv",
+    "history_columns": "history_<case>_<model>.csv",
+    "legacy_columns": "legacy_<label>.csv",
+    "survey_columns": "/survey",
 }
 # Keys whose default the table of keys leaves to the code that makes use of them.
 DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}}
@@ -215,46 +218,58 @@ def check_input(write):
     return faults
 
 
-def header_of(file, function):
-    """The column names that a header function gives with SI units."""
-    text = source(f"report/{file}")
-    body = re.search(rf"function {function}\(units\).*?end function {function}", text, re.S).group()
+def header_suffixes():
+    """What each quantity puts behind the name of a column, with SI units."""
     labels = {name: value.strip() for name, value in
               re.findall(r"character\(\d+\) :: (\w+_label) = '([^']*)'", source("base/units.f90"))}
-    values = {}
-
-    def value_of(expression):
-        result = ""
-        for term in expression.split("//"):
-            term = term.strip()
-            label = re.match(r"trim\(units%(\w+)\)$", term)
-            result += unquoted(term) if term.startswith("'") else labels[label.group(1)] if label else values[term]
-        return result
-
-    for line in body.splitlines():
-        assigned = re.match(r"\s*(\w+) = (.*)$", line)
-        if assigned:
-            values[assigned.group(1)] = value_of(assigned.group(2))
-    return values["header"].split(",")
+    text = source("report/column.f90")
+    body = re.search(r"function column_header\(.*?end function column_header", text, re.S).group()
+    found = {}
+    for quantity, expression in re.findall(r"case \((quantity_\w+)\); header = header//(.*)", body):
+        terms = [term.strip() for term in expression.split("//")]
+        found[quantity] = "".join(unquoted(term) if term.startswith("'") else labels[re.match(r"trim\(units%(\w+)\)", term).group(1)]
+                                  for term in terms)
+    return found
 
 
-def check_output():
-    text = (ROOT / "output/README.md").read_text(encoding="utf-8")
-    faults, total = [], 0
-    sections = {title.strip("` "): body for title, body in re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", text, re.M | re.S)}
+def column_tables():
+    """All tables of columns in src/report: name of the array, and its columns as pairs of header and meaning."""
+    suffixes, tables, faults = header_suffixes(), {}, []
     for file in sorted((ROOT / "src/report").glob("*.f90")):
-        for function in re.findall(r"\bfunction (\w+_header)\(units\)", file.read_text(encoding="utf-8")):
-            if (file.name, function) not in HEADERS.values():
-                faults.append(f"src/report/{file.name}: {function} is not in the list of {pathlib.Path(__file__).name}")
-    for name, (file, function) in HEADERS.items():
-        wanted = header_of(file, function)
-        total += len(wanted)
-        found = re.findall(r"^\| `(\w+)` \|", sections.get(name, ""), re.M)
-        faults += [f"output/README.md: {name}: column {column} is missing" for column in wanted if column not in found]
-        faults += [f"output/README.md: {name}: there is no column {column}" for column in found if column not in wanted]
-        if sorted(found) == sorted(wanted) and found != wanted:
-            faults.append(f"output/README.md: {name}: the columns stand in another order than in the file")
-    print(f"  output/README.md: {total} columns of {len(HEADERS)} files")
+        text = without_comments(file)
+        for name, body in re.findall(r"type\(column_type\), parameter :: (\w+)\(\d+\) = \[(.*?)\]\n", text, re.S):
+            tables[name] = []
+            for plain, _ in constructors(body, "column_type"):
+                meaning = "".join(unquoted(part.strip()) for part in plain[2].split("//"))
+                tables[name].append((unquoted(plain[0]) + suffixes.get(plain[1], ""), meaning))
+        if "column_type(" in text and not any(name in text for name in tables) and file.name != "column.f90":
+            faults.append(f"src/report/{file.name}: columns that {pathlib.Path(__file__).name} does not understand")
+    return tables, faults
+
+
+def check_output(write):
+    path = ROOT / "output/README.md"
+    text = path.read_text(encoding="utf-8")
+    tables, faults = column_tables()
+    faults += [f"{pathlib.Path(__file__).name} does not know what {name} are columns of" for name in tables if name not in COLUMNS]
+    marked = re.compile(r"<!-- columns: (\w+) -->\n(.*?)<!-- end -->", re.S)
+    shown = {name for name, _ in marked.findall(text)}
+    faults += [f"output/README.md has no table of {name} ({COLUMNS.get(name)})" for name in tables if name not in shown]
+    faults += [f"output/README.md shows {name}, which the program does not have" for name in shown - set(tables)]
+
+    def fresh(match):
+        name = match.group(1)
+        rows = [f"| `{header}` | " + meaning.replace("|", "\\|").replace("<", "&lt;") + " |" for header, meaning in tables.get(name, [])]
+        table = "\n".join(["| column | meaning |", "|---|---|", *rows]) + "\n"
+        if table != match.group(2):
+            faults.append(f"output/README.md: table {name} is out of date; run .ci/check_docs.py --write")
+        return f"<!-- columns: {name} -->\n{table}<!-- end -->"
+
+    renewed = marked.sub(fresh, text)
+    if write and renewed != text:
+        path.write_text(renewed, encoding="utf-8")
+        faults = [fault for fault in faults if "--write" not in fault]
+    print(f"  output/README.md: {sum(map(len, tables.values()))} columns of {len(tables)} tables")
     return faults
 
 
@@ -292,7 +307,7 @@ def main():
     write = sys.argv[1:] == ["--write"]
     if sys.argv[1:] and not write:
         raise SystemExit(__doc__)
-    faults = check_input(write) + check_output() + check_src()
+    faults = check_input(write) + check_output(write) + check_src()
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

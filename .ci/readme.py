@@ -3,6 +3,7 @@
 
 Usage: readme.py command WORD...     prints the one command line that holds all the words
        readme.py deck                prints the deck that the README lets users write
+       readme.py python FILE         prints the one block of Python of a Markdown file
        readme.py printed FILE        checks that FILE holds the table that the README shows for that deck
 """
 import pathlib
@@ -39,6 +40,11 @@ def main(action, *words):
         print(command(words))
     elif action == "deck" and not words:
         print(one_block("&"), end="")
+    elif action == "python" and len(words) == 1:
+        found = re.findall(r"^```python\n(.*?)^```", pathlib.Path(words[0]).read_text(encoding="utf-8"), re.M | re.S)
+        if len(found) != 1:
+            raise SystemExit(f"{words[0]}: {len(found)} blocks of Python, expected one")
+        print(found[0], end="")
     elif action == "printed" and len(words) == 1:
         printed = "\n".join(line.rstrip() for line in pathlib.Path(words[0]).read_text(encoding="utf-8").splitlines())
         if one_block("---").rstrip() not in printed:

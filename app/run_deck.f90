@@ -1,24 +1,30 @@
 !> Runs every case of a deck with every model that it asks for, writes the results as they come.
 module dg_run_deck
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_history_file, only: write_history
    use dg_job, only: job_type, model_mcge, model_mixed, model_rigid, model_soft, model_name
+   use dg_limits_file, only: write_limits
+   use dg_limits_table, only: print_limits_table
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_model_table, only: print_model_table
+   use dg_paraview_file, only: write_paraview
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
    use dg_run_legacy, only: run_legacy
+   use dg_results_h5, only: write_results_h5
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, to_text
    use dg_version, only: program_name
+   use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
    public :: run_deck
@@ -32,6 +38,8 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(out) :: status
       type(case_result_type), allocatable :: results(:)
+      type(along_string_type), allocatable :: alongs(:)
+      type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
       integer :: i, j, row
       logical :: progress
@@ -45,6 +53,7 @@ contains
       end if
       progress = someone_watches() .and. .not. job%quiet
       allocate (results(size(job%models)*size(model%cases)))
+      allocate (alongs(size(results)), wholes(size(results)))
       row = 0
       do i = 1, size(job%models)
          do j = 1, size(model%cases)
@@ -55,13 +64,24 @@ contains
             call solve_case(model, job%models(i), j, results(row), error)
             if (progress) write (error_unit, '(a)') trim(result_status_name(results(row)%status))
             call note_outcome(place(job, model, job%models(i), j), results(row), error, status)
-            call write_case_files(job, model, results(row), status)
+            if (allocated(results(row)%profile%md)) then
+               call find_along_string(model, results(row), alongs(row))
+               call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
+               call write_case_files(job, model, results(row), alongs(row), status)
+            end if
          end do
       end do
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
+      call write_limits(in_folder(job, 'limits.csv'), job, model, results, wholes, error)
+      call note_failure(error, status)
+      if (job%hdf5) then
+         call write_results_h5(in_folder(job, 'results.h5'), job, model, results, alongs, wholes, error)
+         call note_failure(error, status)
+      end if
       call print_result_table(output_unit, job, model, results)
       call print_model_table(output_unit, job, model, results)
+      call print_limits_table(output_unit, job, model, results, wholes)
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
             call run_legacy(output_unit, job, model, results, i, error)
@@ -114,21 +134,26 @@ contains
       end if
    end subroutine note_outcome
 
-   !> Writes the files of one case; a failure is told and noted in the exit status.
-   subroutine write_case_files(job, model, result, status)
+   !> Writes the files of one case that has a profile; a failure is told and noted in the exit status.
+   subroutine write_case_files(job, model, result, along, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
       character(:), allocatable :: ending
-      ending = '_'//model%cases(result%case_index)%name//'_'//trim(model_name(result%model))//'.csv'
-      if (job%profiles .and. allocated(result%profile%md)) then
-         call write_profile(in_folder(job, 'profile'//ending), job, result, error)
+      ending = '_'//model%cases(result%case_index)%name//'_'//trim(model_name(result%model))
+      if (job%profiles) then
+         call write_profile(in_folder(job, 'profile'//ending//'.csv'), job, result, along, error)
+         call note_failure(error, status)
+      end if
+      if (job%plots) then
+         call write_paraview(in_folder(job, 'view'//ending//'.vtkhdf'), job, result, along, error)
          call note_failure(error, status)
       end if
       if (model%numerics%history .and. allocated(result%history)) then
-         call write_history(in_folder(job, 'history'//ending), job, result, error)
+         call write_history(in_folder(job, 'history'//ending//'.csv'), job, result, error)
          call note_failure(error, status)
       end if
    end subroutine write_case_files

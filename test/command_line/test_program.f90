@@ -24,6 +24,9 @@ contains
       call suite%addTest(TestMethod('check_leaves_nothing', test_check))
       call suite%addTest(TestMethod('solves', test_solves))
       call suite%addTest(TestMethod('no_profiles', test_no_profiles))
+      call suite%addTest(TestMethod('hdf5_files', test_hdf5_files))
+      call suite%addTest(TestMethod('hdf5_file_in_the_way', test_hdf5_in_the_way))
+      call suite%addTest(TestMethod('limits', test_limits))
       call suite%addTest(TestMethod('not_converged', test_not_converged))
       call suite%addTest(TestMethod('output_not_writable', test_output_not_writable))
       call suite%addTest(TestMethod('survey_file', test_survey_file))
@@ -112,6 +115,54 @@ contains
       call assertTrue(is_file('summary.csv'))
       call assertFalse(is_file('profile_u_soft.csv'))
    end subroutine test_no_profiles
+
+   !> Whole files of the format, or none where the deck says so; what is in them .ci/check_results.py reads.
+   subroutine test_hdf5_files()
+      type(run_type) :: run
+      run = run_deck_text(good_deck())
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(is_hdf5('results.h5'))
+      call assertTrue(is_hdf5('view_u_soft.vtkhdf'))
+      call assertTrue(is_hdf5('view_s_soft.vtkhdf'))
+      call assertFalse(is_file('results.h5.unfinished'))
+      run = run_deck_text(replaced(good_deck(), 'title', 'hdf5 = .false., title'))
+      call assertFalse(is_file('results.h5'))
+      call assertTrue(is_file('view_u_soft.vtkhdf'))
+      run = run_deck_text(replaced(good_deck(), 'title', 'plots = .false., title'))
+      call assertTrue(is_file('results.h5'))
+      call assertFalse(is_file('view_u_soft.vtkhdf'))
+   end subroutine test_hdf5_files
+
+   !> A file that cannot be written costs the exit status, not the other files.
+   subroutine test_hdf5_in_the_way()
+      type(run_type) :: run
+      run = run_deck_text(good_deck(), '--check')
+      call execute_command_line('mkdir -p '//results_path//'/results.h5')
+      run = run_program(deck_path//' --output '//results_path)
+      call assertEqual(1, run%status)
+      call assertTrue(index(run%diagnostics, 'results.h5') > 0, message=run%diagnostics)
+      call assertFalse(is_file('results.h5.unfinished'))
+      call assertTrue(is_file('summary.csv'))
+      call assertTrue(is_file('view_u_soft.vtkhdf'))
+      call assertTrue(index(run%output, 'a deck') > 0, message=run%output)
+   end subroutine test_hdf5_in_the_way
+
+   !> limits.csv and the short block: yield, make-up torque and the rig's limit only where they are given.
+   subroutine test_limits()
+      type(run_type) :: run
+      run = run_deck_text(good_deck())
+      call assertTrue(is_file('limits.csv'))
+      call assertTrue(index(run%output, 'Limits, model soft (all: limits.csv)') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Least margin to buckling') > 0, message=run%output)
+      call assertFalse(index(run%output, 'Least safety against yield') > 0, message=run%output)
+      run = run_deck_text(replaced(replaced(good_deck(), 'title', 'rig_limit = 1500.0, title'), 'id = 108.6', &
+                                   'id = 108.6, yield = 724.0, makeup_torque = 30.0'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Least safety against yield') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Least overpull left') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Least room under rig limit') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Least room under make-up    30.00 kN.m') > 0, message=run%output)
+   end subroutine test_limits
 
    !> One iteration is never enough; the other model's results are written all the same.
    subroutine test_not_converged()
@@ -214,4 +265,21 @@ contains
       logical :: is
       inquire (file=results_path//'/'//name, exist=is)
    end function is_file
+
+   !> Whether a file of that name is among the results and begins as HDF5 files do.
+   function is_hdf5(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      character(*), parameter :: signature = achar(137)//'HDF'//achar(13)//achar(10)//achar(26)//achar(10)
+      character(len(signature)) :: found
+      integer :: unit, status
+      found = ''
+      open (newunit=unit, file=results_path//'/'//name, access='stream', form='unformatted', action='read', status='old', &
+            iostat=status)
+      if (status == 0) then
+         read (unit, iostat=status) found
+         close (unit)
+      end if
+      is = status == 0 .and. found == signature
+   end function is_hdf5
 end module dg_test_program
