@@ -24,6 +24,7 @@ COLUMNS = {
     "limits_columns": "limits.csv",
     "history_columns": "history_<case>_<model>.csv",
     "legacy_columns": "legacy_<label>.csv",
+    "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",
 }
 # Keys whose default the table of keys leaves to the code that makes use of them.

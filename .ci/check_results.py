@@ -73,12 +73,15 @@ def check_group(group, rows):
             expect([words[int(code)] for code in data] == [row[name] for row in rows], f"{data.name} differs from the profile")
         else:
             expect(same(data[:], column(rows, name)), f"{data.name} differs from the profile")
-    expect(set(group) - {"history"} == set(rows[0]), f"{group.name}: columns that the profile does not have")
+    expect(set(group) - {"history", "gaps"} == set(rows[0]), f"{group.name}: columns that the profile does not have")
     if int(group.attrs["iterations"]) > 0:
         history = group["history"]
         expect(len(history["iteration"]) > 0 and history["residual_kN"].attrs["units"] == "kN", f"{history.name}: incomplete")
-        expect(sum(history.attrs["gaps_by_state"]) == sum(group.attrs[f"gaps_{s}"] for s in ("free", "elastic", "rigid")),
-               f"{history.name}: gaps_by_state")
+        gaps = group["gaps"]
+        for code, state in enumerate(("free", "elastic", "rigid")):
+            expect(numpy.count_nonzero(gaps["state"][:] == code) == group.attrs[f"gaps_{state}"], f"{gaps.name}: gaps {state}")
+        expect(sum(gaps["flips"]) == group.attrs["flips"] and sum(gaps["moves"]) == group.attrs["moves"], f"{gaps.name}: flips, moves")
+        expect(same(numpy.array(numpy.sum(gaps["force_kN"])), numpy.array(group.attrs["normal_force_kN"])), f"{gaps.name}: forces")
 
 
 def blocks(path):

@@ -5,6 +5,7 @@ module dg_limits_table
    use dg_buckling_limits, only: buckling_name, buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
+   use dg_constants, only: pi
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type
@@ -18,6 +19,9 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: number_width = 16
+
+   !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
+   real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
 
 contains
 
@@ -72,7 +76,7 @@ contains
       numbers%present = .true.
       numbers%value = -wholes%stretch
       call append_least(lines, units, names, 'Largest stretch', quantity_length, 2, numbers, nowhere, .true.)
-      numbers%present = abs(wholes%windup) > 0.0_wp
+      numbers%present = abs(wholes%windup) > least_windup
       numbers%value = -abs(wholes%windup)
       call append_least(lines, units, names, 'Largest wind-up', quantity_turns, 2, numbers, nowhere, .true.)
       numbers = wholes%least_safety

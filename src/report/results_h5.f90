@@ -2,6 +2,7 @@
 !>
 !> /cases/<case>/<model>/<column>          along the string, as in profile_<case>_<model>.csv
 !> /cases/<case>/<model>/history/<column>  as in history_<case>_<model>.csv
+!> /cases/<case>/<model>/gaps/<column>     the state table at the end, one row a gap element
 !> /survey/<column>                        stations of the hole, as given
 !> Rows of summary.csv and limits.csv are attributes of /cases/<case>/<model>.
 module dg_results_h5
@@ -10,7 +11,7 @@ module dg_results_h5
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
    use dg_column, only: column_header, column_type, field_absent, field_integer, field_list_type, field_real, field_text, &
-                        quantity_angle, quantity_length, quantity_text, unit_size, unit_text
+                        quantity_angle, quantity_force, quantity_length, quantity_none, quantity_text, unit_size, unit_text
    use dg_error, only: error_type
    use dg_gap_state, only: state_name
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_attribute, write_data
@@ -27,12 +28,19 @@ module dg_results_h5
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: write_results_h5, survey_columns, time_stamp
+   public :: write_results_h5, survey_columns, gap_columns
 
    type(column_type), parameter :: survey_columns(3) = [ &
       column_type('md', quantity_length, 'measured depth of the station'), &
       column_type('inclination', quantity_angle, 'of the hole'), &
       column_type('azimuth', quantity_angle, 'of the hole, from north')]
+
+   type(column_type), parameter :: gap_columns(5) = [ &
+      column_type('md', quantity_length, 'measured depth of the gap element''s place x0'), &
+      column_type('state', quantity_text, 'free, elastic or rigid'), &
+      column_type('force', quantity_force, 'contact force of the element'), &
+      column_type('flips', quantity_none, 'changes of state during the iteration'), &
+      column_type('moves', quantity_none, 'changes of place during the iteration')]
 
 contains
 
@@ -116,21 +124,42 @@ contains
          associate (column => profile_columns(j))
             if (column%quantity == quantity_text) then
                call profile_codes(trim(column%name), result%profile, along, codes)
-               call write_data(file, group//'/'//trim(column%name), codes)
-               call write_attribute(file, group//'/'//trim(column%name), 'units', '')
-               call write_attribute(file, group//'/'//trim(column%name), 'description', trim(column%meaning))
-               call write_attribute(file, group//'/'//trim(column%name), 'values', code_text(code_names(trim(column%name))))
+               call put_codes(file, group, column, codes, code_names(trim(column%name)))
             else
                call profile_values(trim(column%name), result%profile, along, values)
                call put_column(file, group, column, units, values)
             end if
          end associate
       end do
+      if (allocated(result%gaps)) call put_gaps(file, group//'/gaps', units, result)
       if (.not. allocated(result%history)) return
       if (size(result%history) > 0) call put_history(file, group//'/history', units, result)
    end subroutine put_result
 
-   !> The course of the iteration, and above it the state table: gaps by state at the end.
+   !> The state table.
+   subroutine put_gaps(file, group, units, result)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(case_result_type), intent(in) :: result
+      real(wp), allocatable :: values(:, :)
+      integer, allocatable :: states(:)
+      allocate (values(size(result%gaps), 4))
+      values(:, 1) = result%gaps%md
+      values(:, 2) = result%gaps%force
+      values(:, 3) = result%gaps%flips
+      values(:, 4) = result%gaps%moves
+      allocate (states(size(result%gaps)))
+      states = result%gaps%state
+      call make_group(file, group)
+      call put_column(file, group, gap_columns(1), units, values(:, 1))
+      call put_codes(file, group, gap_columns(2), states, state_name)
+      call put_column(file, group, gap_columns(3), units, values(:, 2))
+      call put_column(file, group, gap_columns(4), units, values(:, 3))
+      call put_column(file, group, gap_columns(5), units, values(:, 4))
+   end subroutine put_gaps
+
+   !> The course of the iteration.
    subroutine put_history(file, group, units, result)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
@@ -155,8 +184,6 @@ contains
       do j = 1, size(history_columns)
          call put_column(file, group, history_columns(j), units, values(:, j))
       end do
-      call write_attribute(file, group, 'states', code_text(state_name))
-      call write_attribute(file, group, 'gaps_by_state', result%states)
    end subroutine put_history
 
    !> One column of numbers with its unit and description.
@@ -172,6 +199,21 @@ contains
       call write_attribute(file, path, 'units', unit_text(column%quantity, units))
       call write_attribute(file, path, 'description', trim(column%meaning))
    end subroutine put_column
+
+   !> A column of numbers that stand for words.
+   subroutine put_codes(file, group, column, codes, names)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: group
+      type(column_type), intent(in) :: column
+      integer, intent(in) :: codes(:)
+      character(*), intent(in) :: names(0:)   !< by number
+      character(:), allocatable :: path
+      path = group//'/'//trim(column%name)
+      call write_data(file, path, codes)
+      call write_attribute(file, path, 'units', '')
+      call write_attribute(file, path, 'description', trim(column%meaning))
+      call write_attribute(file, path, 'values', code_text(names))
+   end subroutine put_codes
 
    !> A row of a table as attributes, from its column `first` on; values that are absent are left out.
    subroutine put_row(file, group, columns, units, row, first)

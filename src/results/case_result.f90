@@ -4,7 +4,7 @@ module dg_case_result
    use dg_profile, only: profile_type
    implicit none
    private
-   public :: case_result_type, iteration_type
+   public :: case_result_type, gap_row_type, iteration_type
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_count, scale_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
 
@@ -34,6 +34,15 @@ module dg_case_result
       real(wp) :: hookload = 0.0_wp            !< [N]
    end type iteration_type
 
+   !> One row of the state table as it stands at the end: the gap of one element.
+   type :: gap_row_type
+      real(wp) :: md = 0.0_wp                  !< of its place x0 [m]
+      integer :: state = 0                     !< free, elastic, rigid (dg_gap_state)
+      real(wp) :: force = 0.0_wp               !< contact force, >= 0 [N]
+      integer :: flips = 0                     !< changes of state in all
+      integer :: moves = 0                     !< changes of place in all
+   end type gap_row_type
+
    type :: case_result_type
       integer :: case_index = 0                !< in model%cases
       integer :: model = 0                     !< number of the model (dg_job)
@@ -57,6 +66,7 @@ module dg_case_result
       !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp
+      type(gap_row_type), allocatable :: gaps(:)     !< from the top down; models with gap elements only
       type(iteration_type), allocatable :: history(:)
    end type case_result_type
 end module dg_case_result

@@ -2,6 +2,7 @@
 module dg_recovery
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
+   use dg_case_result, only: gap_row_type
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
@@ -12,7 +13,7 @@ module dg_recovery
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: recover_profile, check_equilibrium, buoyed_axial_weight
+   public :: recover_profile, recover_gaps, check_equilibrium, buoyed_axial_weight
 
 contains
 
@@ -76,6 +77,20 @@ contains
          profile%side_force(n) = max(profile%side_force(n), 0.0_wp)/share
       end do
    end subroutine recover_profile
+
+   !> The state table at the end, one row an element from the top down.
+   pure subroutine recover_gaps(mesh, gaps, work, rows)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(gap_row_type), allocatable, intent(out) :: rows(:)
+      allocate (rows(mesh%elements))
+      rows%md = mesh%md(:mesh%elements) + gaps%xi*mesh%length
+      rows%state = gaps%state
+      rows%force = max(work%normal, 0.0_wp)
+      rows%flips = gaps%flips
+      rows%moves = gaps%moves
+   end subroutine recover_gaps
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
    !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.

@@ -18,7 +18,7 @@ module dg_static_analysis
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict
-   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile
+   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile, recover_gaps
    use dg_refinement, only: take_over
    use dg_trajectory, only: inclination_of, position_at
    use dg_workspace, only: new_workspace, workspace_type
@@ -323,6 +323,7 @@ contains
       result%moves = sum(gaps%moves)
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
       call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
+      call recover_gaps(mesh, gaps, work, result%gaps)
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
 

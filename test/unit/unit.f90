@@ -38,6 +38,7 @@ contains
       use dg_test_pipe_stress, only: pipe_stress_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_string_limits, only: string_limits_suite
+      use dg_test_paraview, only: paraview_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -70,5 +71,6 @@ contains
       call suite%addTest(pipe_stress_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(string_limits_suite())
+      call suite%addTest(paraview_suite())
    end function load_tests
 end program unit
