@@ -8,11 +8,18 @@
 !> Moving the point by dr moves its foot on the axis by ds = chi t.dr, chi = 1/(1 - k.f), k the axis' curvature, so
 !>   d|f| = n.dr,  dn = (tau tau + (1 - chi) t t)/|f| dr,  dt = chi k t.dr,  dtau = chi (k x n) t.dr - n tau.dr/|f|
 !> Friction makes the derivative unsymmetric.
+!>
+!> A string that does not rotate takes M_GA as a couple that bends it, P = -dV/dr' and F = -dV/dr of V = r R a d.n with
+!> the string's unit tangent d = r'/|r'|: the same moment d x P = -r R a tau to first order, and in addition
+!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a coiled string that turns as a whole about
+!> the hole: in a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's
+!> circumferential stiction does; F_tau, some percent of R, is the least that takes it. A rotating string's friction
+!> is used up circumferentially, so that it keeps the plain M.
 module dg_gap_contact
    use dg_kinds, only: wp
    implicit none
    private
-   public :: contact_action, contact_action_tangent, support_action
+   public :: contact_action, contact_action_tangent, sliding_couple, support_action
 
 contains
 
@@ -34,12 +41,14 @@ contains
    end subroutine contact_action
 
    !> As contact_action, with the derivatives of F and M by the point's position (3,3) [N/m, N].
-   pure subroutine contact_action_tangent(gap, tangent, curvature, normal_force, stiffness, axial, rotary, radius, &
-                                          force, moment, force_tangent, moment_tangent)
+   !> Friction may be asked for at another normal force Q than R, with another derivative: a lagged one, or none.
+   pure subroutine contact_action_tangent(gap, tangent, curvature, normal_force, stiffness, pressing, pressing_stiffness, axial, &
+                                          rotary, radius, force, moment, force_tangent, moment_tangent)
       real(wp), intent(in) :: gap(3), tangent(3)
       real(wp), intent(in) :: curvature(3)  !< k = dt/ds of the hole axis at the foot [1/m]
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: stiffness     !< dR/d|f| [N/m]
+      real(wp), intent(in) :: pressing, pressing_stiffness !< Q and dQ/d|f|
       real(wp), intent(in) :: axial, rotary, radius
       real(wp), intent(out) :: force(3), moment(3)
       real(wp), intent(out) :: force_tangent(3, 3), moment_tangent(3, 3)
@@ -51,22 +60,59 @@ contains
       tau = product_of(tangent, n)
       chi = 1.0_wp/(1.0_wp - sum(curvature*gap))
       k_tau = sum(curvature*tau)
-      direction = -n + axial*tangent - rotary*tau
+      direction = axial*tangent - rotary*tau
       lever = -radius*(axial*tau + rotary*tangent)
-      force = normal_force*direction
-      moment = normal_force*lever
+      force = pressing*direction - normal_force*n
+      moment = pressing*lever
       ! dyads with n, tau and t on the right
-      by_n = stiffness*direction
-      by_tau = (normal_force*reciprocal)*(rotary*n - tau)
-      by_t = normal_force*(chi*(axial*curvature + rotary*k_tau*tangent) - ((1.0_wp - chi)*reciprocal)*tangent)
-      lever_n = stiffness*lever
-      lever_tau = (normal_force*radius*axial*reciprocal)*n
-      lever_t = (normal_force*radius*chi)*(axial*k_tau*tangent - rotary*curvature)
+      by_n = pressing_stiffness*direction - stiffness*n
+      by_tau = reciprocal*(pressing*rotary*n - normal_force*tau)
+      by_t = pressing*(chi*(axial*curvature + rotary*k_tau*tangent)) - (normal_force*(1.0_wp - chi)*reciprocal)*tangent
+      lever_n = pressing_stiffness*lever
+      lever_tau = (pressing*radius*axial*reciprocal)*n
+      lever_t = (pressing*radius*chi)*(axial*k_tau*tangent - rotary*curvature)
       do j = 1, 3
          force_tangent(:, j) = by_n*n(j) + by_tau*tau(j) + by_t*tangent(j)
          moment_tangent(:, j) = lever_n*n(j) + lever_tau*tau(j) + lever_t*tangent(j)
       end do
    end subroutine contact_action_tangent
+
+   !> The couple of axial friction on a string that does not rotate, F_tau and P, with their derivatives by the point and
+   !> by r' (3,3); R's own derivative makes them unsymmetric.
+   pure subroutine sliding_couple(gap, tangent, curvature, direction, couple, couple_stiffness, force, bend, force_by_point, &
+                                  force_by_direction, bend_by_point, bend_by_direction)
+      real(wp), intent(in) :: gap(3), tangent(3), curvature(3)
+      real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised
+      real(wp), intent(in) :: couple            !< r R a [N.m]
+      real(wp), intent(in) :: couple_stiffness  !< its derivative by |f| [N]
+      real(wp), intent(out) :: force(3)         !< on the point [N]
+      real(wp), intent(out) :: bend(3)          !< on r' [N.m]
+      real(wp), intent(out) :: force_by_point(3, 3), force_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
+      real(wp) :: n(3), tau(3), d(3), across(3), by_t(3), reciprocal, chi, stretch, d_n, d_tau
+      integer :: j
+      reciprocal = 1.0_wp/sqrt(sum(gap*gap))
+      n = gap*reciprocal
+      tau = product_of(tangent, n)
+      chi = 1.0_wp/(1.0_wp - sum(curvature*gap))
+      stretch = 1.0_wp/sqrt(sum(direction*direction))
+      d = direction*stretch
+      d_n = sum(d*n)
+      d_tau = sum(d*tau)
+      across = n - d*d_n
+      force = -(couple*reciprocal*d_tau)*tau
+      bend = -(couple*stretch)*across
+      by_t = product_of(curvature, n)
+      by_t = -(couple*reciprocal*chi)*(sum(d*by_t)*tau + d_tau*by_t)    ! from dtau along t
+      do j = 1, 3
+         force_by_point(:, j) = by_t*tangent(j) - reciprocal*d_tau*(couple_stiffness - couple*reciprocal)*tau*n(j) &
+                                + (couple*reciprocal**2)*(d_n*tau + d_tau*n)*tau(j)
+         force_by_direction(:, j) = -(couple*reciprocal*stretch)*tau*(tau(j) - d_tau*d(j))
+         bend_by_point(:, j) = -(couple_stiffness*stretch)*across*n(j) &
+            - (couple*stretch*reciprocal)*((tau - d*d_tau)*tau(j) + ((1.0_wp - chi)*(tangent - d*sum(d*tangent)))*tangent(j))
+         bend_by_direction(:, j) = (couple*stretch**2)*(across*d(j) + d*across(j) - d_n*d*d(j))
+         bend_by_direction(j, j) = bend_by_direction(j, j) + couple*stretch**2*d_n
+      end do
+   end subroutine sliding_couple
 
    !> A support that holds a node on the hole axis with a stiff spring [N/m], sliding freely along it:
    !> force F = -k f on the string and its derivative.

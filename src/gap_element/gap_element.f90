@@ -10,7 +10,7 @@ module dg_gap_element
    use dg_kinds, only: wp
    implicit none
    private
-   public :: gap_nodal_force, gap_nodal_tangent
+   public :: gap_nodal_force, gap_nodal_tangent, add_couple_tangent
 
 contains
 
@@ -94,6 +94,25 @@ contains
       call take_skew(rest*twist, 4, stiffness)
       call take_skew(xi*twist, 10, stiffness)
    end subroutine gap_nodal_tangent
+
+   !> Takes the derivatives of a force F on r and of P on r' at x0, by r and by r' (3,3), off `stiffness`(12,12).
+   pure subroutine add_couple_tangent(shape, slope, force_by_point, force_by_direction, bend_by_point, bend_by_direction, stiffness)
+      real(wp), intent(in) :: shape(4), slope(4)
+      real(wp), intent(in) :: force_by_point(3, 3), force_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
+      real(wp), intent(inout) :: stiffness(12, 12)
+      real(wp) :: on_force(3), on_bend(3)
+      integer :: a, b, j, k
+      do b = 1, 4
+         do j = 1, 3
+            k = 3*(b - 1) + j
+            on_force = shape(b)*force_by_point(:, j) + slope(b)*force_by_direction(:, j)
+            on_bend = shape(b)*bend_by_point(:, j) + slope(b)*bend_by_direction(:, j)
+            do a = 1, 4
+               stiffness(3*a - 2:3*a, k) = stiffness(3*a - 2:3*a, k) - shape(a)*on_force - slope(a)*on_bend
+            end do
+         end do
+      end do
+   end subroutine add_couple_tangent
 
    !> Takes the matrix S(a), S(a) b = a x b, off the diagonal block that starts at `first`.
    pure subroutine take_skew(a, first, stiffness)

@@ -8,13 +8,14 @@ module dg_assembly
    use dg_beam_element, only: beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature
-   use dg_gap_contact, only: contact_action_tangent, support_action
-   use dg_gap_element, only: gap_nodal_force, gap_nodal_tangent
+   use dg_gap_contact, only: contact_action_tangent, sliding_couple, support_action
+   use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
    use dg_gap_state, only: contact_force, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: closest_point, trajectory_type
+   use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
@@ -25,6 +26,7 @@ module dg_assembly
       real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
       real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
       real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
+      logical :: lagged = .false.           !< friction goes by the workspace's pressing force, not by R
       real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
       real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
    end type load_type
@@ -132,7 +134,8 @@ contains
       real(wp), intent(inout) :: residual(:, :), force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: shape(4), slope(4), direction(3), axial, rotary, gap_stiffness, action(3), moment(3)
-      real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2)
+      real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2), radius, pressing, pressing_stiffness
+      logical :: sliding
       call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), gap_stiffness)
       work%contact_force(:, e) = 0.0_wp
       work%contact_moment(:, e) = 0.0_wp
@@ -143,8 +146,14 @@ contains
       slope = hermite_slope(gaps%xi(e), mesh%length(e))
       direction = slope(1)*work%shift(:, e) + slope(2)*work%d(:, e) &
                   + slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + slope(4)*work%d(:, e + 1)
+      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
+      sliding = .not. rotary > 0.0_wp .and. abs(axial) > 0.0_wp
+      radius = merge(0.0_wp, mesh%radius(e), sliding)
+      pressing = merge(work%pressing(e), work%normal(e), loads%lagged)
+      pressing_stiffness = merge(0.0_wp, gap_stiffness, loads%lagged)
       call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                  gap_stiffness, axial, rotary, mesh%radius(e), action, moment, by_point, moment_by_point)
+                                  gap_stiffness, pressing, pressing_stiffness, axial, rotary, radius, action, moment, by_point, &
+                                  moment_by_point)
       work%contact_force(:, e) = action
       work%contact_moment(:, e) = moment
       call gap_nodal_force(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, action, moment, nodal, twisting)
@@ -153,11 +162,36 @@ contains
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
       if (conservative) then
          call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                     gap_stiffness, 0.0_wp, 0.0_wp, mesh%radius(e), action, moment, by_point, moment_by_point)
+                                     gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
+                                     by_point, moment_by_point)
       end if
       call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, by_point, &
                              moment_by_point, element%k, element%twist_row)
+      if (.not. sliding) return
+      if (conservative) pressing_stiffness = 0.0_wp
+      call add_couple(e, axial*mesh%radius(e)*pressing, axial*mesh%radius(e)*pressing_stiffness, shape, slope, direction, work, &
+                      force, element%k)
    end subroutine add_gap
+
+   !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`.
+   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, work, force, stiffness)
+      integer, intent(in) :: e
+      real(wp), intent(in) :: couple            !< normal force times friction coefficient times radius, signed [N.m]
+      real(wp), intent(in) :: couple_stiffness  !< its derivative by |f| [N]
+      real(wp), intent(in) :: shape(4), slope(4), direction(3)
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: force(12), stiffness(12, 12)
+      real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
+      integer :: a
+      call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), direction, couple, couple_stiffness, &
+                          push, bend, push_by_point, push_by_direction, bend_by_point, bend_by_direction)
+      work%contact_force(:, e) = work%contact_force(:, e) + push
+      work%contact_moment(:, e) = work%contact_moment(:, e) + cross(direction, bend)
+      do a = 1, 4
+         force(3*a - 2:3*a) = force(3*a - 2:3*a) - shape(a)*push - slope(a)*bend
+      end do
+      call add_couple_tangent(shape, slope, push_by_point, push_by_direction, bend_by_point, bend_by_direction, stiffness)
+   end subroutine add_couple
 
    !> Turns an element's matrix from space axes to its 12 unknowns and adds it to the chain.
    pure subroutine scatter(mesh, work, e, element, matrix)
