@@ -74,41 +74,67 @@ contains
       load = max(2.0_wp*sqrt(2.0_wp*ei*side_load/clearance), 2.0_wp*1.94_wp*(ei*weight**2)**(1.0_wp/3.0_wp))
    end function coiling_load
 
-   !> Lays the string as a helix against the wall where the soft string's compression F is beyond the coiling load: pitch
-   !> 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre. From the straight state the iteration would have to grow
-   !> every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
-   !> Where it is compressed less, a helix of the size of the imperfection is laid over it: a string standing exactly
-   !> straight could not leave that state.
+   !> Lays a string that the soft string finds compressed by F as it will buckle. From the straight state the iteration would
+   !> have to grow every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
+   !>   beyond the coiling load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
+   !>   beyond Dawson & Paslay's   a snake about the side that it lies on (see `snake_swing`)
+   !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
+   !>                              could not leave that state
    pure subroutine coil(mesh, axial, imperfection, load, wall, offset, slope)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: imperfection       !< over the clearance [-]
       real(wp), intent(in) :: axial(:), wall(:)
       real(wp), intent(inout) :: load(:)         !< contact force per metre [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)
-      real(wp) :: phase, rate, radius, force
+      real(wp) :: phase, side, rate, radius, force, swing, wave
       logical :: coiling
       integer :: i, e
       coiling = .false.
       phase = 0.0_wp
+      wave = 0.0_wp
       do i = 2, mesh%nodes
          if (.not. axial(i) < 0.0_wp) cycle
          e = min(i, mesh%elements)
          rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
          phase = phase + rate*(mesh%md(i) - mesh%md(i - 1))
-         if (-axial(i) <= coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
-            offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase), sin(phase)]
-            coiling = .false.
+         if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+            if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
+            coiling = .true.
+            force = mesh%clearance(e)*axial(i)**2/(4.0_wp*mesh%ei(e))
+            radius = mesh%clearance(e) + force/wall(e)
+            offset(:, i) = radius*[cos(phase), sin(phase)]
+            slope(:, i) = radius*rate*[-sin(phase), cos(phase)]
+            load(i) = max(load(i), force)
             cycle
          end if
-         if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
-         coiling = .true.
-         force = mesh%clearance(e)*axial(i)**2/(4.0_wp*mesh%ei(e))
-         radius = mesh%clearance(e) + force/wall(e)
-         offset(:, i) = radius*[cos(phase), sin(phase)]
-         slope(:, i) = radius*rate*[-sin(phase), cos(phase)]
-         load(i) = max(load(i), force)
+         coiling = .false.
+         swing = snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
+         if (swing > 0.0_wp) then
+            rate = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp
+            wave = wave + rate*(mesh%md(i) - mesh%md(i - 1))
+            side = atan2(offset(2, i), offset(1, i)) + swing*sin(wave)
+            radius = norm2(offset(:, i))
+            offset(:, i) = radius*[cos(side), sin(side)]
+            slope(:, i) = radius*swing*rate*cos(wave)*[-sin(side), cos(side)]
+         else
+            offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase), sin(phase)]
+         end if
       end do
    end subroutine coil
+
+   !> Angle [rad] by which a string under compression F [N] and side load n [N/m] snakes to either side: 0 below Dawson & Paslay's
+   !> (1984) load F_s = 2 sqrt(EI n/c), beyond it Mitchell's (1997) fit to his solutions of the post-buckled state,
+   !> 1.1227 b^-0.04 (b - 1)^0.46 with b = F/F_s. The wave number is that of the onset, (n/(EI c))^(1/4).
+   elemental function snake_swing(compression, ei, side_load, clearance) result(swing)
+      real(wp), intent(in) :: compression, ei, side_load, clearance
+      real(wp) :: swing
+      real(wp), parameter :: factor = 1.1227_wp, exponent_of_ratio = -0.04_wp, exponent_of_excess = 0.46_wp
+      real(wp) :: onset
+      swing = 0.0_wp
+      onset = 2.0_wp*sqrt(ei*side_load/clearance)
+      if (.not. onset > 0.0_wp .or. compression <= onset) return
+      swing = factor*(compression/onset)**exponent_of_ratio*(compression/onset - 1.0_wp)**exponent_of_excess
+   end function snake_swing
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth.
    pure subroutine slopes_of(md, offset, slope)

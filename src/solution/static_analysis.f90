@@ -4,6 +4,7 @@ module dg_static_analysis
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
+   use dg_damped_newton, only: damped_type, is_stable, iterate_damped, new_damped
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_free
@@ -34,16 +35,20 @@ module dg_static_analysis
    real(wp), parameter :: soft_penetration = 0.1_wp
    !> Largest ratio of stiffness from one stage to the next [-]: 30 to 100 cost the same, more loses cases.
    real(wp), parameter :: largest_stiffening = 50.0_wp
+   !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
+   real(wp), parameter :: gentle_stiffening = 15.0_wp
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
    !> Residual over weight at which a stage before the last is left [-].
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
-   !> A case that finds no rest with the gaps where they were asked for is tried with the other place, and at last in
-   !> several load steps; each attempt has its share of the iterations [-].
+   !> The same in damped Newton: a string settles among its next to unresisted modes much sooner against a soft wall [-].
+   real(wp), parameter :: settled_tolerance = 1.0e-6_wp
+   !> A case that finds no rest by plain Newton within so many iterations is tried with the other place of the gaps, and at last
+   !> by damped Newton. A compressed string, which may find rest where it cannot stay, goes to damped Newton sooner, at last
+   !> with the other place.
    integer, parameter :: attempts = 3
-   real(wp), parameter :: attempt_share(attempts) = [0.7_wp, 0.15_wp, 0.15_wp]
-   integer, parameter :: careful_steps = 4
+   integer, parameter :: plain_iterations = 70, brief_iterations = 25
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
    !> Outcome of an attempt that converged to such a place, beside those of dg_newton.
@@ -69,43 +74,49 @@ contains
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
       type(newton_type) :: newton
+      type(damped_type) :: damped
       type(workspace_type) :: work
       type(load_type) :: loads
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
       real(wp) :: worst, pressing
-      logical :: may_buckle, started
+      logical :: may_buckle, started, damping, stable
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
       call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle, pressing, shortened)
       call prepare(model, model%cases(case_index), mesh, newton, work)
-      newton%stabilise = may_buckle
-      if (may_buckle) newton%conservative = new_block_matrix(mesh%nodes)
+      call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
       call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
       do attempt = 1, attempts
          numerics = model%numerics
-         numerics%max_iterations = newton%iterations + ceiling(attempt_share(attempt)*model%numerics%max_iterations)
-         numerics%max_iterations = min(numerics%max_iterations, model%numerics%max_iterations)
-         if (attempt > 1) numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
-         if (attempt == attempts) numerics%load_steps = max(numerics%load_steps, careful_steps)
-         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, mesh, newton, &
-                                    gaps, state, work, loads, outcome)
+         damping = attempt == attempts .or. (may_buckle .and. attempt > 1)
+         if (.not. damping) numerics%max_iterations = min(numerics%max_iterations, newton%iterations &
+                                                          + merge(brief_iterations, plain_iterations, may_buckle))
+         if (attempt == 2 .neqv. may_buckle .and. attempt > 1) &
+            numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
+         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
+                                    newton, damped, gaps, state, work, loads, outcome)
          if (outcome == newton_converged) then
+            if (may_buckle .and. .not. damping) then
+               call is_stable(damped, model%trajectory, mesh, loads, gaps, state, work, stable)
+               if (.not. stable) outcome = newton_exhausted
+            end if
             call look_outside(model, mesh, work, worst, place)
             if (worst > largest_excess) outcome = outcome_outside
          end if
          if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
       end do
-      call fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
+      call fill_result(model, case_index, mesh, gaps, newton, damped%drive, loads, outcome, work, result)
       result%shortened = shortened
       result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
-      if (result%status == result_converged .and. attempt > 1) result%message = 'converged with gaps '// &
-         trim(merge('at the nodes         ', 'at their extremum x0 ', numerics%gap_location == gap_at_nodes))// &
+      if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &
+         result%message = 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
+                                                             numerics%gap_location == gap_at_nodes))// &
          ': with the place asked for the iteration found no rest; shorter elements may help'
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
@@ -124,6 +135,7 @@ contains
       type(mesh_type) :: coarse
       type(gap_table_type) :: gaps
       type(newton_type) :: newton
+      type(damped_type) :: damped
       type(workspace_type) :: work
       type(load_type) :: loads
       type(numerics_type) :: numerics
@@ -142,23 +154,25 @@ contains
       numerics%tolerance = max(numerics%tolerance, coarse_tolerance)
       call prepare(model, model%cases(case_index), coarse, newton, work)
       allocate (solved(6, coarse%nodes))
-      call go_through_increments(model, case_index, numerics, pressing, .false., none, coarse, newton, gaps, solved, work, &
-                                 loads, outcome)
+      call go_through_increments(model, case_index, numerics, pressing, .false., none, .false., coarse, newton, damped, gaps, &
+                                 solved, work, loads, outcome)
       started = outcome == newton_converged
       if (started) call take_over(model%trajectory, coarse, work, gaps, solved, mesh, state, gap_states)
    end subroutine start_from_coarse
 
    !> One attempt: from the soft string, increment by increment, wall by wall, to the end or to where it fails.
-   subroutine go_through_increments(model, case_index, numerics, pressing, started, gap_states, mesh, newton, gaps, state, &
-                                    work, loads, outcome)
+   subroutine go_through_increments(model, case_index, numerics, pressing, started, gap_states, damping, mesh, newton, damped, &
+                                    gaps, state, work, loads, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: pressing     !< largest expected contact load over its clearance [N/m2]
       logical, intent(in) :: started       !< `state` is a start already: one increment, from the middle walls on
       integer, intent(in) :: gap_states(:) !< of the gaps at such a start
+      logical, intent(in) :: damping       !< by damped Newton
       type(mesh_type), intent(in) :: mesh
       type(newton_type), intent(inout) :: newton
+      type(damped_type), intent(inout) :: damped
       type(gap_table_type), intent(out) :: gaps
       real(wp), intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
@@ -169,20 +183,25 @@ contains
       integer :: increment, stage
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
-      call stage_walls(model, mesh, pressing, walls)
-      newton%viscosity = 0.0_wp
+      call stage_walls(model, mesh, pressing, merge(gentle_stiffening, largest_stiffening, damping), walls)
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, loads)
          do stage = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1), size(walls)
             call set_walls(model, mesh, walls(stage), gaps)
+            damped%continued = stage > 1
             if (increment == 1 .and. stage == 1 .and. .not. started) &
                call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
             tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/newton%force_scale)
-            if (stage < size(walls)) tolerance = max(tolerance, stage_tolerance)
-            call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), increment, gaps, &
-                         state, work, outcome)
+            if (stage < size(walls)) tolerance = max(tolerance, merge(settled_tolerance, stage_tolerance, damping))
+            if (damping) then
+               call iterate_damped(newton, damped, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), &
+                                   increment, gaps, state, work, outcome)
+            else
+               call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), increment, gaps, &
+                            state, work, outcome)
+            end if
             if (outcome /= newton_converged) return
          end do
       end do
@@ -192,17 +211,18 @@ contains
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
    !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
    !> stiffer wall then starts from the state before.
-   pure subroutine stage_walls(model, mesh, pressing, walls)
+   pure subroutine stage_walls(model, mesh, pressing, largest, walls)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
+      real(wp), intent(in) :: largest    !< ratio of a wall's stiffness to the one before [-]
       real(wp), allocatable, intent(out) :: walls(:)
       real(wp) :: soft, stiff, ratio
       integer :: stages, i
       soft = pressing/soft_penetration
       stiff = maxval(mesh%wall)
       stages = 1
-      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest_stiffening))
+      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))
       allocate (walls(stages), source=1.0_wp)
       if (stages == 1) return
       ratio = (soft/stiff)**(1.0_wp/(stages - 1))
@@ -249,11 +269,9 @@ contains
          newton%matrix = new_block_matrix(mesh%nodes)
          call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
          allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
-         allocate (newton%lump(6, mesh%nodes), source=0.0_wp)
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = sum(mesh%weight*mesh%length) + abs(load_case%wob)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)
-         newton%viscous_limit = numerics%viscous_limit*maxval(mesh%clearance)
       end associate
    end subroutine prepare
 
@@ -272,12 +290,13 @@ contains
    end subroutine set_loads
 
    !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(newton_type), intent(in) :: newton
+      real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
       type(load_type), intent(in) :: loads
       integer, intent(in) :: outcome
       type(workspace_type), intent(in) :: work
@@ -293,6 +312,9 @@ contains
       select case (outcome)
       case (newton_converged)
          result%status = result_converged
+         if (drive > model%numerics%tolerance*newton%force_scale) &
+            result%message = 'the string whirls: in a vertical hole nothing static balances friction and torque that turn its '// &
+            'bends about the axis; forces are those of the string as it turns'
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged

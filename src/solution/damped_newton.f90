@@ -1,0 +1,355 @@
+!> Newton-Raphson iteration of a compressed string, which buckles: it leaves its side of the hole, snakes and coils.
+!>
+!> On the way the tangent is indefinite, or next to singular: plain Newton leads uphill, or throws the string across the
+!> hole along a mode that nothing resists. Levenberg's (1944) damping as a viscous term on the lateral unknowns does neither:
+!>   1. Viscosity nu is raised until the tangent without friction and torque, the second derivative of an energy, is
+!>      positive definite with it (inertia control).
+!>   2. A step is taken only if it goes down that energy with friction's forces frozen: the slope r.p along the step
+!>      must not have turned into a rise as steep at its end. Else nu is raised and the step solved anew: other than a shorter
+!>      step this holds back the modes of least stiffness only. No slope felt at all, the step is drawn out.
+!>   3. Lateral steps of nodes near the wall are turns about the hole axis. Along straight lines a string on a round wall
+!>      could only creep.
+!>   4. Friction goes by a lagged normal force where the live one would run away: after a wall has been stiffened, and where
+!>      friction's tangent spoils the descent.
+!>   5. In a vertical hole nothing resists a turn of the whole string about the axis: what drives it, friction of a rotating
+!>      string that would whirl, is taken off the residual. The string found is the whirling one, seen as it turns.
+!> All of it acts on steps. At convergence lagged and live normal forces are one, and the residual is the true one but for 5.
+module dg_damped_newton
+   use dg_kinds, only: wp
+   use dg_assembly, only: assemble, load_type
+   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix
+   use dg_block_solver, only: block_positive_definite
+   use dg_case_result, only: iteration_type
+   use dg_gap_survey, only: survey_gaps
+   use dg_gap_state, only: state_free
+   use dg_gap_table, only: gap_table_type
+   use dg_linear_solver, only: solve_linear
+   use dg_mesh, only: mesh_type
+   use dg_newton, only: add_gap_rigidity, judge, largest_turn, most_rounds, newton_converged, newton_exhausted, newton_singular, &
+                        newton_type
+   use dg_numerics, only: numerics_type
+   use dg_trajectory, only: trajectory_type
+   use dg_turning_step, only: fix_phase, take_off_drive, turn_along_wall, turning_mode
+   use dg_viscosity, only: weigh
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
+   implicit none
+   private
+   public :: damped_type, new_damped, iterate_damped, is_stable
+
+   !> Viscosity in the units of dg_viscosity [-]; below the least it is none. An equilibrium counts as stable that needs no more
+   !> than the margin: F would have to drop by half of that part, 0.5 %.
+   real(wp), parameter :: viscosity_least = 1.0e-3_wp, viscosity_most = 1.0e9_wp
+   real(wp), parameter :: stability_margin = 1.0e-2_wp
+   !> The same in a vertical hole, where friction turns a rotating string out of its energy's minimum.
+   real(wp), parameter :: whirling_margin = 5.0e-2_wp
+   !> A residual over the force scale so small that the margin is left alone, lest viscosity delay the end [-].
+   real(wp), parameter :: near_rest = 1.0e-6_wp
+   !> Viscosity after a step that was good at first try, after one that was not, and on indefiniteness; each refusal doubles
+   !> its own factor (Nielsen 1999).
+   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp, until_definite = 2.0_wp
+   !> Slope at a step's end over that at its start, both of the energy [-]: a rise less than this is accepted; a fall this many
+   !> times as steep is friction running away.
+   real(wp), parameter :: largest_rise = 0.6_wp, largest_fall = 3.0_wp
+   !> A damped step at whose end the slope is this part of what it was is drawn out by this factor, up to this part of the
+   !> clearance.
+   real(wp), parameter :: still_falling = 0.5_wp, drawn = 3.0_wp, drawn_limit = 0.3_wp
+   !> Lagged friction ends when normal forces differ from it by this part in sum, or the residual over the force scale is
+   !> below this [-]; after some steps the lag follows by half the difference, by no more than this part of itself.
+   real(wp), parameter :: friction_drift = 0.1_wp, calm_residual = 1.0e-4_wp
+   real(wp), parameter :: follow = 0.5_wp, follow_limit = 0.25_wp
+   integer, parameter :: follow_after = 2
+   !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
+   integer, parameter :: energy_steps = 3
+   real(wp), parameter :: failing = 15.0_wp
+   !> Vertical to round-off: cosine of the inclination.
+   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
+
+   !> Room of a damped iteration, made once a case; (6,nodes) unless told.
+   type :: damped_type
+      type(block_matrix_type) :: energy            !< the tangent without friction and torque
+      real(wp), allocatable :: lump(:, :)          !< what a unit of viscosity adds to the diagonal
+      real(wp), allocatable :: mode(:, :)          !< turn of the string about a vertical hole's axis
+      real(wp), allocatable :: old(:, :)           !< state before a step
+      real(wp), allocatable :: drawn_from(:, :)    !< state before a step is drawn out
+      real(wp), allocatable :: trial(:, :)         !< residual after a step
+      integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
+      real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
+      real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
+      real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
+      logical :: continued = .false.               !< the state is at rest against a softer wall
+   end type damped_type
+
+contains
+
+   !> Room for a mesh.
+   pure subroutine new_damped(mesh, step_limit, damped)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: step_limit   !< [m]
+      type(damped_type), intent(out) :: damped
+      damped%energy = new_block_matrix(mesh%nodes)
+      allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
+                damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
+      allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
+      damped%step_limit = step_limit
+   end subroutine new_damped
+
+   !> Iterates `state` to a stable equilibrium under `loads`. `outcome` is one of the numbers of dg_newton.
+   subroutine iterate_damped(newton, damped, trajectory, mesh, loads, numerics, tolerance, soft, increment, gaps, state, work, &
+                             outcome)
+      type(newton_type), intent(inout) :: newton
+      type(damped_type), intent(inout) :: damped
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: tolerance          !< of the residual over the force scale [-]
+      logical, intent(in) :: soft                !< a stage before the last: gaps may move at once, and need not be at rest
+      integer, intent(in) :: increment
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      integer, intent(out) :: outcome
+      type(iteration_type) :: row
+      type(load_type) :: lagged
+      real(wp) :: before, slope, slope_after, growth, share, margin
+      logical :: fresh, good, lag, live, vertical, sliding, settled, changed
+      integer :: info, rounds, wait, start
+      lagged = loads
+      lagged%lagged = .true.
+      vertical = all(mesh%frame(3, 1, :) > upright)
+      margin = merge(whirling_margin, stability_margin, vertical)
+      sliding = any(abs(mesh%axial) > 0.0_wp)
+      lag = damped%continued
+      start = newton%iterations
+      rounds = 0
+      wait = 0
+      growth = until_definite
+      damped%viscosity = 0.0_wp
+      damped%drive = 0.0_wp
+      row%increment = increment
+      fresh = .true.
+      call judge(trajectory, mesh, numerics, soft, .true., state, gaps, work, row)
+      do
+         if (fresh) then
+            call measure()
+            if (.not. lag .and. before <= tolerance*newton%force_scale .and. (row%flips == 0 .or. soft)) then
+               call look_round(settled, changed)
+               if (settled) then
+                  outcome = newton_converged
+                  return
+               end if
+               if (changed) cycle
+            end if
+         end if
+         row%iteration = newton%iterations
+         newton%history(newton%iterations + 1) = row
+         if (newton%iterations >= numerics%max_iterations) then
+            outcome = newton_exhausted
+            return
+         end if
+         call raise_viscosity(damped, merge(margin, viscosity_least, before < near_rest*newton%force_scale))
+         row%viscosity = damped%viscosity
+         call solve_step(info)
+         if (info /= 0) then
+            outcome = newton_singular
+            return
+         end if
+         damped%old = state
+         call keep()
+         call take_step()
+         newton%iterations = newton%iterations + 1
+         slope = share*slope
+         if (live) then
+            good = slope < 0.0_wp .and. slope_after > largest_fall*slope .and. &
+                   (slope_after < -largest_rise*slope .or. maxval(abs(damped%trial)) < before)
+         else
+            good = slope < 0.0_wp .and. slope_after < -largest_rise*slope
+         end if
+         fresh = good
+         if (good) then
+            if (damped%viscosity > 0.0_wp) call draw_out()
+            wait = max(wait - 1, 0)
+            damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
+            if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
+            growth = until_definite
+            if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, state, gaps, work, row)
+         else
+            damped%viscosity = min(max(damped%viscosity, viscosity_least)*growth, viscosity_most)
+            growth = until_definite*growth
+            if (live .and. sliding .and. (slope_after < 0.0_wp .or. growth > failing)) then
+               wait = energy_steps
+               lag = .true.
+            end if
+            call go_back(damped%old)
+         end if
+      end do
+
+   contains
+
+      !> Residual and energy's tangent at the state, with live friction or with the lagged one that follows it.
+      subroutine measure()
+         real(wp) :: drift, total, mean
+         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
+         if (lag) then
+            total = sum(work%pressing)
+            drift = sum(abs(work%normal - work%pressing))/max(total, tiny(1.0_wp))
+            lag = drift > friction_drift .and. maxval(abs(newton%residual)) > calm_residual*newton%force_scale
+         end if
+         if (.not. lag) then
+            work%pressing = work%normal
+         else if (sliding .and. newton%iterations > start + follow_after) then
+            mean = total/size(work%pressing)
+            work%pressing = work%pressing + sign(min(follow*abs(work%normal - work%pressing), &
+                                                     follow_limit*abs(work%pressing + mean)), work%normal - work%pressing)
+         end if
+         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
+         call weigh(mesh, work, damped%lump)
+         if (vertical) then
+            call turning_mode(state, damped%mode)
+            call take_off_drive(damped%lump, damped%mode, newton%residual, damped%drive)
+         end if
+         row%residual_force = maxval(abs(newton%residual(1:3, :)))
+         row%residual_moment = maxval(abs(newton%residual(4:6, :)))
+         before = max(row%residual_force, row%residual_moment)
+         row%hookload = work%hookload
+         row%contacts = count(gaps%state /= state_free)
+      end subroutine measure
+
+      !> Whether the present rest is stable and, against the final wall, no gap wants another place; those that do have it.
+      subroutine look_round(settled, changed)
+         logical, intent(out) :: settled, changed
+         changed = .false.
+         call block_positive_definite(damped%energy, margin, damped%lump, settled)
+         if (.not. settled .or. soft .or. rounds >= most_rounds) return
+         rounds = rounds + 1
+         call judge(trajectory, mesh, numerics, .true., .true., state, gaps, work, row)
+         changed = row%moves > 0 .or. row%flips > 0
+         settled = .not. changed
+      end subroutine look_round
+
+      !> Newton's step with friction's tangent; where that does not lead down, or has failed, the energy's.
+      subroutine solve_step(fault)
+         integer, intent(out) :: fault
+         live = .not. lag .and. wait == 0
+         slope = 0.0_wp
+         if (live) then
+            call assemble(trajectory, mesh, loads, gaps, state, .false., work, damped%trial, newton%matrix)
+            call solve_with_viscosity(fault)
+            if (fault /= 0) return
+         end if
+         if (live .and. slope < 0.0_wp) return
+         lag = lag .or. live
+         live = .false.
+         newton%matrix%diagonal = damped%energy%diagonal
+         newton%matrix%upper = damped%energy%upper
+         newton%matrix%lower = damped%energy%lower
+         call solve_with_viscosity(fault)
+      end subroutine solve_step
+
+      subroutine solve_with_viscosity(fault)
+         integer, intent(out) :: fault
+         integer :: n, i
+         do n = 1, mesh%nodes
+            do i = 1, block_size
+               newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
+            end do
+         end do
+         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
+         newton%step = -newton%residual
+         call solve_linear(newton%solver, newton%matrix, newton%step, fault)
+         if (fault /= 0) return
+         if (vertical) call fix_phase(damped%lump, damped%mode, newton%step)
+         slope = sum(newton%step*newton%residual)
+         if (.not. abs(slope) < huge(slope)) fault = 1
+      end subroutine solve_with_viscosity
+
+      !> Takes the step within its limits, and looks what is there.
+      subroutine take_step()
+         row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
+         share = 1.0_wp/max(1.0_wp, row%lateral_step/damped%step_limit, &
+                            maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn)
+         newton%step = share*newton%step
+         call look()
+      end subroutine take_step
+
+      !> Places the string a step off the old state, whose nodes stand in `work`; slope_after is that along the step.
+      subroutine look()
+         type(load_type) :: used
+         real(wp) :: ignored
+         call turn_along_wall(trajectory, mesh, work, newton%step, state)
+         call judge(trajectory, mesh, numerics, .false., .true., state, gaps, work, row)
+         used = loads
+         used%lagged = .not. live
+         call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix)
+         if (vertical) then
+            call turning_mode(state, damped%mode)
+            call take_off_drive(damped%lump, damped%mode, damped%trial, ignored)
+         end if
+         slope_after = sum(newton%step*damped%trial)
+      end subroutine look
+
+      !> Goes on the way of a good damped step while it still falls and no gap changes.
+      subroutine draw_out()
+         do
+            if (.not. slope_after < still_falling*slope .or. row%flips > 0) return
+            if (.not. drawn*share*row%lateral_step < drawn_limit*damped%step_limit) return
+            call keep()
+            damped%drawn_from = state
+            newton%step = drawn*newton%step
+            share = drawn*share
+            slope = drawn*slope
+            call go_back(damped%old)
+            call look()
+            if (slope_after < 0.0_wp .and. row%flips == 0) cycle
+            call go_back(damped%drawn_from)
+            return
+         end do
+      end subroutine draw_out
+
+      !> Remembers the states of the gaps.
+      subroutine keep()
+         damped%states = gaps%state
+         damped%flips = gaps%flips
+      end subroutine keep
+
+      !> Back to a state and to the gaps that were kept with it.
+      subroutine go_back(to)
+         real(wp), intent(in) :: to(:, :)
+         state = to
+         gaps%state = damped%states
+         gaps%flips = damped%flips
+         row%flips = 0
+         call place_nodes(mesh, state, work)
+         call survey_gaps(trajectory, mesh, gaps, work)
+      end subroutine go_back
+   end subroutine iterate_damped
+
+   !> Whether the equilibrium at which `work` has been placed and surveyed is stable: the energy's tangent is positive definite
+   !> but for the margin.
+   subroutine is_stable(damped, trajectory, mesh, loads, gaps, state, work, stable)
+      type(damped_type), intent(inout) :: damped
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      logical, intent(out) :: stable
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
+      call weigh(mesh, work, damped%lump)
+      call block_positive_definite(damped%energy, stability_margin, damped%lump, stable)
+   end subroutine is_stable
+
+   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
+   pure subroutine raise_viscosity(damped, margin)
+      type(damped_type), intent(inout) :: damped
+      real(wp), intent(in) :: margin
+      logical :: definite
+      do
+         call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
+         if (definite .or. damped%viscosity > viscosity_most) return
+         damped%viscosity = until_definite*max(damped%viscosity, viscosity_least)
+      end do
+   end subroutine raise_viscosity
+
+end module dg_damped_newton
