@@ -11,6 +11,7 @@ module dg_arguments
       character(:), allocatable :: deck
       character(:), allocatable :: output_dir !< '': as the deck says
       integer :: threads = 0                  !< 0: as many as there are cores
+      logical :: threads_given = .false.      !< else as the deck says
       logical :: check = .false.
       logical :: quiet = .false.
       logical :: help = .false.
@@ -97,6 +98,7 @@ contains
          character(*), intent(in) :: text
          if (verify(text, '0123456789') == 0 .and. len(text) <= longest_count) then
             read (text, *) arguments%threads
+            arguments%threads_given = .true.
          else
             call refuse('--threads '//text//' is no number of threads; give 0 (all cores) to 9999')
          end if
@@ -120,7 +122,7 @@ contains
          'usage: '//program_name//' DECK.nml [options]', &
          '  --check        read and validate the deck, print what would be run, solve nothing', &
          '  --output DIR   folder of results instead of the deck''s output_dir', &
-         '  --threads N    cases solved at a time (0: all cores); this version solves one', &
+         '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores', &
          '  --quiet        no notes, no progress', &
          '  --help         this text', &
          '  --version      name and version', &

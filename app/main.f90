@@ -60,6 +60,7 @@ contains
       end if
       if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
       job%quiet = arguments%quiet
+      if (arguments%threads_given) job%threads = arguments%threads
       if (arguments%check) then
          call print_echo(output_unit, job, model, notes)
          status = status_ok

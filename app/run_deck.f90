@@ -3,13 +3,12 @@ module dg_run_deck
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
-   use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
+   use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_history_file, only: write_history
-   use dg_job, only: job_type, model_mcge, model_mixed, model_rigid, model_soft, model_name
+   use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: print_limits_table
-   use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_model_table, only: print_model_table
    use dg_paraview_file, only: write_paraview
@@ -18,16 +17,20 @@ module dg_run_deck
    use dg_result_table, only: print_result_table
    use dg_run_legacy, only: run_legacy
    use dg_results_h5, only: write_results_h5
-   use dg_rigid_string, only: solve_rigid_string
-   use dg_soft_string, only: solve_soft_string
-   use dg_static_analysis, only: solve_static_analysis
+   use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, to_text
+   use dg_threads, only: thread_count
    use dg_version, only: program_name
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
    public :: run_deck
+
+   !> What prevented a result, if anything did.
+   type :: failure_type
+      type(error_type), allocatable :: error
+   end type failure_type
 
 contains
 
@@ -41,8 +44,7 @@ contains
       type(along_string_type), allocatable :: alongs(:)
       type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
-      integer :: i, j, row
-      logical :: progress
+      integer :: i
 
       status = status_ok
       call make_folder(job%output_dir, error)
@@ -51,26 +53,9 @@ contains
          status = error%status
          return
       end if
-      progress = someone_watches() .and. .not. job%quiet
       allocate (results(size(job%models)*size(model%cases)))
       allocate (alongs(size(results)), wholes(size(results)))
-      row = 0
-      do i = 1, size(job%models)
-         do j = 1, size(model%cases)
-            row = row + 1
-            if (progress) write (error_unit, '(a)', advance='no') '['//to_text(row)//'/'//to_text(size(results))//'] '// &
-               place(job, model, job%models(i), j)//' ... '
-            flush (error_unit)
-            call solve_case(model, job%models(i), j, results(row), error)
-            if (progress) write (error_unit, '(a)') trim(result_status_name(results(row)%status))
-            call note_outcome(place(job, model, job%models(i), j), results(row), error, status)
-            if (allocated(results(row)%profile%md)) then
-               call find_along_string(model, results(row), alongs(row))
-               call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
-               call write_case_files(job, model, results(row), alongs(row), status)
-            end if
-         end do
-      end do
+      call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
       call write_limits(in_folder(job, 'limits.csv'), job, model, results, wholes, error)
@@ -91,33 +76,59 @@ contains
       flush (output_unit)
    end subroutine run_deck
 
-   !> Solves one case with one model. Where that is refused the result is marked as not converged.
-   subroutine solve_case(model, number, case_index, result, error)
+   !> Solves every case with every model, as many at a time as the job allows. Cases do not know of each other, and what is
+   !> told and written of them comes in the deck's order: nothing depends on the number of threads. What is solved is
+   !> written as soon as all before it is.
+   subroutine solve_all(job, model, results, alongs, wholes, status)
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      integer, intent(in) :: number            !< of the model
-      integer, intent(in) :: case_index
-      type(case_result_type), intent(out) :: result
-      type(error_type), allocatable, intent(out) :: error
-      select case (number)
-      case (model_mcge)
-         call solve_static_analysis(model, case_index, result, error)
-      case (model_soft)
-         call solve_soft_string(model, case_index, result, error)
-      case (model_rigid)
-         call solve_rigid_string(model, case_index, result, error)
-      case (model_mixed)
-         call solve_mixed_string(model, case_index, result, error)
-      case default
-         call raise(error, status_failure, 'no model of number '//to_text(number))
-      end select
-      if (allocated(error)) then
-         result%status = result_not_converged
-         result%message = error%message
-      end if
-      if (.not. allocated(result%message)) result%message = ''
-      result%case_index = case_index
-      result%model = number
-   end subroutine solve_case
+      type(case_result_type), intent(inout) :: results(:)
+      type(along_string_type), intent(inout) :: alongs(:)
+      type(whole_string_type), intent(inout) :: wholes(:)
+      integer, intent(inout) :: status
+      type(failure_type) :: failures(size(results))
+      logical :: solved(size(results)), progress
+      integer :: row, next
+      progress = someone_watches() .and. .not. job%quiet
+      solved = .false.
+      next = 1
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
+      do row = 1, size(results)
+         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error)
+         if (allocated(results(row)%profile%md)) then
+            call find_along_string(model, results(row), alongs(row))
+            call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
+         end if
+         !$omp critical (results_in_order)
+         solved(row) = .true.
+         do while (next <= size(results))
+            if (.not. solved(next)) exit
+            call note_outcome(place(job, model, number_of(next), case_of(next)), results(next), failures(next)%error, status)
+            if (allocated(results(next)%profile%md)) call write_case_files(job, model, results(next), alongs(next), status)
+            if (progress) write (error_unit, '(a)') '['//to_text(next)//'/'//to_text(size(results))//'] '// &
+               place(job, model, number_of(next), case_of(next))//': '//trim(result_status_name(results(next)%status))
+            next = next + 1
+         end do
+         !$omp end critical (results_in_order)
+      end do
+      !$omp end parallel do
+
+   contains
+
+      !> Number of the model of a row: all cases of the first model come first.
+      pure function number_of(row) result(number)
+         integer, intent(in) :: row
+         integer :: number
+         number = job%models((row - 1)/size(model%cases) + 1)
+      end function number_of
+
+      !> Load case of a row.
+      pure function case_of(row) result(index)
+         integer, intent(in) :: row
+         integer :: index
+         index = modulo(row - 1, size(model%cases)) + 1
+      end function case_of
+   end subroutine solve_all
 
    !> Tells what went wrong with a case and raises the exit status by it.
    subroutine note_outcome(where, result, error, status)

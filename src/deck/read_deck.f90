@@ -2,7 +2,7 @@
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_read_deck
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
@@ -20,7 +20,7 @@ module dg_read_deck
    use dg_job, only: job_type, model_count, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_text, only: text_type, append_text, lower_case, quoted, suggestion, to_text
+   use dg_text, only: text_type, lower_case, quoted, suggestion, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    use dg_units, only: unit_system_type, si_units, field_units
    implicit none
@@ -64,7 +64,7 @@ contains
             checked(i)%name = ''        ! said already
          end if
       end do
-      call take_job(path, draft%units, checked, job, notes)
+      call take_job(path, draft%units, checked, job)
       job%deck_text = text_of_lines(lines)
       call take_draft(checked, draft, faults)
       call close_holes(draft, faults)
@@ -149,12 +149,11 @@ contains
    end function units_of
 
    !> Fills the job from &job, or from defaults where the deck has none.
-   subroutine take_job(path, units, groups, job, notes)
+   subroutine take_job(path, units, groups, job)
       character(*), intent(in) :: path
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(in) :: groups(:)
       type(job_type), intent(inout) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
       type(text_type), allocatable :: models(:)
       integer :: i, k, m
       job%deck_path = path
@@ -173,8 +172,7 @@ contains
          job%plots = logical_of(groups(i), 'plots', .true.)
          if (is_given(groups(i), 'rig_limit') .and. is_sound(groups(i), 'rig_limit')) &
             job%rig_limit = given(real_of(groups(i), 'rig_limit', 0.0_wp))
-         if (real_of(groups(i), 'threads', 0.0_wp) > 1.0_wp) &
-            call append_text(notes, 'threads: this version solves one case at a time')
+         job%threads = integer_of(groups(i), 'threads', 0)
          if (.not. is_sound(groups(i), 'models')) return
          models = texts_of(groups(i), 'models')
          deallocate (job%models)

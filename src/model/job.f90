@@ -28,5 +28,6 @@ module dg_job
       logical :: hdf5 = .true.                 !< write results.h5
       logical :: plots = .true.                !< write files to look at
       logical :: quiet = .false.
+      integer :: threads = 0                   !< cases solved at a time; 0: all cores
    end type job_type
 end module dg_job

@@ -1,0 +1,46 @@
+!> One load case by the model of a given number: the one place that knows the doors of all models.
+module dg_solve_case
+   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_error, only: error_type, raise, status_failure
+   use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
+   use dg_mixed_string, only: solve_mixed_string
+   use dg_model, only: model_type
+   use dg_rigid_string, only: solve_rigid_string
+   use dg_soft_string, only: solve_soft_string
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_text, only: to_text
+   implicit none
+   private
+   public :: solve_case
+
+contains
+
+   !> Solves one case with one model. Where that is refused the result is marked as not converged. The model is only read:
+   !> several threads may solve cases of it.
+   subroutine solve_case(model, number, case_index, result, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number            !< of the model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      select case (number)
+      case (model_mcge)
+         call solve_static_analysis(model, case_index, result, error)
+      case (model_soft)
+         call solve_soft_string(model, case_index, result, error)
+      case (model_rigid)
+         call solve_rigid_string(model, case_index, result, error)
+      case (model_mixed)
+         call solve_mixed_string(model, case_index, result, error)
+      case default
+         call raise(error, status_failure, 'no model of number '//to_text(number))
+      end select
+      if (allocated(error)) then
+         result%status = result_not_converged
+         result%message = error%message
+      end if
+      if (.not. allocated(result%message)) result%message = ''
+      result%case_index = case_index
+      result%model = number
+   end subroutine solve_case
+end module dg_solve_case

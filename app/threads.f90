@@ -1,0 +1,20 @@
+!> How many threads work on what is independent.
+module dg_threads
+   !$ use omp_lib, only: omp_get_max_threads
+   implicit none
+   private
+   public :: thread_count
+
+contains
+
+   !> Threads for `tasks` independent pieces of work: as many as asked for, 0 being all cores (or what OMP_NUM_THREADS says),
+   !> but no more than there are pieces. One where the program was built without OpenMP.
+   function thread_count(wanted, tasks) result(threads)
+      integer, intent(in) :: wanted
+      integer, intent(in) :: tasks
+      integer :: threads
+      threads = max(wanted, 1)
+      !$ if (wanted == 0) threads = omp_get_max_threads()
+      threads = max(1, min(threads, tasks))
+   end function thread_count
+end module dg_threads
