@@ -6,6 +6,7 @@ module dg_run_deck
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_history_file, only: write_history
+   use dg_interruption, only: interruption_name, is_interrupted, watch_for_signals
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: print_limits_table
@@ -55,6 +56,7 @@ contains
       end if
       allocate (results(size(job%models)*size(model%cases)))
       allocate (alongs(size(results)), wholes(size(results)))
+      call watch_for_signals()
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
@@ -74,11 +76,16 @@ contains
          end do
       end if
       flush (output_unit)
+      if (is_interrupted()) then
+         call tell('ended by '//interruption_name()//': '//to_text(count(results%status /= result_not_converged))//' of '// &
+                   to_text(size(results))//' results are there, the others are marked not_converged')
+         status = graver(status, status_failure)
+      end if
    end subroutine run_deck
 
-   !> Solves every case with every model, as many at a time as the job allows. Cases do not know of each other, and what is
-   !> told and written of them comes in the deck's order: nothing depends on the number of threads. What is solved is
-   !> written as soon as all before it is.
+   !> Solves every case with every model, as many at a time as the job allows; after a signal no more of them. Cases do not
+   !> know of each other, and what is told and written of them comes in the deck's order: nothing depends on the number of
+   !> threads. What is solved is written as soon as all before it is.
    subroutine solve_all(job, model, results, alongs, wholes, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -139,7 +146,7 @@ contains
       if (allocated(error)) then
          call tell(where//': '//error%message)
          status = graver(status, error%status)
-      else if (result%status == result_not_converged) then
+      else if (result%status == result_not_converged .and. .not. is_interrupted()) then
          call tell(where//': did not converge; '//result%message)
          status = graver(status, status_not_converged)
       end if

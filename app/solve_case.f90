@@ -2,6 +2,7 @@
 module dg_solve_case
    use dg_case_result, only: case_result_type, result_not_converged
    use dg_error, only: error_type, raise, status_failure
+   use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
@@ -15,7 +16,8 @@ module dg_solve_case
 
 contains
 
-   !> Solves one case with one model. Where that is refused the result is marked as not converged. The model is only read:
+   !> Solves one case with one model. Where that is refused, or a signal came before it was done, the result is marked as not
+   !> converged. The model is only read:
    !> several threads may solve cases of it.
    subroutine solve_case(model, number, case_index, result, error)
       type(model_type), intent(in) :: model
@@ -23,7 +25,10 @@ contains
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      select case (number)
+      integer, parameter :: nothing = 0
+      select case (merge(nothing, number, is_interrupted()))
+      case (nothing)
+         result%message = 'not begun'
       case (model_mcge)
          call solve_static_analysis(model, case_index, result, error)
       case (model_soft)
@@ -40,6 +45,8 @@ contains
          result%message = error%message
       end if
       if (.not. allocated(result%message)) result%message = ''
+      if (is_interrupted() .and. result%status == result_not_converged) &
+         result%message = 'ended by '//interruption_name()//' before it was solved'
       result%case_index = case_index
       result%model = number
    end subroutine solve_case

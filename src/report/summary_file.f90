@@ -7,7 +7,8 @@ module dg_summary_file
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: load_case_type, operation_name
+   use dg_kinds, only: wp
+   use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type
    use dg_text, only: text_or_nothing, text_type
    use dg_units, only: unit_system_type
@@ -78,7 +79,7 @@ contains
       line = csv_row(summary_columns, units, row%fields)
    end function summary_row
 
-   !> Values of a result in the order of the columns.
+   !> Values of a result in the order of the columns; none calculated where the result holds nothing.
    pure subroutine summary_fields(load_case, result, row)
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
@@ -89,22 +90,22 @@ contains
       call put(row, trim(model_name(result%model)))
       call put(row, trim(operation_name(load_case%operation)))
       call put(row, load_case%bit_depth)
-      call put(row, result%inclination)
+      call put(row, of(result%inclination))
       call put(row, load_case%wob)
-      call put(row, result%hookload)
+      call put(row, of(result%hookload))
       call put(row, load_case%measured_hookload)
-      call put(row, percent_error(result%hookload, load_case%measured_hookload))
+      call put(row, error_of(result%hookload, load_case%measured_hookload))
       call put(row, load_case%reference_hookload)
-      call put(row, percent_error(result%hookload, load_case%reference_hookload))
-      call put(row, result%friction)
-      call put(row, result%torque)
-      call put(row, result%normal_force)
+      call put(row, error_of(result%hookload, load_case%reference_hookload))
+      call put(row, of(result%friction))
+      call put(row, of(result%torque))
+      call put(row, of(result%normal_force))
       call put(row, trim(result_status_name(result%status)))
       call put(row, result%iterations)
       call put(row, result%elements)
       call put(row, result%seconds)
       call put(row, load_case%measured_torque)
-      call put(row, percent_error(result%torque, load_case%measured_torque))
+      call put(row, error_of(result%torque, load_case%measured_torque))
       do state = lbound(result%states, 1), ubound(result%states, 1)
          call put(row, result%states(state))
       end do
@@ -113,5 +114,19 @@ contains
       call put(row, result%equilibrium_force)
       call put(row, result%equilibrium_moment)
       call put(row, text_or_nothing(result%message))
+   contains
+      !> A number of the result, if there is one.
+      pure function of(value) result(number)
+         real(wp), intent(in) :: value
+         type(optional_real) :: number
+         number = optional_real(allocated(result%profile%md), value)
+      end function of
+
+      pure function error_of(calculated, other) result(number)
+         real(wp), intent(in) :: calculated
+         type(optional_real), intent(in) :: other
+         type(optional_real) :: number
+         if (allocated(result%profile%md)) number = percent_error(calculated, other)
+      end function error_of
    end subroutine summary_fields
 end module dg_summary_file

@@ -23,6 +23,7 @@ module dg_damped_newton
    use dg_gap_survey, only: survey_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
+   use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
    use dg_newton, only: add_gap_rigidity, judge, largest_turn, most_rounds, newton_converged, newton_exhausted, newton_singular, &
@@ -143,7 +144,7 @@ contains
          end if
          row%iteration = newton%iterations
          newton%history(newton%iterations + 1) = row
-         if (newton%iterations >= numerics%max_iterations) then
+         if (newton%iterations >= numerics%max_iterations .or. is_interrupted()) then
             outcome = newton_exhausted
             return
          end if

@@ -10,6 +10,7 @@ module dg_newton
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, judge_states
+   use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
@@ -87,7 +88,7 @@ contains
             return
          end if
          stalled = merge(stalled + 1, 0, row%flips > 0)
-         if (newton%iterations >= numerics%max_iterations) then
+         if (newton%iterations >= numerics%max_iterations .or. is_interrupted()) then
             outcome = newton_exhausted
             return
          end if

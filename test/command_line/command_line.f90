@@ -11,6 +11,7 @@ contains
       use dg_test_bad_decks, only: bad_decks_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
+      use dg_test_interruption, only: interruption_suite
       use dg_test_threads, only: threads_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
@@ -18,5 +19,6 @@ contains
       call suite%addTest(program_suite())
       call suite%addTest(legacy_runs_suite())
       call suite%addTest(threads_suite())
+      call suite%addTest(interruption_suite())
    end function load_tests
 end program command_line

@@ -9,7 +9,8 @@ module dg_program_run
    use dg_text, only: text_type, append_text
    implicit none
    private
-   public :: run_type, run_program, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, clear_scratch
+   public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
+      clear_scratch
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
@@ -106,6 +107,24 @@ contains
       run%diagnostics = content(scratch//'/diagnostics.txt')
       run%has_results = is_folder(results_path)
    end function run_program
+
+   !> Runs the deck in the scratch folder and ends it by a signal as soon as a file is among its results.
+   function run_interrupted(options, file, signal) result(run)
+      character(*), intent(in) :: options
+      character(*), intent(in) :: file
+      character(*), intent(in) :: signal       !< name as `kill` takes it
+      type(run_type) :: run
+      integer :: command_status
+      ! in the foreground: a shell starts what is behind & with SIGINT ignored
+      call execute_command_line('(for i in $(seq 500); do [ -e '//results_path//'/'//file//' ] && break; sleep 0.02; done; '// &
+                                'kill -'//signal//' $(cat '//scratch//"/pid)) & sh -c 'echo $$ > "//scratch//'/pid; exec "'// &
+                                program_path()//'" '//deck_path//' --output '//results_path//' '//options//"' > "//scratch// &
+                                '/output.txt 2> '//scratch//'/diagnostics.txt', exitstat=run%status, cmdstat=command_status)
+      if (command_status /= 0) run%status = -1
+      run%output = content(scratch//'/output.txt')
+      run%diagnostics = content(scratch//'/diagnostics.txt')
+      run%has_results = is_folder(results_path)
+   end function run_interrupted
 
    !> Empties the scratch folder.
    subroutine clear_scratch()

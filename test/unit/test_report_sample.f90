@@ -61,9 +61,9 @@ contains
       do i = 1, 4
          results(i)%states = [100, 90, 18]
          results(i)%message = ''
+         results(i)%profile = new_profile(2)
       end do
       results(4)%message = 'residual 3 kN after 200 iterations, in the vertical part; try shorter elements'
-      results(1)%profile = new_profile(2)
       results(1)%profile%md = [0.0_wp, 2075.0_wp]
       results(1)%profile%axial = [733.4e3_wp, 0.0_wp]
       results(1)%profile%inclination = [0.0_wp, 65.0_wp*degree]

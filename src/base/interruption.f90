@@ -1,0 +1,67 @@
+!> Whether somebody has asked the program to end: SIGINT (Ctrl-C), SIGTERM (a scheduler), SIGHUP (the terminal has gone).
+!> Long work asks now and then and ends in good order, with whole files for what is done. A second signal of the same kind
+!> ends the program at once.
+module dg_interruption
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_intptr_t, c_null_funptr
+   implicit none
+   private
+   public :: watch_for_signals, is_interrupted, interruption_name
+
+   ! Numbers of signal.h (POSIX fixes these three).
+   integer(c_int), parameter :: signals(3) = [1_c_int, 2_c_int, 15_c_int]
+   character(*), parameter :: signal_name(3) = [character(7) :: 'SIGHUP', 'SIGINT', 'SIGTERM']
+
+   !> Handler of a signal that is ignored (SIG_IGN).
+   integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
+
+   !> The signal that came, 0 while none has: C's sig_atomic_t. A signal comes at any moment in any thread and has no
+   !> argument to leave word in, hence the one variable of a module in this program.
+   integer(c_int), volatile :: arrived = 0_c_int
+
+   interface
+      ! returns the handler before, or SIG_ERR
+      function c_signal(number, handler) result(before) bind(c, name='signal')
+         import :: c_funptr, c_int
+         implicit none
+         integer(c_int), value :: number
+         type(c_funptr), value :: handler
+         type(c_funptr) :: before
+      end function c_signal
+   end interface
+
+contains
+
+   !> From now on signals are noted instead of ending the program. Those that are ignored, as under nohup, stay so.
+   subroutine watch_for_signals()
+      type(c_funptr) :: before
+      integer :: i
+      do i = 1, size(signals)
+         before = c_signal(signals(i), c_funloc(note_signal))
+         if (transfer(before, ignored) == ignored) before = c_signal(signals(i), before)
+      end do
+   end subroutine watch_for_signals
+
+   !> Notes a signal, and lets the next of its kind do what it does by default: end the program (SIG_DFL is a null pointer).
+   subroutine note_signal(number) bind(c, name='dg_note_signal')
+      integer(c_int), value :: number
+      type(c_funptr) :: before
+      arrived = number
+      before = c_signal(number, c_null_funptr)
+   end subroutine note_signal
+
+   !> Whether a signal has come. Costs a look at one variable.
+   function is_interrupted() result(is)
+      logical :: is
+      is = arrived /= 0_c_int
+   end function is_interrupted
+
+   !> Name of the signal that came, '' where none has.
+   function interruption_name() result(name)
+      character(:), allocatable :: name
+      integer :: i
+      name = ''
+      do i = 1, size(signals)
+         if (arrived == signals(i)) name = trim(signal_name(i))
+      end do
+   end function interruption_name
+end module dg_interruption
