@@ -36,7 +36,7 @@ ONLY_FROM_APP = {"deck", "report"}
 # Folders whose procedures may read or write files and the screen.
 MAY_TALK = {"app", "deck", "report"}
 # The one module of base/ that touches files on their behalf, and its neighbours for folders.
-FILE_MODULES = {"src/base/file_system.f90", "src/base/folder.f90"}
+FILE_MODULES = {"src/base/file_lines.f90", "src/base/file_system.f90", "src/base/folder.f90"}
 
 USE = re.compile(r"^\s*use\s*(?:,\s*(?:non_)?intrinsic\s*)?(?:::)?\s*(\w+)", re.I | re.M)
 MODULE = re.compile(r"^\s*module\s+(?!procedure\b|subroutine\b|function\b)(\w+)\s*$", re.I | re.M)

@@ -8,13 +8,13 @@ module dg_deck_echo
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
-   use dg_text, only: text_type, to_text
+   use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: position_at
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
    implicit none
    private
-   public :: print_echo
+   public :: print_echo, echo_lines
 
    !> Significant digits of a number in the echo.
    integer, parameter :: digits = 7
@@ -27,37 +27,51 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(text_type), intent(in) :: notes(:)
-      character(:), allocatable :: models
+      type(text_type), allocatable :: lines(:)
       integer :: i
-      models = ''
-      do i = 1, size(job%models)
-         if (i > 1) models = models//', '
-         models = models//trim(model_name(job%models(i)))
-      end do
       write (unit, '(a)') program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved'
-      if (job%title /= '') write (unit, '(a)') 'title       '//job%title
-      write (unit, '(a)') 'models      '//models
-      write (unit, '(a)') 'units       '//trim(job%units%name)
-      write (unit, '(a)') 'results in  '//job%output_dir
-      call print_hole(unit, job%units, model)
-      do i = 1, size(model%strings)
-         call print_string(unit, job%units, model, i)
+      call echo_lines(job, model, lines)
+      do i = 1, size(lines)
+         write (unit, '(a)') lines(i)%text
       end do
-      write (unit, '(a)') 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
-         lateral(model%boundary%bit_centred)
-      write (unit, '(a)') 'load cases  '//to_text(size(model%cases))
-      do i = 1, size(model%cases)
-         call print_case(unit, job%units, model%cases(i))
-      end do
-      call print_numerics(unit, job%units, model%numerics)
       do i = 1, size(notes)
          write (unit, '(a)') 'note        '//notes(i)%text
       end do
    end subroutine print_echo
 
+   !> What a deck asks for, line by line.
+   pure subroutine echo_lines(job, model, lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable, intent(out) :: lines(:)
+      character(:), allocatable :: models
+      integer :: i
+      allocate (lines(0))
+      models = ''
+      do i = 1, size(job%models)
+         if (i > 1) models = models//', '
+         models = models//trim(model_name(job%models(i)))
+      end do
+      if (job%title /= '') call append_text(lines, 'title       '//job%title)
+      call append_text(lines, 'models      '//models)
+      call append_text(lines, 'units       '//trim(job%units%name))
+      call append_text(lines, 'results in  '//job%output_dir)
+      call add_hole(lines, job%units, model)
+      do i = 1, size(model%strings)
+         call add_string(lines, job%units, model, i)
+      end do
+      call append_text(lines, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
+         lateral(model%boundary%bit_centred))
+      call append_text(lines, 'load cases  '//to_text(size(model%cases)))
+      do i = 1, size(model%cases)
+         call add_case(lines, job%units, model%cases(i))
+      end do
+      call add_numerics(lines, job%units, model%numerics)
+   end subroutine echo_lines
+
    !> Path, sections of the hole, mud.
-   subroutine print_hole(unit, units, model)
-      integer, intent(in) :: unit
+   pure subroutine add_hole(lines, units, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       real(wp) :: position(3), tangent(3)
@@ -65,82 +79,82 @@ contains
       associate (path => model%trajectory)
          n = size(path%md)
          call position_at(path, path%md(n), position, tangent)
-         write (unit, '(a)') 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
+         call append_text(lines, 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
             ', '//quantity(position(3), units%length, 'vertical')//', '//quantity(position(1), units%length, 'north')// &
             ', '//quantity(position(2), units%length, 'east')//' ['//unit_label(units, unit_length)//'], inclination up to '// &
-            quantity(maxval(path%inclination), units%angle, 'deg')
+            quantity(maxval(path%inclination), units%angle, 'deg'))
       end associate
       do i = 1, size(model%holes)
          associate (hole => model%holes(i))
-            write (unit, '(a)') 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
+            call append_text(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
                quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', friction axial '// &
                to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)// &
                optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
-               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter))
+               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter)))
          end associate
       end do
-      write (unit, '(a)') 'fluid       '//quantity(model%mud_density, units%density, unit_label(units, unit_density))// &
-         ', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
-   end subroutine print_hole
+      call append_text(lines, 'fluid       '//quantity(model%mud_density, units%density, unit_label(units, unit_density))// &
+         ', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2'))
+   end subroutine add_hole
 
    !> A string with its components, from the bit upwards.
-   subroutine print_string(unit, units, model, number)
-      integer, intent(in) :: unit
+   pure subroutine add_string(lines, units, model, number)
+      type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       integer, intent(in) :: number
       integer :: i
       character(:), allocatable :: length
       associate (string => model%strings(number))
-         write (unit, '(a)') 'string      '//string%name//', from the bit upwards'
+         call append_text(lines, 'string      '//string%name//', from the bit upwards')
          do i = 1, size(string%components)
             associate (part => string%components(i))
                length = 'to surface'
                if (part%length > 0.0_wp) length = quantity(part%length, units%length, unit_label(units, unit_length))
-               write (unit, '(a)') '  '//part%name//' ('//part%kind//'): '//length//', od '// &
+               call append_text(lines, '  '//part%name//' ('//part%kind//'): '//length//', od '// &
                   quantity(part%od, units%diameter, unit_label(units, unit_diameter))//', id '// &
                   quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
                   quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
                   quantity(part%density, units%density, unit_label(units, unit_density))// &
-                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))
+                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter)))
             end associate
          end do
       end associate
-   end subroutine print_string
+   end subroutine add_string
 
    !> One load case.
-   subroutine print_case(unit, units, case)
-      integer, intent(in) :: unit
+   pure subroutine add_case(lines, units, case)
+      type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: case
-      write (unit, '(a)') '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
+      call append_text(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
          quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
          optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
          optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
          optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &
-         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))
-   end subroutine print_case
+         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force)))
+   end subroutine add_case
 
    !> Settings of the solver.
-   subroutine print_numerics(unit, units, numerics)
-      integer, intent(in) :: unit
+   pure subroutine add_numerics(lines, units, numerics)
+      type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
       character(:), allocatable :: location
       location = 'extremum'
       if (numerics%gap_location == gap_at_nodes) location = 'nodes'
-      write (unit, '(a)') 'solver      elements to '// &
+      call append_text(lines, 'solver      elements to '// &
          quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location// &
          ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
-         ', load steps '//to_text(numerics%load_steps)
-      write (unit, '(a)') '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
+         ', load steps '//to_text(numerics%load_steps))
+      call append_text(lines, '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
          quantity(numerics%gk_contact, units%wall_stiffness, '')//', gk_max '// &
          quantity(numerics%gk_max, units%wall_stiffness, unit_label(units, unit_wall))//', eps_n0 '// &
          to_text(numerics%eps_n0, digits)//', eps_nmax '//to_text(numerics%eps_nmax, digits)//', r_n0 '// &
-         quantity(numerics%r_n0, units%force, unit_label(units, unit_force))
-   end subroutine print_numerics
+         quantity(numerics%r_n0, units%force, unit_label(units, unit_force)))
+   end subroutine add_numerics
 
    !> An SI value in the deck's unit with its label.
    pure function quantity(value, unit, label) result(text)

@@ -17,6 +17,7 @@ module dg_run_deck
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
    use dg_run_legacy, only: run_legacy
+   use dg_run_pictures, only: run_pictures
    use dg_results_h5, only: write_results_h5
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
@@ -80,6 +81,9 @@ contains
          call tell('ended by '//interruption_name()//': '//to_text(count(results%status /= result_not_converged))//' of '// &
                    to_text(size(results))//' results are there, the others are marked not_converged')
          status = graver(status, status_failure)
+      else if (job%plots) then
+         call run_pictures(job, model, results, alongs, wholes, error)
+         call note_failure(error, status)
       end if
    end subroutine run_deck
 

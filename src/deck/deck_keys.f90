@@ -49,7 +49,7 @@ module dg_deck_keys
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
       key_rule_type('job', 'hdf5', kind_logical, default='.true.', meaning='write results.h5'), &
-      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='write files for ParaView'), &
+      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='pictures, report.html and files for ParaView'), &
       key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
       key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='hook load that the rig may carry; default: not known'), &

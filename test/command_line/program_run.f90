@@ -30,7 +30,7 @@ contains
    !> A deck without fault that is solved in no time; 20 lines, which tests of messages count on.
    function good_deck() result(text)
       character(:), allocatable :: text
-      text = "&job title = 'a deck', models = 'soft' /"//newline// &
+      text = "&job title = 'a deck', models = 'soft', plots = .false. /"//newline// &
              "&trajectory"//newline// &
              "  md  = 0.0, 500.0, 900.0"//newline// &
              "  inc = 0.0, 0.0, 30.0"//newline// &
@@ -96,12 +96,15 @@ contains
    end function run_deck_text
 
    !> Runs the program with arguments as a shell takes them.
-   function run_program(arguments) result(run)
+   function run_program(arguments, environment) result(run)
       character(*), intent(in) :: arguments
+      character(*), intent(in), optional :: environment   !< NAME=VALUE, set for this run alone
       type(run_type) :: run
       integer :: command_status
-      call execute_command_line("'"//program_path()//"' "//arguments//' > '//scratch//'/output.txt 2> '//scratch// &
-                                '/diagnostics.txt', exitstat=run%status, cmdstat=command_status)
+      character(:), allocatable :: command
+      command = "'"//program_path()//"' "//arguments//' > '//scratch//'/output.txt 2> '//scratch//'/diagnostics.txt'
+      if (present(environment)) command = environment//' '//command
+      call execute_command_line(command, exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
       run%diagnostics = content(scratch//'/diagnostics.txt')

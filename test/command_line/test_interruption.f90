@@ -59,7 +59,8 @@ contains
    !> The good deck with one short case and four that have some ten thousand elements each.
    function long_deck() result(deck)
       character(:), allocatable :: deck
-      deck = replaced(replaced(good_deck(), "'soft'", "'mcge'"), 'element_length = 10.0', 'element_length = 0.1')
+      deck = replaced(replaced(replaced(good_deck(), ', plots = .false.', ''), "'soft'", "'mcge'"), 'element_length = 10.0', &
+                      'element_length = 0.1')
       deck = replaced(replaced(deck, "operation = 'up'", "operation = 'static'"), '  bit_depth = 900.0', '  bit_depth = 105.0')
       deck = deck//"&load_case name = 'b', operation = 'up', bit_depth = 900.0 /"//newline// &
              "&load_case name = 'c', operation = 'down', bit_depth = 900.0 /"//newline// &

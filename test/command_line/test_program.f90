@@ -26,6 +26,8 @@ contains
       call suite%addTest(TestMethod('no_profiles', test_no_profiles))
       call suite%addTest(TestMethod('hdf5_files', test_hdf5_files))
       call suite%addTest(TestMethod('hdf5_file_in_the_way', test_hdf5_in_the_way))
+      call suite%addTest(TestMethod('pictures', test_pictures))
+      call suite%addTest(TestMethod('no_gnuplot', test_no_gnuplot))
       call suite%addTest(TestMethod('limits', test_limits))
       call suite%addTest(TestMethod('not_converged', test_not_converged))
       call suite%addTest(TestMethod('output_not_writable', test_output_not_writable))
@@ -116,19 +118,55 @@ contains
       call assertFalse(is_file('profile_u_soft.csv'))
    end subroutine test_no_profiles
 
+   !> Pictures and page where the deck does not say no; gnuplot must be there.
+   subroutine test_pictures()
+      type(run_type) :: run
+      run = run_deck_text(with_plots())
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual('', run%diagnostics)
+      call assertTrue(is_file('pictures/hookload.svg'))
+      call assertTrue(is_file('pictures/path_u.svg'))
+      call assertTrue(is_file('pictures/forces_s.svg'))
+      call assertFalse(is_file('pictures/gnuplot.log'))
+      call assertTrue(is_file('report.html'))
+      run = run_deck_text(good_deck())
+      call assertFalse(is_file('pictures/hookload.svg'))
+      call assertFalse(is_file('report.html'))
+   end subroutine test_pictures
+
+   !> Without gnuplot the run says so, and scripts, data and page are there all the same.
+   subroutine test_no_gnuplot()
+      type(run_type) :: run
+      run = run_deck_text(with_plots(), '--check')
+      run = run_program(deck_path//' --output '//results_path, environment='PATH=/nonexistent')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'note: no gnuplot here') > 0, message=run%diagnostics)
+      call assertTrue(is_file('pictures/all.gp'))
+      call assertTrue(is_file('pictures/forces_s.gp'))
+      call assertTrue(is_file('profile_s_soft.csv'))
+      call assertFalse(is_file('pictures/forces_s.svg'))
+      call assertTrue(is_file('report.html'))
+   end subroutine test_no_gnuplot
+
+   !> The deck without its word against pictures, which cost other tests time.
+   function with_plots() result(text)
+      character(:), allocatable :: text
+      text = replaced(good_deck(), ', plots = .false.', '')
+   end function with_plots
+
    !> Whole files of the format, or none where the deck says so; what is in them .ci/check_results.py reads.
    subroutine test_hdf5_files()
       type(run_type) :: run
-      run = run_deck_text(good_deck())
+      run = run_deck_text(with_plots())
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(is_hdf5('results.h5'))
       call assertTrue(is_hdf5('view_u_soft.vtkhdf'))
       call assertTrue(is_hdf5('view_s_soft.vtkhdf'))
       call assertFalse(is_file('results.h5.unfinished'))
-      run = run_deck_text(replaced(good_deck(), 'title', 'hdf5 = .false., title'))
+      run = run_deck_text(replaced(with_plots(), 'title', 'hdf5 = .false., title'))
       call assertFalse(is_file('results.h5'))
       call assertTrue(is_file('view_u_soft.vtkhdf'))
-      run = run_deck_text(replaced(good_deck(), 'title', 'plots = .false., title'))
+      run = run_deck_text(good_deck())
       call assertTrue(is_file('results.h5'))
       call assertFalse(is_file('view_u_soft.vtkhdf'))
    end subroutine test_hdf5_files
@@ -136,7 +174,7 @@ contains
    !> A file that cannot be written costs the exit status, not the other files.
    subroutine test_hdf5_in_the_way()
       type(run_type) :: run
-      run = run_deck_text(good_deck(), '--check')
+      run = run_deck_text(with_plots(), '--check')
       call execute_command_line('mkdir -p '//results_path//'/results.h5')
       run = run_program(deck_path//' --output '//results_path)
       call assertEqual(1, run%status)

@@ -35,6 +35,7 @@ contains
       use dg_test_curvature_change, only: curvature_change_suite
       use dg_test_model_table, only: model_table_suite
       use dg_test_legacy, only: legacy_suite
+      use dg_test_pictures, only: pictures_suite
       use dg_test_pipe_stress, only: pipe_stress_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_string_limits, only: string_limits_suite
@@ -68,6 +69,7 @@ contains
       call suite%addTest(curvature_change_suite())
       call suite%addTest(model_table_suite())
       call suite%addTest(legacy_suite())
+      call suite%addTest(pictures_suite())
       call suite%addTest(pipe_stress_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(string_limits_suite())

@@ -1,0 +1,39 @@
+!> Draws the pictures of a run and puts all into one page.
+module dg_run_pictures
+   use, intrinsic :: iso_fortran_env, only: error_unit
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type
+   use dg_deck_echo, only: echo_lines
+   use dg_error, only: error_type
+   use dg_html_report, only: write_html_report
+   use dg_job, only: job_type
+   use dg_model, only: model_type
+   use dg_picture_files, only: folder_in, picture_list_type, write_pictures
+   use dg_text, only: text_type
+   use dg_version, only: program_name
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: run_pictures
+
+contains
+
+   !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same.
+   subroutine run_pictures(job, model, results, alongs, wholes, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: page_error
+      type(picture_list_type) :: pictures
+      type(text_type), allocatable :: echo(:)
+      call write_pictures(job, model, results, alongs, pictures, error)
+      if (pictures%no_gnuplot .and. .not. job%quiet) write (error_unit, '(a)') program_name// &
+         ': note: no gnuplot here, so no pictures are drawn; '//folder_in(job)//'/all.gp draws them where there is one'
+      call echo_lines(job, model, echo)
+      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, pictures, echo, page_error)
+      if (allocated(page_error) .and. .not. allocated(error)) call move_alloc(page_error, error)
+   end subroutine run_pictures
+end module dg_run_pictures

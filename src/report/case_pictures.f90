@@ -1,0 +1,279 @@
+!> Pictures of one load case: the well with the contact of the string, and what the string carries against depth.
+!> They draw from the profile files beside them.
+module dg_case_pictures
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type
+   use dg_column, only: column_header, unit_size, unit_text
+   use dg_gnuplot_script, only: add_series, colour_black, colour_grey, end_script, legend, limit_dash, line_style, mark_style, &
+                                panel, plot, series_type, start_script, x_range
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, operation_label, rotates
+   use dg_missing, only: is_missing
+   use dg_profile_columns, only: profile_columns, profile_values
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: path_script, forces_script
+
+   integer, parameter :: digits = 8
+   !> Most marks of a kind in a panel: more make a band and a large file, and tell no more.
+   integer, parameter :: most_marks = 300
+   !> Size of the pictures [px], and the parts of their height that hold panels and legend.
+   integer, parameter :: width = 1120, height = 580
+   real(wp), parameter :: panel_bottom = 0.125_wp, panel_top = 0.84_wp, legend_top = 0.92_wp
+
+contains
+
+   !> Vertical section and plan, to one scale, with the state of contact along the string. `result` has a profile.
+   subroutine path_script(name, job, load_case, result, lines)
+      character(*), intent(in) :: name      !< of the picture
+      type(job_type), intent(in) :: job
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      type(text_type), allocatable, intent(out) :: lines(:)
+      type(series_type), allocatable :: series(:)
+      real(wp), allocatable :: section(:)
+      real(wp) :: azimuth, scale
+      real(wp), parameter :: left(2) = [0.075_wp, 0.575_wp], wide = 0.41_wp
+      character(:), allocatable :: data, across, unit
+      integer :: n
+      associate (profile => result%profile)
+         n = size(profile%md)
+         azimuth = 0.0_wp
+         if (hypot(profile%north(n), profile%east(n)) > 0.0_wp) azimuth = atan2(profile%east(n), profile%north(n))
+         section = cos(azimuth)*profile%north + sin(azimuth)*profile%east
+         data = "'../profile_"//load_case%name//'_'//trim(model_name(result%model))//".csv'"
+         unit = ' ['//trim(job%units%length_label)//']'
+         across = '(('//to_text(cos(azimuth), digits)//')*'//value('north')//'+('//to_text(sin(azimuth), digits)//')*'// &
+            value('east')//')'
+         call start_script(lines, name, width, height)
+         call append_text(lines, "touches(state, value) = stringcolumn('gap_state') eq state ? value : NaN")
+         call add_curves(across, value('tvd'))
+         call legend(lines, case_title(job%units, load_case)//', model '//trim(model_name(result%model)), series, panel_top, &
+                     legend_top)
+         ! the plan of a vertical hole is a point: a hundredth of its depth shows that
+         scale = max(per_pixel(section, profile%tvd), per_pixel(profile%north, profile%east), &
+                     0.01_wp*profile%md(n)/(wide*width))
+         call panel(lines, left(1), left(1) + wide, panel_bottom, panel_top, 'vertical section along azimuth '// &
+                    to_text(real(nint(modulo(azimuth/job%units%angle, 360.0_wp)), wp))//' deg'//unit, &
+                    'true vertical depth'//unit)
+         call append_text(lines, 'set xrange ['//window(section, wide*width, .false.)//']; set yrange ['// &
+                          window(profile%tvd, (panel_top - panel_bottom)*height, .true.)//']')
+         call plot(lines, series)
+         call add_curves(value('east'), value('north'))
+         call panel(lines, left(2), left(2) + wide, panel_bottom, panel_top, 'east'//unit, 'north'//unit)
+         call append_text(lines, 'set xrange ['//window(profile%east, wide*width, .false.)//']; set yrange ['// &
+                          window(profile%north, (panel_top - panel_bottom)*height, .false.)//']')
+         call plot(lines, series)
+         call end_script(lines)
+      end associate
+
+   contains
+
+      !> The hole, and marks where the string touches.
+      subroutine add_curves(x, y)
+         character(*), intent(in) :: x, y
+         character(:), allocatable :: thinned
+         if (allocated(series)) deallocate (series)
+         thinned = thinning(n)
+         call add_series(series, data//' using ('//x//'):('//y//')', "with lines lw 1.5 lc rgb '"//colour_grey//"'", &
+                         'hole; no mark: string free')
+         call add_series(series, data//" using (touches('elastic', "//x//')):('//y//')'//thinned, mark_style(1, 0.4_wp), &
+                         'elastic contact')
+         call add_series(series, data//" using (touches('rigid', "//x//')):('//y//')'//thinned, mark_style(2, 0.6_wp), &
+                         'rigid contact')
+      end subroutine add_curves
+
+      pure function value(column) result(text)
+         character(*), intent(in) :: column
+         character(:), allocatable :: text
+         text = file_value(column, job%units)
+      end function value
+
+      !> Metres a pixel at which both directions fit a panel.
+      pure function per_pixel(x, y) result(metres)
+         real(wp), intent(in) :: x(:), y(:)
+         real(wp) :: metres
+         real(wp), parameter :: air = 1.1_wp
+         metres = air*max((maxval(x) - minval(x))/(wide*width), &
+                          (maxval(y) - minval(y))/((panel_top - panel_bottom)*height))
+      end function per_pixel
+
+      !> Range of an axis of that many pixels around the values, in the deck's units.
+      pure function window(values, pixels, downwards) result(text)
+         real(wp), intent(in) :: values(:), pixels
+         logical, intent(in) :: downwards
+         character(:), allocatable :: text
+         real(wp) :: middle, half
+         middle = 0.5_wp*(minval(values) + maxval(values))
+         half = 0.5_wp*scale*pixels
+         if (downwards) half = -half
+         text = to_text((middle - half)/job%units%length, digits)//':'//to_text((middle + half)/job%units%length, digits)
+      end function window
+   end subroutine path_script
+
+   !> Axial force with buckling limits, torque (bending moment where there is no torque), side force and clock angle of
+   !> all models of a case, against depth. All `results` have profiles.
+   subroutine forces_script(name, job, load_case, results, alongs, lines)
+      character(*), intent(in) :: name      !< of the picture
+      type(job_type), intent(in) :: job
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: results(:)      !< of the case, one a model
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(text_type), allocatable, intent(out) :: lines(:)
+      type(series_type), allocatable :: series(:)
+      real(wp), parameter :: left(4) = [0.075_wp, 0.315_wp, 0.545_wp, 0.775_wp], wide = 0.21_wp
+      !> Steps between tics: their labels have four letters' room each.
+      integer, parameter :: intervals = 5
+      call start_script(lines, name, width, height)
+      call add_axial()
+      call legend(lines, case_title(job%units, load_case), series, panel_top, legend_top)
+      call append_text(lines, 'set yrange ['//to_text(load_case%bit_depth/job%units%length, digits)//':0]')
+      call panel(lines, left(1), left(1) + wide, panel_bottom, panel_top, axis('effective axial force', 'axial'), &
+                 axis('measured depth', 'md'))
+      call set_axial_range()
+      call plot(lines, series)
+      if (rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp) then
+         call draw_curves(left(2), 'torque', 'torque')
+      else
+         call draw_curves(left(2), 'bending moment', 'bending')
+      end if
+      call draw_curves(left(3), 'side force', 'side_force')
+      call add_clock()
+      call panel(lines, left(4), left(4) + wide, panel_bottom, panel_top, 'clock angle of contact [deg]', '')
+      ! a margin, so that marks at 0 show whole
+      call append_text(lines, 'set xrange [-15:375]; set xtics ("0" 0, "90" 90, "180" 180, "270" 270, "360" 360)')
+      call append_text(lines, "set label 2 'high' at 4, graph 0.975 left textcolor rgb '#666666'")
+      call append_text(lines, "set label 3 'low' at 184, graph 0.975 left textcolor rgb '#666666'")
+      call plot(lines, series)
+      call end_script(lines)
+
+   contains
+
+      subroutine add_axial()
+         integer :: k
+         character(:), allocatable :: data
+         if (allocated(series)) deallocate (series)
+         do k = 1, size(results)
+            call add_series(series, curve(k, value('axial')), line_style(k), trim(model_name(results(k)%model)))
+         end do
+         data = "with lines lw 1.2 dt "//limit_dash//" lc rgb '"
+         call add_series(series, curve(1, '-'//value('sinusoidal_load')), data//colour_black//"'", 'sinusoidal buckling')
+         call add_series(series, curve(1, '-'//value('helical_load')), data//colour_grey//"'", 'helical buckling, lower limit')
+      end subroutine add_axial
+
+      subroutine draw_curves(start, label, column)
+         real(wp), intent(in) :: start
+         character(*), intent(in) :: label, column
+         real(wp), allocatable :: values(:)
+         real(wp) :: low, high, unit
+         real(wp), parameter :: air = 1.05_wp
+         integer :: k
+         if (allocated(series)) deallocate (series)
+         low = 0.0_wp
+         high = 0.0_wp
+         unit = unit_size(profile_columns(place_of(column))%quantity, job%units)
+         do k = 1, size(results)
+            call add_series(series, curve(k, value(column)), line_style(k), '')
+            if (allocated(values)) deallocate (values)
+            allocate (values(size(results(k)%profile%md)))
+            call profile_values(column, results(k)%profile, alongs(k), values)
+            low = min(low, minval(values)*air/unit)
+            high = max(high, maxval(values)*air/unit)
+         end do
+         call panel(lines, start, start + wide, panel_bottom, panel_top, axis(label, column), '')
+         call x_range(lines, low, high, intervals)
+         call plot(lines, series)
+      end subroutine draw_curves
+
+      subroutine add_clock()
+         integer :: k
+         if (allocated(series)) deallocate (series)
+         do k = 1, size(results)
+            call add_series(series, curve(k, "stringcolumn('gap_state') eq 'free' ? NaN : "//value('clock'))// &
+                            thinning(size(results(k)%profile%md)), mark_style(k, 0.35_wp), '')
+         end do
+      end subroutine add_clock
+
+      !> A column of a model's profile against depth.
+      pure function curve(k, expression) result(using)
+         integer, intent(in) :: k
+         character(*), intent(in) :: expression
+         character(:), allocatable :: using
+         using = "'../profile_"//load_case%name//'_'//trim(model_name(results(k)%model))//".csv' using ("//expression//'):('// &
+            value('md')//')'
+      end function curve
+
+      pure function value(column) result(text)
+         character(*), intent(in) :: column
+         character(:), allocatable :: text
+         text = file_value(column, job%units)
+      end function value
+
+      pure function axis(label, column) result(text)
+         character(*), intent(in) :: label, column
+         character(:), allocatable :: text
+         text = label//' ['//unit_text(profile_columns(place_of(column))%quantity, job%units)//']'
+      end function axis
+
+      !> The axial forces, and as much of the limits as does not crush them.
+      subroutine set_axial_range()
+         real(wp) :: low, high, limit, air
+         integer :: k
+         low = 0.0_wp
+         high = 0.0_wp
+         limit = -huge(1.0_wp)
+         do k = 1, size(results)
+            low = min(low, minval(results(k)%profile%axial))
+            high = max(high, maxval(results(k)%profile%axial))
+            if (.not. all(is_missing(alongs(k)%sinusoidal))) &
+               limit = max(limit, -minval(alongs(k)%sinusoidal, mask=.not. is_missing(alongs(k)%sinusoidal)))
+         end do
+         ! the nearest limit shows, if it lies within half the forces' own range
+         air = max(high - low, job%units%force)
+         if (limit > -huge(1.0_wp)) low = min(low, max(limit, low - 0.5_wp*air))
+         if (low < 0.0_wp) low = low - 0.15_wp*air
+         call x_range(lines, low/job%units%force, (high + 0.05_wp*air)/job%units%force, intervals)
+      end subroutine set_axial_range
+   end subroutine forces_script
+
+   !> What a picture of a case is called.
+   pure function case_title(units, load_case) result(title)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      character(:), allocatable :: title
+      integer, parameter :: few = 6
+      title = load_case%name//': '//trim(operation_label(load_case%operation))//' at '// &
+         to_text(load_case%bit_depth/units%length, few)//' '//trim(units%length_label)
+      if (abs(load_case%wob) > 0.0_wp) title = title//', weight on bit '//to_text(load_case%wob/units%force, few)//' '// &
+         trim(units%force_label)
+   end function case_title
+
+   !> A column of a profile file in a gnuplot expression.
+   pure function file_value(column, units) result(text)
+      character(*), intent(in) :: column
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = "column('"//column_header(profile_columns(place_of(column)), units)//"')"
+   end function file_value
+
+   !> Place of a column of profile files.
+   pure function place_of(column) result(place)
+      character(*), intent(in) :: column
+      integer :: place
+      do place = 1, size(profile_columns)
+         if (profile_columns(place)%name == column) return
+      end do
+      place = 1
+   end function place_of
+
+   !> Draws every so many of `n` marks; '' draws all.
+   pure function thinning(n) result(text)
+      integer, intent(in) :: n
+      character(:), allocatable :: text
+      text = ''
+      if (n > most_marks) text = ' every '//to_text((n + most_marks - 1)/most_marks)
+   end function thinning
+end module dg_case_pictures

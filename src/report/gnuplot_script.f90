@@ -1,0 +1,213 @@
+!> The common part of all pictures: lines of a gnuplot script, one look for all. Colours are those of Okabe & Ito (2008),
+!> which colour-blind readers tell apart; dashes and marks differ too, for print in black and white.
+module dg_gnuplot_script
+   use dg_kinds, only: wp
+   use dg_text, only: append_text, text_type, to_text
+   implicit none
+   private
+   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, spelled, style_count, &
+             series_type, add_series
+   public :: colour_grey, colour_black, colour_measured, limit_dash
+
+   !> Different curves that can be told apart.
+   integer, parameter :: style_count = 7
+   character(*), parameter :: colours(style_count) = [character(7) :: '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', &
+      '#56B4E9', '#000000']
+   character(*), parameter :: dashes(style_count) = [character(14) :: '1', '(12,4)', '(3,3)', '(12,4,3,4)', '(20,5)', '(6,3)', &
+      '(12,3,3,3,3,3)']
+   integer, parameter :: marks(style_count) = [7, 5, 9, 13, 11, 15, 3]
+   character(*), parameter :: colour_grey = '#999999', colour_black = '#000000'
+   !> Of measured points, whatever the curves.
+   character(*), parameter :: colour_measured = '#000000'
+   !> Of limits, whatever the curves.
+   character(*), parameter :: limit_dash = '(3,3)'
+
+   character(*), parameter :: font = 'sans-serif,12'
+   !> Digits of a place or range in a script: finer than any picture.
+   integer, parameter :: digits = 8
+
+   !> One curve of a panel: what stands behind `plot`, and its name in the legend ('' for none).
+   type :: series_type
+      character(:), allocatable :: using   !< data and columns
+      character(:), allocatable :: look    !< with ...
+      character(:), allocatable :: title
+   end type series_type
+
+contains
+
+   !> First lines of a script that draws `<name>.svg` [pixels at 96 dpi].
+   pure subroutine start_script(lines, name, width, height)
+      type(text_type), allocatable, intent(out) :: lines(:)
+      character(*), intent(in) :: name
+      integer, intent(in) :: width, height
+      allocate (lines(0))
+      call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
+      call append_text(lines, 'reset')
+      call append_text(lines, "set terminal svg noenhanced size "//to_text(width)//','//to_text(height)// &
+                       " dynamic font '"//font//"' background '#ffffff' name '"//plain(name)//"'")
+      call append_text(lines, "set output '"//name//".svg'")
+      call append_text(lines, 'set encoding utf8')
+      call append_text(lines, "set datafile separator ','")
+      call append_text(lines, 'set multiplot')
+   end subroutine start_script
+
+   !> Last lines of a script.
+   pure subroutine end_script(lines)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      call append_text(lines, 'unset multiplot')
+      call append_text(lines, 'unset output')
+   end subroutine end_script
+
+   !> Title and legend in a strip of their own, of parts of the picture's height, so that they never cover a curve.
+   pure subroutine legend(lines, title, series, bottom, top)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: title
+      type(series_type), intent(in) :: series(:)
+      real(wp), intent(in) :: bottom, top
+      type(series_type), allocatable :: empty(:)
+      integer :: i
+      allocate (empty, source=series)
+      do i = 1, size(empty)
+         empty(i)%using = 'NaN'
+      end do
+      call append_text(lines, 'unset border; unset tics; unset grid; unset xlabel; unset ylabel')
+      call append_text(lines, 'set label 1 '//spelled(title)//" at screen 0.012, screen "//to_text(top, digits)// &
+                       " offset 0,1.1 left font ',14'")
+      call margins(lines, 0.02_wp, 0.98_wp, bottom, top)
+      call append_text(lines, 'set key center center horizontal Left reverse samplen 3 width 1')
+      call append_text(lines, 'set xrange [0:1]; set yrange [0:1]')
+      call plot(lines, empty)
+      call append_text(lines, 'unset label 1; set key off')
+      call append_text(lines, "set border 31 lw 0.8 lc rgb '#444444'; set grid lc rgb '#d8d8d8' lw 0.6")
+      call append_text(lines, 'set xtics; set ytics; set tics nomirror; set autoscale')
+   end subroutine legend
+
+   !> Where the next panel stands, in parts of the picture, and what its axes are called.
+   pure subroutine panel(lines, left, right, bottom, top, x_label, y_label)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      real(wp), intent(in) :: left, right, bottom, top
+      character(*), intent(in) :: x_label
+      character(*), intent(in) :: y_label   !< '': the axis of the panel to the left holds here too
+      call margins(lines, left, right, bottom, top)
+      call append_text(lines, 'set autoscale x; set xtics autofreq')
+      call append_text(lines, 'set xlabel '//spelled(x_label))
+      if (y_label == '') then
+         call append_text(lines, "unset ylabel; set format y ''")
+      else
+         call append_text(lines, "set ylabel "//spelled(y_label)//"; set format y '% h'")
+      end if
+   end subroutine panel
+
+   !> Range of the x axis of the panel [shown units], with about `intervals` round steps between its tics: as many as labels fit.
+   pure subroutine x_range(lines, low, high, intervals)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      real(wp), intent(in) :: low, high
+      integer, intent(in) :: intervals
+      real(wp), parameter :: round(3) = [1.0_wp, 2.0_wp, 5.0_wp]
+      real(wp) :: step, power
+      integer :: i
+      step = (high - low)/real(intervals, wp)
+      if (.not. step > tiny(step)) then
+         call append_text(lines, 'set xrange [-1:1]; set xtics 1')
+         return
+      end if
+      power = 10.0_wp**floor(log10(step))
+      do i = 1, size(round)
+         if (step <= round(i)*power) exit
+      end do
+      if (i <= size(round)) then
+         step = round(i)*power
+      else
+         step = 10.0_wp*power
+      end if
+      call append_text(lines, 'set xrange ['//to_text(low, digits)//':'//to_text(high, digits)//']; set xtics '// &
+                       to_text(step, digits))
+   end subroutine x_range
+
+   pure subroutine margins(lines, left, right, bottom, top)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      real(wp), intent(in) :: left, right, bottom, top
+      call append_text(lines, 'set lmargin at screen '//to_text(left, digits)//'; set rmargin at screen '// &
+                       to_text(right, digits)//'; set bmargin at screen '//to_text(bottom, digits)// &
+                       '; set tmargin at screen '//to_text(top, digits))
+   end subroutine margins
+
+   !> One plot command of all curves.
+   pure subroutine plot(lines, series)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(series_type), intent(in) :: series(:)
+      character(:), allocatable :: line
+      integer :: i
+      do i = 1, size(series)
+         line = '     '
+         if (i == 1) line = 'plot '
+         line = line//series(i)%using//' '//series(i)%look
+         if (series(i)%title == '') then
+            line = line//' notitle'
+         else
+            line = line//' title '//spelled(series(i)%title)
+         end if
+         if (i < size(series)) line = line//', \'
+         call append_text(lines, line)
+      end do
+   end subroutine plot
+
+   !> Appends a curve.
+   pure subroutine add_series(list, using, look, title)
+      type(series_type), allocatable, intent(inout) :: list(:)
+      character(*), intent(in) :: using, look, title
+      type(series_type), allocatable :: longer(:)
+      integer :: n
+      n = 0
+      if (allocated(list)) n = size(list)
+      allocate (longer(n + 1))
+      if (n > 0) longer(:n) = list
+      longer(n + 1)%using = using
+      longer(n + 1)%look = look
+      longer(n + 1)%title = title
+      call move_alloc(longer, list)
+   end subroutine add_series
+
+   !> Look of the n-th of several lines.
+   pure function line_style(n) result(look)
+      integer, intent(in) :: n
+      character(:), allocatable :: look
+      integer :: k
+      k = 1 + mod(n - 1, style_count)
+      look = "with lines lw 1.8 lc rgb '"//colours(k)//"' dt "//trim(dashes(k))
+   end function line_style
+
+   !> Look of the n-th of several kinds of points; `size` 1 is gnuplot's own.
+   pure function mark_style(n, size) result(look)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: size
+      character(:), allocatable :: look
+      integer :: k
+      k = 1 + mod(n - 1, style_count)
+      look = 'with points pt '//to_text(marks(k))//' ps '//to_text(size, digits)//" lc rgb '"//colours(k)//"'"
+   end function mark_style
+
+   !> A text as gnuplot takes it literally.
+   pure function spelled(text) result(literal)
+      character(*), intent(in) :: text
+      character(:), allocatable :: literal
+      integer :: i
+      literal = "'"
+      do i = 1, len(text)
+         if (text(i:i) == "'") literal = literal//"'"
+         literal = literal//text(i:i)
+      end do
+      literal = literal//"'"
+   end function spelled
+
+   !> Letters and digits of a name, for identifiers within the picture.
+   pure function plain(name) result(identifier)
+      character(*), intent(in) :: name
+      character(len(name)) :: identifier
+      integer :: i
+      identifier = name
+      do i = 1, len(name)
+         if (scan(name(i:i), '-.+') == 1) identifier(i:i) = '_'
+      end do
+   end function plain
+end module dg_gnuplot_script

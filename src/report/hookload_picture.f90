@@ -1,0 +1,174 @@
+!> One picture of a whole run: hook load of every case by every model, with measurement and reference; beside it the error
+!> against measurement, and torque where any case has one.
+module dg_hookload_picture
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_comparison, only: percent_error
+   use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, mark_style, panel, plot, series_type, spelled, &
+                                start_script
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, optional_real, rotates
+   use dg_model, only: model_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_column, only: quantity_moment, unit_text
+   implicit none
+   private
+   public :: hookload_script
+
+   integer, parameter :: digits = 8
+   integer, parameter :: width = 1120
+   !> Heights [px]: of a case, of title and legend, of the axis below.
+   integer, parameter :: row_height = 26, head_height = 84, foot_height = 62
+   !> Width of a letter of the font [px], largest share of the picture that names of cases may take.
+   real(wp), parameter :: letter_width = 8.0_wp, most_names = 0.3_wp
+   character(*), parameter :: absent = 'NaN'
+
+contains
+
+   subroutine hookload_script(name, job, model, results, lines)
+      character(*), intent(in) :: name      !< of the picture
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable, intent(out) :: lines(:)
+      type(series_type), allocatable :: series(:)
+      logical :: with_error, with_torque
+      real(wp) :: left, wide, bottom, top, height
+      integer :: i, n, panels, at, longest
+      character(:), allocatable :: tics
+      n = size(model%cases)
+      height = real(head_height + foot_height + row_height*n, wp)
+      with_error = any(model%cases%measured_hookload%present)
+      with_torque = any(has_torque(model%cases))
+      panels = 1 + count([with_error, with_torque])
+      longest = 0
+      tics = ''
+      do i = 1, n
+         longest = max(longest, len(model%cases(i)%name))
+         if (i > 1) tics = tics//', '
+         tics = tics//spelled(model%cases(i)%name)//' '//to_text(i)
+      end do
+      left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
+      wide = (0.985_wp - left)/real(panels, wp) - 0.02_wp
+      bottom = real(foot_height, wp)/height
+      top = 1.0_wp - real(head_height, wp)/height
+      call start_script(lines, name, width, nint(height))
+      call append_data(lines, job, model, results)
+      call append_text(lines, 'set datafile separator whitespace')
+      ! columns: case, measured, reference, measured torque; then hook load, error, torque of each model
+      do i = 1, size(job%models)
+         call add_marks(5 + 3*(i - 1), mark_style(i, 0.8_wp), trim(model_name(job%models(i))))
+      end do
+      if (with_error) call add_marks(2, "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_measured//"'", 'measured')
+      if (any(model%cases%reference_hookload%present)) &
+         call add_marks(3, "with points pt 6 ps 1.3 lw 1.2 lc rgb '"//colour_measured//"'", 'reference')
+      if (any(results%status /= result_converged)) &
+         call add_series(series, 'NaN', "with points pt 1 ps 0 lc rgb '#ffffff'", 'not converged cases are left out')
+      call legend(lines, 'Hook load of all cases', series, top + 8.0_wp/height, 1.0_wp - 40.0_wp/height)
+      call append_text(lines, 'set yrange ['//to_text(real(n, wp) + 0.6_wp, digits)//':0.4]')
+      call panel(lines, left, left + wide, bottom, top, 'hook load ['//trim(job%units%force_label)//']', ' ')
+      call append_text(lines, 'set ytics ('//tics//'); unset ylabel')
+      call plot(lines, series)
+      at = 1
+      if (with_error) then
+         deallocate (series)
+         do i = 1, size(job%models)
+            call add_marks(6 + 3*(i - 1), mark_style(i, 0.8_wp), '')
+         end do
+         call next_panel('error against measurement [%]')
+         call append_text(lines, 'set xrange [0:*]')
+         call plot(lines, series)
+      end if
+      if (with_torque) then
+         deallocate (series)
+         do i = 1, size(job%models)
+            call add_marks(7 + 3*(i - 1), mark_style(i, 0.8_wp), '')
+         end do
+         if (any(model%cases%measured_torque%present)) &
+            call add_marks(4, "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_measured//"'", '')
+         call next_panel('torque at the top ['//unit_text(quantity_moment, job%units)//']')
+         call append_text(lines, 'set xrange [0:*]')
+         call plot(lines, series)
+      end if
+      call end_script(lines)
+
+   contains
+
+      subroutine add_marks(column, look, title)
+         integer, intent(in) :: column
+         character(*), intent(in) :: look, title
+         call add_series(series, '$cases using '//to_text(column)//':1', look, title)
+      end subroutine add_marks
+
+      subroutine next_panel(label)
+         character(*), intent(in) :: label
+         real(wp) :: start
+         start = left + real(at, wp)*(wide + 0.025_wp)
+         call panel(lines, start, start + wide, bottom, top, label, '')
+         call append_text(lines, 'set ytics 1')
+         at = at + 1
+      end subroutine next_panel
+   end subroutine hookload_script
+
+   !> The numbers drawn, one row a case.
+   pure subroutine append_data(lines, job, model, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: row
+      integer :: i, k
+      call append_text(lines, '# case, measured and reference hook load, measured torque; of each model hook load, error, torque')
+      call append_text(lines, '$cases << END')
+      do i = 1, size(model%cases)
+         associate (load_case => model%cases(i))
+            row = to_text(i)//' '//cell(load_case%measured_hookload, job%units%force)//' '// &
+               cell(load_case%reference_hookload, job%units%force)//' '//cell(load_case%measured_torque, job%units%moment)
+            do k = 1, size(job%models)
+               row = row//model_cells(load_case, results, i, job%models(k), job)
+            end do
+         end associate
+         call append_text(lines, row)
+      end do
+      call append_text(lines, 'END')
+   end subroutine append_data
+
+   !> Hook load, error and torque of one case by one model.
+   pure function model_cells(load_case, results, number, model, job) result(cells)
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: results(:)
+      integer, intent(in) :: number       !< of the case
+      integer, intent(in) :: model        !< number of the model
+      type(job_type), intent(in) :: job
+      character(:), allocatable :: cells
+      integer :: i
+      do i = 1, size(results)
+         if (results(i)%case_index /= number .or. results(i)%model /= model) cycle
+         if (results(i)%status /= result_converged) cycle
+         cells = ' '//to_text(results(i)%hookload/job%units%force, digits)//' '// &
+            cell(percent_error(results(i)%hookload, load_case%measured_hookload), 1.0_wp)//' '
+         if (has_torque(load_case)) then
+            cells = cells//to_text(results(i)%torque/job%units%moment, digits)
+         else
+            cells = cells//absent
+         end if
+         return
+      end do
+      cells = ' '//absent//' '//absent//' '//absent
+   end function model_cells
+
+   !> Whether the torque of a case is more than round-off.
+   elemental function has_torque(load_case) result(has)
+      type(load_case_type), intent(in) :: load_case
+      logical :: has
+      has = rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp
+   end function has_torque
+
+   pure function cell(number, unit) result(text)
+      type(optional_real), intent(in) :: number
+      real(wp), intent(in) :: unit
+      character(:), allocatable :: text
+      text = absent
+      if (number%present) text = to_text(number%value/unit, digits)
+   end function cell
+end module dg_hookload_picture

@@ -1,0 +1,289 @@
+!> report.html: one page of a run that can be mailed and opened anywhere: results, limits, warnings, pictures, what was
+!> assumed, the deck. It refers to nothing outside itself.
+module dg_html_report
+   use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_error, only: error_type
+   use dg_file_lines, only: read_lines
+   use dg_file_system, only: write_text_file
+   use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type
+   use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
+   use dg_limits_file, only: limits_columns, limits_fields
+   use dg_model, only: model_type
+   use dg_picture_files, only: folder_in, picture_list_type, picture_type
+   use dg_column, only: field_list_type
+   use dg_results_h5, only: time_stamp
+   use dg_summary_file, only: summary_columns, summary_fields
+   use dg_text, only: append_text, text_type, to_text
+   use dg_version, only: program_name, program_version
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: write_html_report
+
+   !> Columns of summary.csv and limits.csv that the page shows; the files have all.
+   character(*), parameter :: summary_shown(14) = [character(16) :: 'section', 'case', 'operation', 'bit_depth', 'wob', &
+      'hookload', 'measured', 'error', 'reference', 'reference_error', 'friction', 'torque', 'normal_force', 'status']
+   character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
+      'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
+   character(*), parameter :: limits_shown(13) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
+      'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
+      'wob_no_hookload', 'rig_margin', 'makeup_margin']
+
+   !> Plain, narrow enough for paper, no colour that means anything alone.
+   character(*), parameter :: style(*) = [character(120) :: &
+      'body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;color:#222;max-width:1180px;margin:0 auto;padding:1em 1.5em}', &
+      'h1{font-size:1.6em;margin:.3em 0}h2{font-size:1.25em;margin-top:2em;border-bottom:1px solid #bbb}', &
+      'h3{font-size:1.05em;margin-top:1.6em}', &
+      'table{border-collapse:collapse;font-size:.82em;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}', &
+      'th,td{padding:.22em .6em;text-align:right;border-bottom:1px solid #ddd}td.text,th.text{text-align:left}', &
+      'td.text{white-space:nowrap}', &
+      'th{vertical-align:bottom;border-bottom:2px solid #888;font-weight:600;line-height:1.2}small{font-weight:400}', &
+      'tr.bad td{color:#a33;text-decoration:line-through}', &
+      '.note{border-left:4px solid #0072B2;padding:.3em .8em;background:#f3f7fa}.warn{border-color:#D55E00;background:#fdf4ee}', &
+      'pre{font-size:.78em;background:#f6f6f6;padding:.8em;overflow-x:auto;line-height:1.35}svg{width:100%;height:auto}', &
+      'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
+      'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}']
+
+contains
+
+   !> Writes the page to `path`. `echo` is the deck as the program understood it, line by line.
+   subroutine write_html_report(path, job, model, results, wholes, pictures, echo, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(picture_list_type), intent(in) :: pictures
+      type(text_type), intent(in) :: echo(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(page_type) :: lines
+      call start_page(job, results, lines)
+      call append_warnings(lines, model, results)
+      call append_results(lines, job, model, results)
+      call append_limits(lines, job, model, results, wholes)
+      call append_pictures(lines, job, model, pictures)
+      call add_line(lines, '<h2>What was computed</h2>')
+      call append_preformatted(lines, echo)
+      call append_assumptions(lines, job)
+      call append_costs(lines, job, model, results)
+      call add_line(lines, '<h2>Deck</h2>')
+      call append_deck(lines, job%deck_text)
+      call add_line(lines, '</body></html>')
+      call write_text_file(path, lines%lines(:lines%count), error)
+   end subroutine write_html_report
+
+   !> Head of the page: title, when and with what it was made, how many cases were solved.
+   subroutine start_page(job, results, lines)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: results(:)
+      type(page_type), intent(out) :: lines
+      character(:), allocatable :: title
+      integer :: i, solved
+      title = job%title
+      if (title == '') title = job%deck_path
+      solved = count(results%status == result_converged)
+      call add_line(lines, '<!DOCTYPE html>')
+      call add_line(lines, '<html lang="en"><head><meta charset="utf-8">')
+      call add_line(lines, '<meta name="viewport" content="width=device-width, initial-scale=1">')
+      call add_line(lines, '<title>'//html_safe(title)//'</title><style>')
+      do i = 1, size(style)
+         call add_line(lines, trim(style(i)))
+      end do
+      call add_line(lines, '</style></head><body>')
+      call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
+      call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(time_stamp())// &
+                       ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
+      if (solved == size(results)) then
+         call add_line(lines, '<p class="note">All '//to_text(size(results))//' solutions converged.</p>')
+      else
+         call add_line(lines, '<p class="note warn">'//to_text(solved)//' of '//to_text(size(results))// &
+                          ' solutions converged. Numbers struck through are none.</p>')
+      end if
+   end subroutine start_page
+
+   !> What results have to say of themselves.
+   subroutine append_warnings(lines, model, results)
+      type(page_type), intent(inout) :: lines
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      integer :: i
+      logical :: any_yet
+      any_yet = .false.
+      do i = 1, size(results)
+         if (.not. allocated(results(i)%message)) cycle
+         if (results(i)%message == '') cycle
+         if (.not. any_yet) call add_line(lines, '<h2>Warnings</h2><ul>')
+         any_yet = .true.
+         call add_line(lines, '<li>'//html_safe(model%cases(results(i)%case_index)%name)//', '// &
+                          trim(model_name(results(i)%model))//', '//spoken(trim(result_status_name(results(i)%status)))//': '// &
+                          html_safe(results(i)%message)//'</li>')
+      end do
+      if (any_yet) then
+         call add_line(lines, '</ul>')
+      else
+         call add_line(lines, '<p>No warnings.</p>')
+      end if
+   end subroutine append_warnings
+
+   !> A table a model.
+   subroutine append_results(lines, job, model, results)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      call add_line(lines, '<h2>Hook load, friction, torque</h2>')
+      call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; hookload: negative going up, '// &
+                    'positive going down. Axial forces are effective (buoyed), tension positive.</p>')
+      call append_summary(lines, job, model, results, summary_shown)
+   end subroutine append_results
+
+   !> Those columns of summary.csv, a table a model.
+   subroutine append_summary(lines, job, model, results, shown)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      character(*), intent(in) :: shown(:)
+      type(field_list_type), allocatable :: fields(:)
+      integer, allocatable :: rows(:)
+      integer :: i, k
+      do k = 1, size(job%models)
+         rows = pack([(i, i=1, size(results))], results%model == job%models(k))
+         if (allocated(fields)) deallocate (fields)
+         allocate (fields(size(rows)))
+         do i = 1, size(rows)
+            call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), fields(i))
+         end do
+         call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
+         call append_table(lines, summary_columns, shown, job%units, fields, results(rows)%status /= result_converged)
+      end do
+   end subroutine append_summary
+
+   !> What limits the string, a table a model.
+   subroutine append_limits(lines, job, model, results, wholes)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      type(field_list_type), allocatable :: fields(:)
+      integer, allocatable :: rows(:)
+      integer :: i, k
+      call add_line(lines, '<h2>Limits</h2>')
+      call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
+                    'margin is beyond them. Safety factors stand where the deck gives a yield strength.</p>')
+      do k = 1, size(job%models)
+         rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
+                                                  i=1, size(results))])
+         if (allocated(fields)) deallocate (fields)
+         allocate (fields(size(rows)))
+         do i = 1, size(rows)
+            call limits_fields(model%cases(results(rows(i))%case_index)%name, results(rows(i)), wholes(rows(i)), fields(i))
+         end do
+         call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
+         call append_table(lines, limits_columns, limits_shown, job%units, fields, results(rows)%status /= result_converged)
+      end do
+   end subroutine append_limits
+
+   !> Those of the run first, then those of each case.
+   subroutine append_pictures(lines, job, model, list)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(in) :: list
+      integer :: i, k
+      call add_line(lines, '<h2>Pictures</h2>')
+      if (.not. list%drawn) then
+         call add_line(lines, '<p class="note warn">Not drawn: gnuplot was not there or failed. Its scripts stand in the '// &
+                          'folder of results.</p>')
+         return
+      end if
+      do i = 0, size(model%cases)
+         if (i > 0) then
+            if (any(list%pictures%case_index == i)) &
+               call add_line(lines, '<h3>'//html_safe(model%cases(i)%name)//'</h3>')
+         end if
+         do k = 1, size(list%pictures)
+            if (list%pictures(k)%case_index == i) call append_picture(lines, job, list%pictures(k), k)
+         end do
+      end do
+      if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
+   end subroutine append_pictures
+
+   subroutine append_picture(lines, job, picture, number)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(picture_type), intent(in) :: picture
+      integer, intent(in) :: number
+      type(text_type), allocatable :: svg(:)
+      character(:), allocatable :: failure
+      call read_lines(folder_in(job)//'/'//picture%name//'.svg', svg, failure)
+      call add_line(lines, '<figure>')
+      if (failure == '') then
+         call append_inline_svg(lines, svg, 'p'//to_text(number))
+      else
+         call add_line(lines, '<p class="note warn">Picture '//html_safe(failure)//'</p>')
+      end if
+      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption></figure>')
+   end subroutine append_picture
+
+   !> What every result rests on, and what each model adds.
+   subroutine append_assumptions(lines, job)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      call add_line(lines, '<h3>Assumptions</h3><ul>')
+      call add_line(lines, '<li>Static: no vibration, no stick-slip. The mud stands still: no flow, no heat.</li>')
+      call add_line(lines, '<li>Coulomb friction with the coefficients above; the hole is round, its axis as surveyed.</li>')
+      call add_line(lines, '<li>Pipe bends elastically with the stiffness of its body; where no yield strength is given, no '// &
+                       'safety factor is.</li>')
+      if (any(job%models == model_mcge)) call add_line(lines, '<li>mcge: nonlinear beams with contact gap elements after '// &
+         'Liu, Ding &amp; Zhang (2002); where the string touches is found.</li>')
+      if (any(job%models == model_soft)) call add_line(lines, '<li>soft: a string without bending stiffness that lies on '// &
+         'the wall everywhere (Johancsik, Friesen &amp; Dawson 1984).</li>')
+      if (any(job%models == model_rigid)) call add_line(lines, '<li>rigid: a stiff string that follows the axis of the hole '// &
+         '(Ho 1988).</li>')
+      if (any(job%models == model_mixed)) call add_line(lines, '<li>mixed: stiff where stiffness or curvature matters, soft '// &
+         'elsewhere (Ma &amp; Han 1996).</li>')
+      call add_line(lines, '</ul>')
+   end subroutine append_assumptions
+
+   !> How the solutions were found: a table a model.
+   subroutine append_costs(lines, job, model, results)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      call add_line(lines, '<h2>How it was solved</h2>')
+      call add_line(lines, '<p>equilibrium: what is left of the sum of all forces on the string, supports included.</p>')
+      call append_summary(lines, job, model, results, cost_shown)
+   end subroutine append_costs
+
+   !> The deck's text, line by line.
+   subroutine append_deck(lines, text)
+      type(page_type), intent(inout) :: lines
+      character(:), allocatable, intent(in) :: text
+      type(text_type), allocatable :: deck(:)
+      integer :: first, length
+      allocate (deck(0))
+      if (.not. allocated(text)) return
+      first = 1
+      do while (first <= len(text))
+         length = index(text(first:), new_line('a')) - 1
+         if (length < 0) length = len(text) - first + 1
+         call append_text(deck, text(first:first + length - 1))
+         first = first + length + 1
+      end do
+      call append_preformatted(lines, deck)
+   end subroutine append_deck
+
+   !> A status in words.
+   pure function spoken(status) result(words)
+      character(*), intent(in) :: status
+      character(len(status)) :: words
+      integer :: i
+      words = status
+      do i = 1, len(status)
+         if (status(i:i) == '_') words(i:i) = ' '
+      end do
+   end function spoken
+end module dg_html_report

@@ -1,0 +1,239 @@
+!> Pieces of an HTML page: texts made safe, tables of our columns, pictures put inline.
+module dg_html_text
+   use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
+                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
+                        quantity_text, quantity_time, quantity_turns, unit_size, unit_text
+   use dg_missing, only: is_missing
+   use dg_number_text, only: fixed_cell
+   use dg_text, only: text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg
+
+   !> A column of residuals: its size tells, however small.
+   character(*), parameter :: residual_name = 'equilibrium'
+   integer, parameter :: residual_digits = 2
+
+   !> Lines of a page as it grows: by doubling, for pictures have tens of thousands.
+   type :: page_type
+      integer :: count = 0
+      type(text_type), allocatable :: lines(:)
+   end type page_type
+
+   integer, parameter :: first_capacity = 1024
+
+contains
+
+   !> Puts a line at the end of a page.
+   pure subroutine add_line(page, text)
+      type(page_type), intent(inout) :: page
+      character(*), intent(in) :: text
+      type(text_type), allocatable :: longer(:)
+      integer :: i
+      if (.not. allocated(page%lines)) allocate (page%lines(first_capacity))
+      if (page%count == size(page%lines)) then
+         allocate (longer(2*page%count))
+         do i = 1, page%count
+            call move_alloc(page%lines(i)%text, longer(i)%text)
+         end do
+         call move_alloc(longer, page%lines)
+      end if
+      page%count = page%count + 1
+      page%lines(page%count)%text = text
+   end subroutine add_line
+
+   !> A text as HTML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'.
+   pure function html_safe(text) result(safe)
+      character(*), intent(in) :: text
+      character(:), allocatable :: safe
+      integer :: i, follow
+      safe = ''
+      i = 1
+      do while (i <= len(text))
+         select case (text(i:i))
+         case ('&'); safe = safe//'&amp;'
+         case ('<'); safe = safe//'&lt;'
+         case ('>'); safe = safe//'&gt;'
+         case ('"'); safe = safe//'&quot;'
+         case default
+            if (iachar(text(i:i)) < iachar(' ')) then
+               safe = safe//' '
+            else if (iachar(text(i:i)) < 128) then
+               safe = safe//text(i:i)
+            else
+               follow = followers(text(i:))
+               if (follow < 0) then
+                  safe = safe//'?'
+               else
+                  safe = safe//text(i:i + follow)
+                  i = i + follow
+               end if
+            end if
+         end select
+         i = i + 1
+      end do
+   end function html_safe
+
+   !> Bytes that belong to the first one of a text in UTF-8; -1 where it is none (RFC 3629).
+   pure function followers(text) result(count)
+      character(*), intent(in) :: text
+      integer :: count
+      integer :: k
+      select case (iachar(text(1:1)))
+      case (194:223); count = 1
+      case (224:239); count = 2
+      case (240:244); count = 3
+      case default; count = -1
+      end select
+      if (count >= len(text)) count = -1
+      do k = 2, count + 1
+         if (iachar(text(k:k)) < 128 .or. iachar(text(k:k)) > 191) count = -1
+         if (count < 0) return
+      end do
+   end function followers
+
+   !> A table of the columns of those names that have any value; each with its unit below, its meaning where the mouse rests.
+   pure subroutine append_table(page, columns, shown, units, rows, marked)
+      type(page_type), intent(inout) :: page
+      type(column_type), intent(in) :: columns(:)
+      character(*), intent(in) :: shown(:)
+      type(unit_system_type), intent(in) :: units
+      type(field_list_type), intent(in) :: rows(:)    !< a value for each of `columns`
+      logical, intent(in) :: marked(:)                !< rows whose numbers are no solution
+      character(:), allocatable :: head, line, unit
+      integer :: i, k, row
+      integer, allocatable :: used(:)
+      allocate (used(0))
+      head = '<div class="wide"><table><thead><tr>'
+      do k = 1, size(shown)
+         do i = 1, size(columns)
+            if (columns(i)%name == shown(k)) exit
+         end do
+         if (i > size(columns)) cycle
+         if (.not. any([(has_value(rows(row)%fields(i)), row=1, size(rows))])) cycle
+         used = [used, i]
+         unit = ''
+         if (columns(i)%quantity /= quantity_text) unit = unit_text(columns(i)%quantity, units)
+         head = head//'<th'//trim(merge(' class="text"', '             ', columns(i)%quantity == quantity_text))//' title="'// &
+            html_safe(trim(columns(i)%meaning))//'">'//spaced(trim(columns(i)%name))//'<br><small>'// &
+            html_safe(unit)//'</small></th>'
+      end do
+      call add_line(page, head//'</tr></thead><tbody>')
+      do row = 1, size(rows)
+         line = '<tr>'
+         if (marked(row)) line = '<tr class="bad">'
+         do k = 1, size(used)
+            line = line//table_cell(columns(used(k)), rows(row)%fields(used(k)), units)
+         end do
+         call add_line(page, line//'</tr>')
+      end do
+      call add_line(page, '</tbody></table></div>')
+   end subroutine append_table
+
+   pure function table_cell(column, field, units) result(cell)
+      type(column_type), intent(in) :: column
+      type(field_type), intent(in) :: field
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: cell
+      integer, parameter :: widest = 14
+      cell = '<td>&ndash;</td>'
+      if (.not. has_value(field)) return
+      select case (field%kind)
+      case (field_text)
+         cell = '<td class="text">'//html_safe(field%text)//'</td>'
+      case (field_integer)
+         cell = '<td>'//to_text(field%integer_value)//'</td>'
+      case (field_real)
+         if (column%name == residual_name) then
+            cell = '<td>'//to_text(field%real_value/unit_size(column%quantity, units), residual_digits)//'</td>'
+         else
+            cell = '<td>'//trim(adjustl(fixed_cell(field%real_value/unit_size(column%quantity, units), widest, &
+                                                   decimals(column%quantity))))//'</td>'
+         end if
+      case default
+      end select
+   end function table_cell
+
+   pure function has_value(field) result(has)
+      type(field_type), intent(in) :: field
+      logical :: has
+      has = field%kind /= field_absent
+      if (field%kind == field_real) has = .not. is_missing(field%real_value)
+   end function has_value
+
+   !> Digits behind the point that an engineer reads of a quantity.
+   pure function decimals(quantity) result(number)
+      integer, intent(in) :: quantity
+      integer :: number
+      select case (quantity)
+      case (quantity_line_load, quantity_time)
+         number = 3
+      case (quantity_none, quantity_length, quantity_moment, quantity_percent, quantity_turns)
+         number = 2
+      case default
+         number = 1
+      end select
+   end function decimals
+
+   !> Underscores as blanks, so that long names break in narrow columns.
+   pure function spaced(name) result(text)
+      character(*), intent(in) :: name
+      character(len(name)) :: text
+      integer :: i
+      text = name
+      do i = 1, len(name)
+         if (name(i:i) == '_') text(i:i) = ' '
+      end do
+   end function spaced
+
+   !> Lines as they are, in letters of one width.
+   pure subroutine append_preformatted(lines, texts)
+      type(page_type), intent(inout) :: lines
+      type(text_type), intent(in) :: texts(:)
+      integer :: i
+      call add_line(lines, '<pre>')
+      do i = 1, size(texts)
+         call add_line(lines, html_safe(texts(i)%text))
+      end do
+      call add_line(lines, '</pre>')
+   end subroutine append_preformatted
+
+   !> A picture within the page: what stands before <svg> left out, names of its marks made its own by `prefix`.
+   pure subroutine append_inline_svg(lines, svg, prefix)
+      type(page_type), intent(inout) :: lines
+      type(text_type), intent(in) :: svg(:)      !< lines of the file
+      character(*), intent(in) :: prefix         !< other for each picture of a page
+      integer :: i
+      logical :: inside
+      inside = .false.
+      do i = 1, size(svg)
+         if (index(svg(i)%text, '<svg') > 0) inside = .true.
+         if (inside .and. svg(i)%text /= '') call add_line(lines, own(svg(i)%text))
+      end do
+   contains
+      !> With the names that gnuplot gives in every picture.
+      pure function own(text) result(changed)
+         character(*), intent(in) :: text
+         character(:), allocatable :: changed
+         changed = text
+         if (index(text, '''') == 0) return       ! they stand in single quotes
+         changed = renamed(renamed(renamed(renamed(text, 'gpPt'), 'gpDot'), 'textbox'), 'greybox')
+      end function own
+
+      pure function renamed(text, name) result(changed)
+         character(*), intent(in) :: text, name
+         character(:), allocatable :: changed
+         integer :: at, next
+         changed = ''
+         at = 1
+         do
+            next = index(text(at:), name)
+            if (next == 0) exit
+            changed = changed//text(at:at + next - 2)//prefix//name
+            at = at + next - 1 + len(name)
+         end do
+         changed = changed//text(at:)
+      end function renamed
+   end subroutine append_inline_svg
+end module dg_html_text

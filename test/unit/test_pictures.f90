@@ -1,0 +1,153 @@
+!> Scripts for gnuplot and pieces of the report page: what a user's text must not break, and axes that can be read.
+module dg_test_pictures
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_kinds, only: wp
+   use dg_along_string, only: new_along_string
+   use dg_case_pictures, only: forces_script, path_script
+   use dg_case_result, only: case_result_type
+   use dg_column, only: field_list_type, put, put_none
+   use dg_gnuplot_script, only: spelled, x_range
+   use dg_hookload_picture, only: hookload_script
+   use dg_html_text, only: append_inline_svg, append_table, html_safe, page_type
+   use dg_job, only: job_type
+   use dg_limits_file, only: limits_columns
+   use dg_model, only: model_type
+   use dg_test_report_sample, only: sample_job, sample_model, sample_results
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: pictures_suite
+
+contains
+
+   function pictures_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('pictures')
+      call suite%addTest(TestMethod('quotes', test_quotes))
+      call suite%addTest(TestMethod('round_steps', test_round_steps))
+      call suite%addTest(TestMethod('html_text', test_html_text))
+      call suite%addTest(TestMethod('html_table', test_html_table))
+      call suite%addTest(TestMethod('pictures_keep_apart', test_inline))
+      call suite%addTest(TestMethod('hook_loads', test_hook_loads))
+      call suite%addTest(TestMethod('case_scripts', test_case_scripts))
+   end function pictures_suite
+
+   subroutine test_quotes()
+      call assertEqual("'it''s'", spelled("it's"))
+   end subroutine test_quotes
+
+   !> Steps are 1, 2 or 5 times a power of ten, and no more of them than asked for.
+   subroutine test_round_steps()
+      call assertEqual('set xrange [0:830]; set xtics 200', range_of(0.0_wp, 830.0_wp))
+      call assertEqual('set xrange [0:0.09]; set xtics 0.02', range_of(0.0_wp, 0.09_wp))
+      call assertEqual('set xrange [-300:450]; set xtics 200', range_of(-300.0_wp, 450.0_wp))
+      call assertEqual('set xrange [0:5.5]; set xtics 2', range_of(0.0_wp, 5.5_wp))
+      call assertEqual('set xrange [0:36]; set xtics 10', range_of(0.0_wp, 36.0_wp), message='7.2: the next power of ten')
+      call assertEqual('set xrange [-1:1]; set xtics 1', range_of(0.0_wp, 0.0_wp), message='nothing to show')
+   end subroutine test_round_steps
+
+   function range_of(low, high) result(line)
+      real(wp), intent(in) :: low, high
+      character(:), allocatable :: line
+      type(text_type), allocatable :: lines(:)
+      allocate (lines(0))
+      call x_range(lines, low, high, 5)
+      line = lines(1)%text
+   end function range_of
+
+   subroutine test_html_text()
+      call assertEqual('a&lt;b&gt; &amp; &quot;c&quot;', html_safe('a<b> & "c"'))
+      call assertEqual('x y', html_safe('x'//achar(9)//'y'))
+      ! u umlaut in UTF-8 stays, the same in Latin-1 is no UTF-8, nor is a cut letter or a stray second byte
+      call assertEqual(char(195)//char(188), html_safe(char(195)//char(188)))
+      call assertEqual('?z', html_safe(char(252)//'z'))
+      call assertEqual('?', html_safe(char(195)))
+      call assertEqual('??', html_safe(char(188)//char(188)))
+   end subroutine test_html_text
+
+   !> Columns without any value are left out; what is there is in the deck's units.
+   subroutine test_html_table()
+      type(page_type) :: page
+      type(field_list_type) :: row
+      type(job_type) :: job
+      integer :: i
+      job = sample_job()
+      call put(row, 'a<b')
+      call put(row, 'mcge')
+      call put(row, 'converged')
+      call put(row, 1.25_wp)
+      do i = row%count + 1, size(limits_columns)
+         call put_none(row)
+      end do
+      call append_table(page, limits_columns, [character(12) :: 'case', 'rig_limit', 'stretch'], job%units, [row], [.true.])
+      call assertEqual(3, page%count)
+      call assertTrue(index(page%lines(1)%text, '>case<br>') > 0, message=page%lines(1)%text)
+      call assertTrue(index(page%lines(1)%text, '>stretch<br><small>m</small>') > 0, message=page%lines(1)%text)
+      call assertFalse(index(page%lines(1)%text, 'rig') > 0, message=page%lines(1)%text)
+      call assertEqual('<tr class="bad"><td class="text">a&lt;b</td><td>1.25</td></tr>', page%lines(2)%text)
+   end subroutine test_html_table
+
+   !> Two pictures in one page must not share the names of their marks.
+   subroutine test_inline()
+      type(page_type) :: page
+      type(text_type), allocatable :: svg(:)
+      allocate (svg(0))
+      call append_text(svg, '<?xml version="1.0"?>')
+      call append_text(svg, '<svg')
+      call append_text(svg, "<use xlink:href='#gpPt5' id='gpPt6'/>")
+      call append_inline_svg(page, svg, 'p3')
+      call assertEqual(2, page%count)
+      call assertEqual("<use xlink:href='#p3gpPt5' id='p3gpPt6'/>", page%lines(2)%text)
+   end subroutine test_inline
+
+   !> A row a case in the deck's units; a case that did not converge leaves no mark.
+   subroutine test_hook_loads()
+      type(text_type), allocatable :: lines(:)
+      type(case_result_type), allocatable :: results(:)
+      allocate (results, source=sample_results())
+      call hookload_script('hookload', sample_job(), sample_model(), results, lines)
+      call assertTrue(has_line(lines, '1 745 NaN NaN 733.4 1.557047 NaN'))
+      call assertTrue(has_line(lines, '3 564 NaN NaN 568.2 0.74468085 13.69'), message='torque of the one that rotates')
+      call assertTrue(has_line(lines, '4 NaN 524.3 NaN NaN NaN NaN'), message='not converged')
+   end subroutine test_hook_loads
+
+   !> The scripts draw from the files of the case and name units.
+   subroutine test_case_scripts()
+      type(text_type), allocatable :: lines(:)
+      type(case_result_type), allocatable :: results(:)
+      type(model_type) :: model
+      model = sample_model()
+      allocate (results, source=sample_results())
+      call forces_script('forces_i_up', sample_job(), model%cases(1), results(:1), [new_along_string(2)], lines)
+      call assertTrue(has_line(lines, "set output 'forces_i_up.svg'"))
+      call assertTrue(has_line(lines, "set xlabel 'effective axial force [kN]'"))
+      call assertTrue(has_line(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
+      call assertTrue(has_line(lines, 'set yrange [2075:0]'), message='depth downwards')
+      call assertTrue(has_text(lines, "'../profile_i_up_mcge.csv' using (column('axial_kN')):(column('md_m'))"))
+      call path_script('path_i_up', sample_job(), model%cases(1), results(1), lines)
+      call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
+      call assertTrue(has_text(lines, "touches('rigid', "))
+   end subroutine test_case_scripts
+
+   pure function has_line(lines, line) result(has)
+      type(text_type), intent(in) :: lines(:)
+      character(*), intent(in) :: line
+      logical :: has
+      integer :: i
+      has = .false.
+      do i = 1, size(lines)
+         if (lines(i)%text == line) has = .true.
+      end do
+   end function has_line
+
+   pure function has_text(lines, text) result(has)
+      type(text_type), intent(in) :: lines(:)
+      character(*), intent(in) :: text
+      logical :: has
+      integer :: i
+      has = .false.
+      do i = 1, size(lines)
+         if (index(lines(i)%text, text) > 0) has = .true.
+      end do
+   end function has_text
+end module dg_test_pictures
