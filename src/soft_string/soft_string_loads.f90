@@ -8,9 +8,13 @@
 !> with effective tension T, curvature vector k = dt/ds, unit vector down g, buoyed weight w, radius of contact r,
 !> and the signed shares f, m of friction along and around the hole (friction_split).
 !> Brett et al. 1989 (the paper's flexible type) use the same balance.
+!>
+!> Asked for `coiled`, compression F beyond the coiling load presses the string on the wall all around, by c F^2/(4 EI) per metre
+!> (Mitchell 1986) where that is more than n: friction then grows with F squared, and a weight on bit exists that no push at the
+!> top can bring down (Wu & Juvkam-Wold 1993).
 module dg_soft_string_loads
    use dg_kinds, only: wp
-   use dg_component, only: bending_stiffness, contact_diameter, buoyed_weight
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: friction_split
@@ -22,6 +26,7 @@ module dg_soft_string_loads
    public :: soft_string_at, soft_totals_type, breakpoints
    ! The pieces of a string, which the stiff string shares.
    public :: piece_type, piece_above, at_offset, climbed, longest_step, largest_angle, runaway_force
+   public :: coiling_load, coil_force
 
    !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
    !> angle it is exact to 1e-9 even with a friction coefficient of one. What limits it is the kink of n where
@@ -31,6 +36,8 @@ module dg_soft_string_loads
    !> Axial force beyond which the integration stops [N]: no string carries a millionth of it, and friction in
    !> a long sharp bend grows exponentially until numbers end.
    real(wp), parameter :: runaway_force = 1.0e15_wp
+   !> The same for a coiled string, whose friction reaches infinity at a finite length: strain [-] that no steel bears.
+   real(wp), parameter :: runaway_strain = 0.01_wp
 
    !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths, and no row of a
    !> table worth printing.
@@ -55,7 +62,9 @@ module dg_soft_string_loads
       real(wp) :: rotary = 0.0_wp   !< m of the balance above [-]
       real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
       real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
+      real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
+      logical :: coils = .false.    !< compression beyond the coiling load presses it on the wall
    end type piece_type
 
 contains
@@ -63,16 +72,17 @@ contains
    !> Axial force, torque and contact of the soft string of a load case at given depths.
    !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
    !> The scales serve load increments: both absent or one is the load case itself.
-   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals)
+   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals, coiled)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
-      real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
+      real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole, coils left out [N/m]
       real(wp), intent(in), optional :: friction_scale !< on every friction coefficient [-]
       real(wp), intent(in), optional :: load_scale     !< on weight and torque on bit [-]
       type(soft_totals_type), intent(out), optional :: totals
+      logical, intent(in), optional :: coiled          !< friction of a coiled string too; absent: no
       type(soft_totals_type) :: sums
       type(piece_type) :: piece
       real(wp) :: friction, load, position, force, moment
@@ -86,27 +96,60 @@ contains
          force = -load*load_case%wob
          moment = load*load_case%tob
       end associate
-      piece = piece_above(model, case_index, position, friction)
+      piece = piece_above(model, case_index, position, friction, coiled)
       do i = size(md), 1, -1
          do while (position > md(i))
             call climb(piece, max(piece%top, md(i)), position, force, moment, sums)
-            if (position > md(i)) piece = piece_above(model, case_index, position, friction)
+            if (position > md(i)) piece = piece_above(model, case_index, position, friction, coiled)
          end do
          axial(i) = force
          torque(i) = moment
          contact(:, i) = contact_force(piece, md(i), force)
          ! The next depth up starts in the piece above.
-         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, friction)
+         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, friction, coiled)
       end do
       if (present(totals)) totals = sums
    end subroutine soft_string_at
 
+   !> Axial compression [N] beyond which a string under a side load n per metre in a clearance c coils: 2 sqrt(2 EI n/c)
+   !> (Chen, Lin & Cheatham 1990), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
+   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around.
+   elemental function coiling_load(ei, side_load, weight, clearance) result(load)
+      real(wp), intent(in) :: ei         !< [N.m2]
+      real(wp), intent(in) :: side_load  !< [N/m]
+      real(wp), intent(in) :: weight     !< [N/m]
+      real(wp), intent(in) :: clearance  !< > 0 [m]
+      real(wp) :: load
+      load = max(2.0_wp*sqrt(2.0_wp*ei*side_load/clearance), 2.0_wp*1.94_wp*(ei*weight**2)**(1.0_wp/3.0_wp))
+   end function coiling_load
+
+   !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
+   elemental function coil_force(ei, compression, clearance) result(force)
+      real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
+      real(wp) :: force
+      force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
+   end function coil_force
+
+   !> Contact force [N/m] of a piece under an axial force [N] and a load across the hole [N/m].
+   pure function pressed(piece, force, load) result(normal)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: force, load(3)
+      real(wp) :: normal
+      normal = norm2(load)
+      if (piece%coils .and. force < 0.0_wp) then
+         if (-force > coiling_load(piece%stiffness, normal, piece%weight, piece%clearance)) &
+            normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
+      end if
+      normal = piece%climb*normal
+   end function pressed
+
    !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
-   pure function piece_above(model, case_index, md, friction_scale) result(piece)
+   pure function piece_above(model, case_index, md, friction_scale, coiled) result(piece)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md
       real(wp), intent(in) :: friction_scale
+      logical, intent(in), optional :: coiled   !< absent: no
       type(piece_type) :: piece
       real(wp) :: mu_axial, mu_rotary
       real(wp), allocatable :: tops(:)
@@ -132,10 +175,12 @@ contains
             piece%weight = buoyed_weight(string%components(i), model%mud_density, model%gravity)
             piece%radius = 0.5_wp*contact_diameter(string%components(i))
             piece%stiffness = bending_stiffness(string%components(i))
+            piece%stretching = axial_stiffness(string%components(i))
             piece%clearance = 0.5_wp*model%holes(hole)%diameter - piece%radius
          end associate
          call friction_split(load_case, friction_scale*mu_axial, friction_scale*mu_rotary, piece%radius, &
                              piece%axial, piece%rotary)
+         if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
          if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
       end associate
    end function piece_above
@@ -160,7 +205,8 @@ contains
       step = position - target
       angle = step*piece%arc%curvature
       steps = 1
-      if (angle > 0.0_wp) steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
+      if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp)) &
+         steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
       offset = position - piece%arc%md
       call at_offset(piece, offset, here, across_here, bend_here)
@@ -169,13 +215,16 @@ contains
          call at_offset(piece, offset - step, there, across_there, bend_there)
          offset = offset - step
          block
-            real(wp) :: n1, n2, n3, n4, middle
+            real(wp) :: n1, n2, n3, n4, middle, trial
             middle = force + piece%weight*(here(3) - half_way(3))
-            n1 = piece%climb*norm2(force*bend_here + across_here)
-            n2 = piece%climb*norm2((middle + 0.5_wp*step*piece%axial*n1)*bend_half + across_half)
-            n3 = piece%climb*norm2((middle + 0.5_wp*step*piece%axial*n2)*bend_half + across_half)
+            n1 = pressed(piece, force, force*bend_here + across_here)
+            trial = middle + 0.5_wp*step*piece%axial*n1
+            n2 = pressed(piece, trial, trial*bend_half + across_half)
+            trial = middle + 0.5_wp*step*piece%axial*n2
+            n3 = pressed(piece, trial, trial*bend_half + across_half)
             force = force + piece%weight*(here(3) - there(3))
-            n4 = piece%climb*norm2((force + step*piece%axial*n3)*bend_there + across_there)
+            trial = force + step*piece%axial*n3
+            n4 = pressed(piece, trial, trial*bend_there + across_there)
             normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
          end block
          force = force + piece%axial*normal
@@ -183,7 +232,7 @@ contains
          sums%normal_force = sums%normal_force + normal
          sums%weight = sums%weight + piece%weight*(here(3) - there(3))
          sums%steps = sums%steps + 1
-         if (abs(force) > runaway_force) then
+         if (abs(force) > runaway_force .or. (piece%coils .and. -force > runaway_strain*piece%stretching)) then
             sums%runaway = .true.
             sums%runaway_md = piece%arc%md + offset
             exit

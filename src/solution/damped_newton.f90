@@ -39,7 +39,7 @@ module dg_damped_newton
 
    !> Viscosity in the units of dg_viscosity [-]; below the least it is none. An equilibrium counts as stable that needs no more
    !> than the margin: F would have to drop by half of that part, 0.5 %.
-   real(wp), parameter :: viscosity_least = 1.0e-3_wp, viscosity_most = 1.0e9_wp
+   real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
    real(wp), parameter :: stability_margin = 1.0e-2_wp
    !> The same in a vertical hole, where friction turns a rotating string out of its energy's minimum.
    real(wp), parameter :: whirling_margin = 5.0e-2_wp
@@ -175,7 +175,7 @@ contains
             growth = until_definite
             if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, state, gaps, work, row)
          else
-            damped%viscosity = min(max(damped%viscosity, viscosity_least)*growth, viscosity_most)
+            damped%viscosity = min(max(damped%viscosity, viscosity_start)*growth, viscosity_most)
             growth = until_definite*growth
             if (live .and. sliding .and. (slope_after < 0.0_wp .or. growth > failing)) then
                wait = energy_steps
@@ -349,7 +349,7 @@ contains
       do
          call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
          if (definite .or. damped%viscosity > viscosity_most) return
-         damped%viscosity = until_definite*max(damped%viscosity, viscosity_least)
+         damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
       end do
    end subroutine raise_viscosity
 

@@ -8,8 +8,7 @@ module dg_mesh_for_case
    use dg_constants, only: pi
    use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
-   use dg_predictor, only: coiling_load
-   use dg_soft_string_loads, only: soft_string_at
+   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
    use dg_trajectory, only: arc_at
    implicit none
    private
@@ -20,12 +19,11 @@ module dg_mesh_for_case
    real(wp), parameter :: quarter_wave_share = 0.9_wp
    !> The same where the string is expected to coil: eight elements a turn.
    real(wp), parameter :: coil_share = 0.5_wp
+   !> Compression over the coiling load from which it snakes [-] (Dawson & Paslay 1984).
+   real(wp), parameter :: snake_share = 0.70_wp
    !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
    !> element may miss the hole's bend [-]. At one half some wells are lost, at a quarter none was.
    real(wp), parameter :: clearance_share = 0.25_wp
-   !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
-   !> first mode of a vertical string at 1/2.
-   real(wp), parameter :: watch_share = 0.4_wp
    !> Sag of the overhang at a free end over the clearance [-].
    real(wp), parameter :: overhang_share = 0.01_wp
    !> Longest element of a pipe body between tool joints over their spacing [-]; nor longer than sqrt(EI/|T|), over which its
@@ -37,24 +35,24 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, may_buckle, pressing, shortened)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, compressed, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
-      logical, intent(out) :: may_buckle       !< somewhere the soft string is compressed enough to watch its stability
+      real(wp), intent(out) :: compressed      !< largest compression of the soft string over its coiling load [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
       real(wp) :: curvature, compression, side_load, scales(scale_count)
       integer :: e, i
-      may_buckle = .false.
+      compressed = 0.0_wp
       pressing = 0.0_wp
       shortened = 0
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
-         call soft_string_at(model, case_index, mesh%md, axial, torque, contact)
+         call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
             compression = -min(axial(e), axial(e + 1))
@@ -73,19 +71,12 @@ contains
             end if
             longest(e) = min(longest(e), mesh%length(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            may_buckle = may_buckle .or. &
-               compression > watch_share*coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
+            if (compression > 0.0_wp) compressed = max(compressed, compression/max(tiny(1.0_wp), &
+                                              coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))))
          end do
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate
    end subroutine mesh_for_case
-
-   !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
-   elemental function coil_force(ei, compression, clearance) result(force)
-      real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
-      real(wp) :: force
-      force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
-   end function coil_force
 
    !> Longest element at a free end [m]: half of it hangs over the last gap, and must not sag through the wall.
    elemental function free_end(ei, weight, clearance) result(length)
@@ -108,7 +99,7 @@ contains
       lengths = huge(lengths)
       if (compression > 0.0_wp) then
          share = quarter_wave_share
-         if (compression > coiling_load(ei, side_load, weight, clearance)) share = coil_share
+         if (compression > snake_share*coiling_load(ei, side_load, weight, clearance)) share = coil_share
          lengths(scale_compression) = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
       end if
       if (curvature > 0.0_wp) lengths(scale_bend) = sqrt(8.0_wp*clearance_share*clearance/curvature)

@@ -11,13 +11,13 @@ module dg_predictor
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: soft_string_at
+   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: predict, coiling_load
+   public :: predict
 
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
@@ -37,7 +37,7 @@ contains
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
       integer :: i, e
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale)
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale, coiled=.true.)
       offset = 0.0_wp
       do i = 1, mesh%nodes
          force = norm2(contact(:, i))
@@ -61,18 +61,6 @@ contains
          gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
       end do
    end subroutine predict
-
-   !> Axial compression [N] beyond which a string under a side load n per metre in a clearance c coils: 2 sqrt(2 EI n/c)
-   !> (Chen, Lin & Cheatham 1990), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
-   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around.
-   elemental function coiling_load(ei, side_load, weight, clearance) result(load)
-      real(wp), intent(in) :: ei         !< [N.m2]
-      real(wp), intent(in) :: side_load  !< [N/m]
-      real(wp), intent(in) :: weight     !< [N/m]
-      real(wp), intent(in) :: clearance  !< [m]
-      real(wp) :: load
-      load = max(2.0_wp*sqrt(2.0_wp*ei*side_load/clearance), 2.0_wp*1.94_wp*(ei*weight**2)**(1.0_wp/3.0_wp))
-   end function coiling_load
 
    !> Lays a string that the soft string finds compressed by F as it will buckle. From the straight state the iteration would
    !> have to grow every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
@@ -100,7 +88,7 @@ contains
          if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
             if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
             coiling = .true.
-            force = mesh%clearance(e)*axial(i)**2/(4.0_wp*mesh%ei(e))
+            force = coil_force(mesh%ei(e), -axial(i), mesh%clearance(e))
             radius = mesh%clearance(e) + force/wall(e)
             offset(:, i) = radius*[cos(phase), sin(phase)]
             slope(:, i) = radius*rate*[-sin(phase), cos(phase)]

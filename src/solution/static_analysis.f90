@@ -48,6 +48,11 @@ module dg_static_analysis
    !> by damped Newton. A compressed string, which may find rest where it cannot stay, goes to damped Newton sooner, at last
    !> with the other place.
    integer, parameter :: attempts = 3
+   !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
+   !> first mode of a vertical string at 1/2.
+   real(wp), parameter :: watch_share = 0.4_wp
+   !> The same from which plain Newton is not tried at all: most such strings coil.
+   real(wp), parameter :: coiled_share = 0.72_wp
    integer, parameter :: plain_iterations = 70, brief_iterations = 25
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
@@ -80,19 +85,20 @@ contains
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
-      real(wp) :: worst, pressing
+      real(wp) :: worst, pressing, compressed
       logical :: may_buckle, started, damping, stable
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, may_buckle, pressing, shortened)
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, compressed, pressing, shortened)
+      may_buckle = compressed > watch_share
       call prepare(model, model%cases(case_index), mesh, newton, work)
       call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
       call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
-      do attempt = 1, attempts
+      do attempt = merge(2, 1, compressed > coiled_share), attempts
          numerics = model%numerics
          damping = attempt == attempts .or. (may_buckle .and. attempt > 1)
          if (.not. damping) numerics%max_iterations = min(numerics%max_iterations, newton%iterations &
@@ -140,14 +146,13 @@ contains
       type(load_type) :: loads
       type(numerics_type) :: numerics
       real(wp), allocatable :: solved(:, :)
-      real(wp) :: pressing
-      logical :: watch
+      real(wp) :: pressing, compressed
       integer :: outcome, shortened(scale_count), none(0)
       started = .false.
       if (may_buckle .or. model%numerics%load_steps > 1) return
       numerics = settings_of('auto')
       if (.not. model%numerics%element_length*much_finer < numerics%element_length) return
-      call mesh_for_case(model, case_index, numerics%element_length, coarse, watch, pressing, shortened)
+      call mesh_for_case(model, case_index, numerics%element_length, coarse, compressed, pressing, shortened)
       if (mesh%elements < much_finer*coarse%elements) return
       numerics = model%numerics
       numerics%max_iterations = min(coarse_iterations, numerics%max_iterations)

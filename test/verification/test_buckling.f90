@@ -1,0 +1,203 @@
+!> Compressed strings against the theory of buckling in holes: where they leave the low side, how far they snake, how they
+!> coil, and what friction then leaves of the force. Pipe of Wicks et al. (2008): OD 0.140, ID 0.116 m, E 207 GPa, clearance
+!> 0.041 m.
+module dg_test_buckling
+   use funit, only: assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type
+   use dg_component, only: bending_stiffness, component_type
+   use dg_constants, only: degree, pi
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_sliding_drilling, operation_static
+   use dg_model, only: model_type
+   use dg_test_wells, only: new_well, note, pipe, solve
+   implicit none
+   private
+   public :: buckling_suite
+
+   real(wp), parameter :: od = 0.140_wp, id = 0.116_wp, youngs = 207.0e9_wp, clearance = 0.041_wp
+
+contains
+
+   function buckling_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('buckling')
+      call suite%addTest(TestMethod('onset_in_straight_holes', test_onset_in_straight_holes))
+      call suite%addTest(TestMethod('amplitude', test_amplitude))
+      call suite%addTest(TestMethod('onset_in_a_build', test_onset_in_a_build))
+      call suite%addTest(TestMethod('helix', test_helix))
+      call suite%addTest(TestMethod('helix_with_friction', test_helix_with_friction))
+   end function buckling_suite
+
+   !> A hole with the pipe in it, both ends on the axis.
+   subroutine hole_with_pipe(model, md, inclination, weight, friction, gap, component)
+      type(model_type), intent(out) :: model
+      real(wp), intent(in) :: md(:), inclination(:)
+      real(wp), intent(in) :: weight, friction, gap
+      type(component_type), intent(out) :: component
+      component = pipe(weight, od, id, youngs)
+      call new_well(model, md, inclination, spread(0.0_wp, 1, size(md)), od + 2.0_wp*gap, friction, component)
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+   end subroutine hole_with_pipe
+
+   !> How far the string snakes about the low side [rad]: amplitude of the sine with the same mean square, of what is well off
+   !> the ends.
+   pure function snake(result, inner) result(amplitude)
+      type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: inner   !< distance from either end [m]
+      real(wp) :: amplitude
+      logical :: used(size(result%profile%md))
+      associate (p => result%profile)
+         used = p%md > p%md(1) + inner .and. p%md < p%md(size(p%md)) - inner
+         amplitude = sqrt(2.0_wp*sum((p%clock - pi)**2, mask=used)/count(used))
+      end associate
+   end function snake
+
+   !> 2 sqrt(EI w sin(theta)/c) (Dawson & Paslay 1984): nothing moves at 0.97 of it, and at 1.03 the string snakes.
+   !> In an inclined hole the force falls with the height, by g = w cos(theta)/F a metre, and the first snake is local. With
+   !> q**4 = n/(EI c) a wave of wave number q + k buckles at F_s (1 + 2 k**2/q**2), so that its envelope A along the hole follows
+   !> 2/q**2 A'' + (F/F_s - 1 - g s) A = 0: Airy's equation, whose least root for an end held is 2.338 (2 g**2/q**2)**(1/3). The
+   !> light pipe in a close hole is taken for that to be 2 %, and the test is of the sum of both.
+   subroutine test_onset_in_straight_holes()
+      real(wp), parameter :: inclination(3) = [90.0_wp, 60.0_wp, 20.0_wp], ratio(2) = [0.97_wp, 1.03_wp]
+      real(wp), parameter :: end_waves = 80.0_wp, off_support = 6.0_wp, still = 1.0e-6_wp, moving = 0.05_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: weight, gap, across, ei, onset, gradient, local, turn
+      integer :: i, j
+      do i = 1, size(inclination)
+         weight = merge(315.0_wp, 20.0_wp, i == 1)
+         gap = merge(clearance, 0.002_wp, i == 1)
+         do j = 1, size(ratio)
+            call hole_with_pipe(model, [0.0_wp, 400.0_wp], spread(inclination(i), 1, 2), weight, 0.0_wp, gap, component)
+            ei = bending_stiffness(component)
+            across = weight*sin(inclination(i)*degree)
+            onset = 2.0_wp*sqrt(ei*across/gap)
+            gradient = weight*cos(inclination(i)*degree)/onset
+            local = 2.338_wp*(2.0_wp*gradient**2/sqrt(across/(ei*gap)))**(1.0_wp/3.0_wp)
+            call note('onset above Dawson and Paslay''s by', local)
+            call assertLessThan(local, 0.025_wp, message='next to uniform')
+            call solve(model, operation_static, ratio(j)*(1.0_wp + local)*onset, 0.0_wp, result, 'straight hole')
+            associate (md => result%profile%md)
+               turn = maxval(abs(result%profile%clock - pi), mask=md > md(size(md)) - end_waves .and. &
+                             md < md(size(md)) - off_support)
+            end associate
+            call note('turn at the bit [rad]', turn)
+            if (j == 1) call assertLessThan(turn, still, message='below the onset')
+            if (j == 2) call assertGreaterThan(turn, moving, message='past the onset')
+         end do
+      end do
+   end subroutine test_onset_in_straight_holes
+
+   !> Past the onset the snake theta = A sin(q s) of a long string has the mean energy per metre
+   !>   EI c^2/2 (q^4 u/2 + 3 q^4 u^2/8) - F c^2 q^2 u/4 + w c (u/4 - u^2/64 + ...),   u = A^2,
+   !> least in q and u where (F/F_s)^2 = (1 + 3u/4)^2 (1 - u/8). The next harmonic and the next term are left out: 2 %.
+   !> (Mitchell's (1997) fit to his own solutions, 1.1227 b^-0.04 (b - 1)^0.46, is 4 % above to 5 % below.)
+   subroutine test_amplitude()
+      real(wp), parameter :: ratio(3) = [1.05_wp, 1.15_wp, 1.25_wp], length(2) = [2.5_wp, 1.25_wp], weight = 315.0_wp
+      real(wp), parameter :: end_waves = 100.0_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: onset, theory, amplitude(size(length))
+      integer :: i, j
+      do i = 1, size(ratio)
+         theory = sqrt(variational(ratio(i)))
+         do j = 1, size(length)
+            call hole_with_pipe(model, [0.0_wp, 400.0_wp], [90.0_wp, 90.0_wp], weight, 0.0_wp, clearance, component)
+            onset = 2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
+            model%numerics%element_length = length(j)
+            call solve(model, operation_static, ratio(i)*onset, 0.0_wp, result, 'amplitude')
+            amplitude(j) = snake(result, end_waves)
+            call note('snake over theory', amplitude(j)/theory)
+            call assertRelativelyEqual(theory, amplitude(j), 0.02_wp, message='amplitude')
+         end do
+         call assertRelativelyEqual(amplitude(2), amplitude(1), 0.005_wp, message='mesh')
+      end do
+
+   contains
+
+      !> u of the energy above at b = F/F_s, by halving.
+      pure function variational(b) result(u)
+         real(wp), intent(in) :: b
+         real(wp) :: u, low, high
+         integer :: k
+         low = 0.0_wp
+         high = 1.0_wp
+         do k = 1, 50
+            u = 0.5_wp*(low + high)
+            if ((1.0_wp + 0.75_wp*u)**2*(1.0_wp - 0.125_wp*u) < b**2) then
+               low = u
+            else
+               high = u
+            end if
+         end do
+      end function variational
+   end subroutine test_amplitude
+
+   !> On the outside of a build, where compression itself presses the string on: F = 2 sqrt(EI (w sin(theta) + F/R)/c), solved for
+   !> F at 90 deg; the weight is small enough that F varies by 1 % along the build.
+   subroutine test_onset_in_a_build()
+      real(wp), parameter :: radius = 1000.0_wp, weight = 31.5_wp, ratio(2) = [0.95_wp, 1.05_wp]
+      real(wp), parameter :: end_waves = 40.0_wp, still = 1.0e-6_wp, moving = 0.05_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: ei, onset
+      integer :: j
+      do j = 1, size(ratio)
+         call hole_with_pipe(model, [0.0_wp, radius*30.0_wp*degree], [60.0_wp, 90.0_wp], weight, 0.0_wp, clearance, component)
+         ei = bending_stiffness(component)
+         onset = 2.0_wp*ei/(clearance*radius)*(1.0_wp + sqrt(1.0_wp + weight*clearance*radius**2/ei))
+         call solve(model, operation_static, ratio(j)*onset, 0.0_wp, result, 'build')
+         call note('snake in a build [rad]', snake(result, end_waves))
+         if (j == 1) call assertLessThan(snake(result, end_waves), still, message='below the onset')
+         if (j == 2) call assertGreaterThan(snake(result, end_waves), moving, message='past the onset')
+      end do
+   end subroutine test_onset_in_a_build
+
+   !> Long and next to weightless: pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre.
+   subroutine test_helix()
+      real(wp), parameter :: force(2) = [100.0e3_wp, 300.0e3_wp], length = 600.0_wp, end_part = 150.0_wp, close = 0.01_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: ei, turn
+      integer :: i, j, first, last
+      do j = 1, size(force)
+         call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], 0.1_wp, 0.0_wp, clearance, component)
+         ei = bending_stiffness(component)
+         call solve(model, operation_static, force(j), 0.0_wp, result, 'helix')
+         associate (p => result%profile)
+            first = minloc(abs(p%md - end_part), dim=1)
+            last = minloc(abs(p%md - (length - end_part)), dim=1)
+            turn = 0.0_wp
+            do i = first, last - 1
+               turn = turn + modulo(p%clock(i + 1) - p%clock(i) + pi, 2.0_wp*pi) - pi
+            end do
+            call assertRelativelyEqual(2.0_wp*pi*sqrt(2.0_wp*ei/force(j)), 2.0_wp*pi*(p%md(last) - p%md(first))/abs(turn), close, &
+                                       message='pitch')
+            call assertRelativelyEqual(clearance*force(j)**2/(4.0_wp*ei), sum(p%side_force(first:last))/(last - first + 1), close, &
+                                       message='contact force')
+         end associate
+      end do
+   end subroutine test_helix
+
+   !> A coiled string that slides: 1/F falls by mu c/(4 EI) a metre on the way up from the bit, in next to weightless pipe.
+   subroutine test_helix_with_friction()
+      real(wp), parameter :: force(2) = [150.0e3_wp, 300.0e3_wp], friction = 0.3_wp, length = 1000.0_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: top
+      integer :: i
+      call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], 0.1_wp, friction, clearance, component)
+      do i = 1, size(force)
+         top = -1.0_wp/(1.0_wp/force(i) - friction*clearance*length/(4.0_wp*bending_stiffness(component)))
+         call solve(model, operation_sliding_drilling, force(i), 0.0_wp, result, 'coiled')
+         call note('hook load over theory', result%hookload/top)
+         call assertRelativelyEqual(top, result%hookload, 0.01_wp, message='push at the top')
+      end do
+   end subroutine test_helix_with_friction
+end module dg_test_buckling
