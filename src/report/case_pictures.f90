@@ -43,7 +43,7 @@ contains
          n = size(profile%md)
          azimuth = 0.0_wp
          if (hypot(profile%north(n), profile%east(n)) > 0.0_wp) azimuth = atan2(profile%east(n), profile%north(n))
-         section = cos(azimuth)*profile%north + sin(azimuth)*profile%east
+         allocate (section, source=cos(azimuth)*profile%north + sin(azimuth)*profile%east)
          data = "'../profile_"//load_case%name//'_'//trim(model_name(result%model))//".csv'"
          unit = ' ['//trim(job%units%length_label)//']'
          across = '(('//to_text(cos(azimuth), digits)//')*'//value('north')//'+('//to_text(sin(azimuth), digits)//')*'// &
