@@ -24,9 +24,10 @@ MAY_USE = {
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
     "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
     "legacy": {"base", "trajectory", "model", "results"},
+    "study": {"base", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "string_limits": {"base", "trajectory", "string", "hole", "model", "results", "soft_string"},
-    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy"},
+    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)
@@ -35,8 +36,9 @@ MAY_USE["app"] = set(MAY_USE)
 ONLY_FROM_APP = {"deck", "report"}
 # Folders whose procedures may read or write files and the screen.
 MAY_TALK = {"app", "deck", "report"}
-# The one module of base/ that touches files on their behalf, and its neighbours for folders.
-FILE_MODULES = {"src/base/file_lines.f90", "src/base/file_system.f90", "src/base/folder.f90"}
+# The modules of base/ that touch files on their behalf, and ask the system.
+FILE_MODULES = {"src/base/file_lines.f90", "src/base/file_system.f90", "src/base/folder.f90",
+                "src/base/process_memory.f90"}
 
 USE = re.compile(r"^\s*use\s*(?:,\s*(?:non_)?intrinsic\s*)?(?:::)?\s*(\w+)", re.I | re.M)
 MODULE = re.compile(r"^\s*module\s+(?!procedure\b|subroutine\b|function\b)(\w+)\s*$", re.I | re.M)

@@ -8,6 +8,7 @@ module dg_deck_echo
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
+   use dg_study_plan, only: most_variants
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: position_at
    use dg_units, only: unit_system_type
@@ -67,6 +68,8 @@ contains
          call add_case(lines, job%units, model%cases(i))
       end do
       call add_numerics(lines, job%units, model%numerics)
+      if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
+                                                 ' variants of '//to_text(size(job%study%cases))//' cases')
    end subroutine echo_lines
 
    !> Path, sections of the hole, mud.

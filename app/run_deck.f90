@@ -17,6 +17,7 @@ module dg_run_deck
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
    use dg_run_legacy, only: run_legacy
+   use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
    use dg_results_h5, only: write_results_h5
    use dg_solve_case, only: solve_case
@@ -75,6 +76,10 @@ contains
             call run_legacy(output_unit, job, model, results, i, error)
             call note_failure(error, status)
          end do
+      end if
+      if (allocated(job%study)) then
+         call run_study(output_unit, job, model, error)
+         call note_failure(error, status)
       end if
       flush (output_unit)
       if (is_interrupted()) then

@@ -40,6 +40,7 @@ module dg_units
       character(8) :: force_per_length_label = 'kN_m'
       character(8) :: stress_label = 'MPa'
       character(9) :: curvature_label = 'deg_30m'
+      character(8) :: wall_stiffness_label = 'kN_m2'
    end type unit_system_type
 
 contains
@@ -73,5 +74,6 @@ contains
       units%force_per_length_label = 'klbf_ft'
       units%stress_label = 'ksi'
       units%curvature_label = 'deg_100ft'
+      units%wall_stiffness_label = 'klbf_ft2'
    end function field_units
 end module dg_units

@@ -24,7 +24,7 @@ module dg_deck_keys
       group_rule_type('solver', meaning='numbers that steer the solution'), &
       group_rule_type('sweep', repeatable=.true., available=.false., meaning='hook load and torque against depth'), &
       group_rule_type('calibrate', repeatable=.true., available=.false., meaning='friction from measured hook load and torque'), &
-      group_rule_type('study', available=.false., meaning='accuracy and cost of models and settings'), &
+      group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
       group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
 
    ! Bounds [deck units of SI].
@@ -198,6 +198,22 @@ module dg_deck_keys
       key_rule_type('legacy', 'torque_unit', kind_text, meaning='N.m, kN.m, ft.lbf, kft.lbf'), &
       key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, lbf/ft, klbf/ft')]
 
+   type(key_rule_type), parameter :: study_keys(8) = [ &
+      key_rule_type('study', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
+      key_rule_type('study', 'models', kind_text, array=.true., choices='mcge soft rigid mixed', &
+         meaning='default the models of the job; all but mcge heed element_lengths alone'), &
+      key_rule_type('study', 'element_lengths', unit=unit_length, array=.true., low=0.01_wp, high=1.0e3_wp, &
+         meaning='longest elements; default that of the solver'), &
+      key_rule_type('study', 'tolerances', array=.true., low=round_off, high=0.1_wp, meaning='default that of the solver'), &
+      key_rule_type('study', 'wall_stiffnesses', unit=unit_wall, array=.true., low=0.0_wp, open=.true., high=stiffest, &
+         meaning='of every hole section, gk_max in proportion; default as in hole and solver'), &
+      key_rule_type('study', 'gap_locations', kind_text, array=.true., choices='extremum nodes', &
+         meaning='default that of the solver'), &
+      key_rule_type('study', 'linear_solvers', kind_text, array=.true., choices='block banded', later='sparse', &
+         meaning='default that of the solver'), &
+      key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
+         meaning='beside the element_lengths, each with what it sets in the solver')]
+
 contains
 
    !> Rules of the keys of a group; none for a group that this version does not have.
@@ -214,6 +230,7 @@ contains
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
       case ('legacy'); rules = legacy_keys
+      case ('study'); rules = study_keys
       case default; allocate (rules(0))
       end select
    end function keys_of

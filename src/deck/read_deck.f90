@@ -6,6 +6,7 @@ module dg_read_deck
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
+   use dg_deck_study, only: take_study
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
@@ -70,6 +71,7 @@ contains
       call close_holes(draft, faults)
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)
+      call take_study(draft, checked, job%models, job%study, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck
 

@@ -2,6 +2,7 @@
 module dg_job
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
+   use dg_study_plan, only: study_plan_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -22,6 +23,7 @@ module dg_job
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
+      type(study_plan_type), allocatable :: study       !< accuracy and cost to compare; not allocated: nothing
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       character(:), allocatable :: deck_text   !< the deck itself, for the record
       logical :: profiles = .true.             !< write profiles along the string

@@ -1,16 +1,20 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
-   use dg_linear_solver, only: solver_banded, solver_block
+   use dg_linear_solver, only: solver_banded, solver_block, solver_name
    implicit none
    private
    public :: numerics_type, default_elastic_share
    public :: gap_at_extremum, gap_at_nodes
-   public :: fidelity_count, fidelity_name, settings_of
-   public :: solver_banded, solver_block
+   public :: gap_location_count, gap_location_name
+   public :: fidelity_count, fidelity_name, settings_of, set_fidelity
+   public :: solver_banded, solver_block, solver_name
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
    integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
+   integer, parameter :: gap_location_count = 2
+   !> Names in decks, in the order of the numbers above.
+   character(*), parameter :: gap_location_name(gap_location_count) = [character(8) :: 'extremum', 'nodes']
 
    integer, parameter :: fidelity_count = 4
    !> Names in decks. auto lets elements be as long as the local scale bears; fast the same with fixed gaps and a loose
@@ -56,12 +60,20 @@ contains
    pure function settings_of(fidelity) result(numerics)
       character(*), intent(in) :: fidelity
       type(numerics_type) :: numerics
+      call set_fidelity(numerics, fidelity)
+   end function settings_of
+
+   !> Gives settings what a fidelity decides, and leaves the others as they are.
+   pure subroutine set_fidelity(numerics, fidelity)
+      type(numerics_type), intent(inout) :: numerics
+      character(*), intent(in) :: fidelity   !< nothing happens for an unknown one
+      type(numerics_type) :: defaults
       integer :: i
       do i = 1, fidelity_count
-         if (fidelity == fidelity_name(i)) numerics%element_length = fidelity_length(i)
+         if (fidelity /= fidelity_name(i)) cycle
+         numerics%element_length = fidelity_length(i)
+         numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity == 'fast')
+         numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity == 'fast')
       end do
-      if (fidelity /= 'fast') return
-      numerics%gap_location = gap_at_nodes
-      numerics%tolerance = fast_tolerance
-   end function settings_of
+   end subroutine set_fidelity
 end module dg_numerics

@@ -12,7 +12,7 @@ module dg_column
    public :: column_type, field_type, field_list_type, column_header, unit_text, unit_size
    public :: csv_header, csv_row, csv_value, put, put_none
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
-             quantity_line_load, quantity_stress, quantity_percent, quantity_turns, quantity_curvature, quantity_time
+             quantity_line_load, quantity_stress, quantity_percent, quantity_turns, quantity_curvature, quantity_time, quantity_wall
    public :: field_absent, field_text, field_integer, field_real
 
    integer, parameter :: quantity_none = 0       !< a number without unit
@@ -28,6 +28,7 @@ module dg_column
    integer, parameter :: quantity_turns = 10     !< an angle of many turns
    integer, parameter :: quantity_curvature = 11
    integer, parameter :: quantity_time = 12      !< seconds in both unit systems, not named in the header
+   integer, parameter :: quantity_wall = 13      !< stiffness of a wall: force per length and penetration
 
    type :: column_type
       character(24) :: name = ''
@@ -78,6 +79,7 @@ contains
       case (quantity_percent); header = header//'_pct'
       case (quantity_turns); header = header//'_turns'
       case (quantity_curvature); header = header//'_'//trim(units%curvature_label)
+      case (quantity_wall); header = header//'_'//trim(units%wall_stiffness_label)
       case default
       end select
    end function column_header
@@ -98,6 +100,8 @@ contains
          if (field) text = 'kft.lbf'
       case (quantity_line_load); text = 'kN/m'
          if (field) text = 'klbf/ft'
+      case (quantity_wall); text = 'kN/m2'
+         if (field) text = 'klbf/ft2'
       case (quantity_stress); text = trim(units%stress_label)
       case (quantity_percent); text = '%'
       case (quantity_turns); text = 'turns'
@@ -123,6 +127,7 @@ contains
       case (quantity_stress); size = units%stress
       case (quantity_turns); size = 2.0_wp*pi
       case (quantity_curvature); size = units%curvature
+      case (quantity_wall); size = units%wall_stiffness
       case default; size = 1.0_wp
       end select
    end function unit_size

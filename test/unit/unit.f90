@@ -40,6 +40,7 @@ contains
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_paraview, only: paraview_suite
+      use dg_test_study, only: study_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -74,5 +75,6 @@ contains
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(string_limits_suite())
       call suite%addTest(paraview_suite())
+      call suite%addTest(study_suite())
    end function load_tests
 end program unit

@@ -1,0 +1,216 @@
+!> What the solutions of a study tell: errors against the finest, order of convergence, and which settings are worth their
+!> price. SI units.
+module dg_study_comparison
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_convergence_order, only: fit_order
+   use dg_missing, only: is_missing, missing
+   use dg_study_variant, only: is_finer, same_but_mesh, variant_type
+   implicit none
+   private
+   public :: study_record_type, new_record, compare_case, pareto_set
+   public :: error_hookload, error_torque, error_normal_force, error_bending, error_count
+
+   integer, parameter :: error_hookload = 1
+   integer, parameter :: error_torque = 2
+   integer, parameter :: error_normal_force = 3 !< sum of contact forces
+   integer, parameter :: error_bending = 4      !< of the bending moment along the string
+   integer, parameter :: error_count = 4
+
+   !> One solution: a variant of one load case.
+   type :: study_record_type
+      integer :: status = 0
+      real(wp) :: hookload = 0.0_wp            !< [N]
+      real(wp) :: torque = 0.0_wp              !< at the top [N.m]
+      real(wp) :: normal_force = 0.0_wp        !< sum of contact forces [N]
+      real(wp) :: bending = 0.0_wp             !< greatest bending moment [N.m]
+      integer :: iterations = 0
+      integer :: elements = 0
+      real(wp) :: mean_length = 0.0_wp         !< of its elements [m]
+      real(wp) :: seconds = 0.0_wp
+      real(wp) :: memory = missing             !< greatest use while it was solved [bytes]
+      real(wp), allocatable :: md(:)           !< where moments are known [m]
+      real(wp), allocatable :: moments(:)      !< [N.m]
+      ! found by compare_case
+      logical :: is_reference = .false.
+      logical :: in_pareto_set = .false.
+      real(wp) :: errors(error_count) = missing !< against the reference [-]
+      real(wp) :: orders(error_count) = missing !< of convergence, of all variants that differ in element length alone [-]
+      real(wp) :: cost = missing               !< seconds over the reference's [-]
+   end type study_record_type
+
+   !> Torque under which its relative error says nothing [N.m].
+   real(wp), parameter :: least_torque = 1.0_wp
+   !> Errors up to this are taken as equal, and say nothing of an order of convergence [-]: two gaps that came to rest in
+   !> another order make as much.
+   real(wp), parameter :: no_difference = 1.0e-7_wp
+
+contains
+
+   !> Keeps what a study needs of a result.
+   pure subroutine new_record(result, seconds, memory, record)
+      type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: seconds, memory
+      type(study_record_type), intent(out) :: record
+      integer :: n
+      record%status = result%status
+      record%hookload = result%hookload
+      record%torque = result%torque
+      record%normal_force = result%normal_force
+      record%iterations = result%iterations
+      record%elements = result%elements
+      record%seconds = seconds
+      record%memory = memory
+      if (.not. allocated(result%profile%md)) return
+      record%md = result%profile%md
+      record%moments = result%profile%bending
+      record%bending = maxval(record%moments)
+      n = size(record%md)
+      record%mean_length = (record%md(n) - record%md(1))/max(1, result%elements)
+   end subroutine new_record
+
+   !> Compares all variants of one load case: the finest that converged is the reference.
+   pure subroutine compare_case(variants, records)
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(inout) :: records(:)   !< one a variant
+      real(wp) :: worst(size(records)), seconds(size(records))
+      integer :: i, best
+      best = finest_of(variants, records, [(.true., i=1, size(records))])
+      if (best == 0) return
+      records(best)%is_reference = .true.
+      do i = 1, size(records)
+         if (records(i)%status /= result_converged) cycle
+         records(i)%errors = relative_errors(records(i), records(best))
+         if (records(best)%seconds > 0.0_wp) records(i)%cost = records(i)%seconds/records(best)%seconds
+      end do
+      do i = 1, size(records)
+         call find_orders(variants, records, i)
+         worst(i) = worst_error(records(i)%errors)
+         seconds(i) = records(i)%seconds
+      end do
+      records%in_pareto_set = pareto_set(worst, seconds)
+   end subroutine compare_case
+
+   !> What a hook load and a torque are wrong by, the worse of the two [-]; missing where neither is known.
+   pure function worst_error(errors) result(worst)
+      real(wp), intent(in) :: errors(:)
+      real(wp) :: worst
+      worst = errors(error_hookload)
+      if (is_missing(worst)) then
+         worst = errors(error_torque)
+      else if (.not. is_missing(errors(error_torque))) then
+         worst = max(worst, errors(error_torque))
+      end if
+   end function worst_error
+
+   !> The finest of the variants chosen that converged; 0 where none did.
+   pure function finest_of(variants, records, chosen) result(best)
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(in) :: records(:)
+      logical, intent(in) :: chosen(:)
+      integer :: best
+      integer :: i
+      best = 0
+      do i = 1, size(records)
+         if (.not. chosen(i) .or. records(i)%status /= result_converged) cycle
+         if (best == 0) then
+            best = i
+         else if (is_finer(variants(i), variants(best))) then
+            best = i
+         end if
+      end do
+   end function finest_of
+
+   !> Errors of a record against a reference [-]. Moments: root mean square along the string of the difference over the
+   !> greatest of the reference, which is interpolated to the record's places.
+   pure function relative_errors(record, reference) result(errors)
+      type(study_record_type), intent(in) :: record, reference
+      real(wp) :: errors(error_count)
+      errors = missing
+      errors(error_hookload) = over(record%hookload - reference%hookload, reference%hookload, 0.0_wp)
+      errors(error_torque) = over(record%torque - reference%torque, reference%torque, least_torque)
+      errors(error_normal_force) = over(record%normal_force - reference%normal_force, reference%normal_force, 0.0_wp)
+      if (allocated(record%md) .and. allocated(reference%md)) &
+         errors(error_bending) = over(moment_difference(record, reference), reference%bending, 0.0_wp)
+   end function relative_errors
+
+   !> |difference| over |whole|, missing where the whole is too small.
+   pure function over(difference, whole, least) result(share)
+      real(wp), intent(in) :: difference, whole, least
+      real(wp) :: share
+      share = missing
+      if (abs(whole) > least) share = abs(difference)/abs(whole)
+   end function over
+
+   !> Root mean square of the difference of two moments along the string [N.m].
+   pure function moment_difference(record, reference) result(difference)
+      type(study_record_type), intent(in) :: record, reference
+      real(wp) :: difference
+      real(wp) :: squares(size(record%md)), share, moment, total
+      integer :: i, k, n
+      k = 1
+      n = size(reference%md)
+      do i = 1, size(record%md)
+         do while (k < n - 1)
+            if (reference%md(k + 1) >= record%md(i)) exit
+            k = k + 1
+         end do
+         share = 0.0_wp
+         if (reference%md(k + 1) > reference%md(k)) &
+            share = (record%md(i) - reference%md(k))/(reference%md(k + 1) - reference%md(k))
+         share = min(max(share, 0.0_wp), 1.0_wp)
+         moment = (1.0_wp - share)*reference%moments(k) + share*reference%moments(k + 1)
+         squares(i) = (record%moments(i) - moment)**2
+      end do
+      n = size(record%md)
+      total = record%md(n) - record%md(1)
+      difference = sum(0.5_wp*(squares(1:n - 1) + squares(2:n))*(record%md(2:n) - record%md(1:n - 1)))
+      if (total > 0.0_wp) difference = sqrt(difference/total)
+   end function moment_difference
+
+   !> Orders of convergence of variant `i` from all that differ from it in element length alone, against their own finest.
+   pure subroutine find_orders(variants, records, i)
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(inout) :: records(:)
+      integer, intent(in) :: i
+      logical :: family(size(records))
+      real(wp) :: differences(size(records), error_count), lengths(size(records))
+      integer :: j, k, best
+      do j = 1, size(records)
+         family(j) = same_but_mesh(variants(i), variants(j)) .and. records(j)%status == result_converged
+      end do
+      best = finest_of(variants, records, family)
+      if (best == 0) return
+      differences = 0.0_wp
+      do j = 1, size(records)
+         lengths(j) = records(j)%mean_length
+         if (.not. family(j)) cycle
+         differences(j, :) = relative_errors(records(j), records(best))
+         where (is_missing(differences(j, :))) differences(j, :) = 0.0_wp
+      end do
+      do k = 1, error_count
+         call fit_order(lengths, differences(:, k), lengths(best), no_difference, records(i)%orders(k))
+      end do
+   end subroutine find_orders
+
+   !> Which of several ways are worth their price: those than which none is both at least as accurate and at least as fast,
+   !> and better in one. Ways without error are not.
+   pure function pareto_set(errors, seconds) result(worth)
+      real(wp), intent(in) :: errors(:)     !< [-]; missing where there is no solution
+      real(wp), intent(in) :: seconds(:)
+      logical :: worth(size(errors))
+      real(wp) :: rounded(size(errors))
+      integer :: i, j
+      worth = .not. is_missing(errors)
+      rounded = errors
+      where (worth) rounded = max(errors, no_difference)
+      do i = 1, size(errors)
+         if (.not. worth(i)) cycle
+         do j = 1, size(errors)
+            if (j == i .or. is_missing(errors(j))) cycle
+            if (rounded(j) <= rounded(i) .and. seconds(j) <= seconds(i) .and. &
+                (rounded(j) < rounded(i) .or. seconds(j) < seconds(i))) worth(i) = .false.
+         end do
+      end do
+   end function pareto_set
+end module dg_study_comparison
