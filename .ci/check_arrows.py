@@ -25,6 +25,7 @@ MAY_USE = {
     "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
+    "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "string_limits": {"base", "trajectory", "string", "hole", "model", "results", "soft_string"},
     "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study"},

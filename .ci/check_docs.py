@@ -25,6 +25,7 @@ COLUMNS = {
     "limits_columns": "limits.csv",
     "history_columns": "history_<case>_<model>.csv",
     "legacy_columns": "legacy_<label>.csv",
+    "sweep_columns": "sweep_<name>.csv",
     "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",
 }

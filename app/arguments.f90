@@ -12,14 +12,17 @@ module dg_arguments
       character(:), allocatable :: output_dir !< '': as the deck says
       integer :: threads = 0                  !< 0: as many as there are cores
       logical :: threads_given = .false.      !< else as the deck says
+      integer :: part = 1                     !< of the sweeps, of ...
+      integer :: parts = 0                    !< ... so many; 0: undivided
+      integer :: merge = 0                    !< > 0: so many parts are to be joined
       logical :: check = .false.
       logical :: quiet = .false.
       logical :: help = .false.
       logical :: version = .false.
    end type arguments_type
 
-   character(*), parameter :: options(6) = [character(9) :: '--check', '--output', '--threads', '--quiet', '--help', &
-                                            '--version']
+   character(*), parameter :: options(8) = [character(9) :: '--check', '--output', '--threads', '--part', '--merge', &
+                                            '--quiet', '--help', '--version']
    !> Most digits of a number of threads.
    integer, parameter :: longest_count = 4
 
@@ -59,7 +62,7 @@ contains
          equals = index(word, '=')
          if (equals > 0) option = word(:equals - 1)
          select case (option)
-         case ('--output', '--threads')
+         case ('--output', '--threads', '--part', '--merge')
             value = ''
             if (equals > 0) then
                value = word(equals + 1:)
@@ -71,6 +74,11 @@ contains
                call refuse(option//' needs a value')
             else if (option == '--output') then
                arguments%output_dir = value
+            else if (option == '--part') then
+               call read_part(value)
+            else if (option == '--merge') then
+               if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts; give 1 to 9999, as in --merge 4')
+               if (is_count(value)) read (value, *) arguments%merge
             else
                call read_threads(value)
             end if
@@ -87,7 +95,33 @@ contains
       end do
       if (arguments%deck == '' .and. .not. (arguments%help .or. arguments%version)) call refuse('no deck given')
 
+      if (.not. allocated(error) .and. arguments%parts > 0 .and. arguments%merge > 0) &
+         call refuse('--part and --merge exclude each other: parts are joined when all are there')
+
    contains
+
+      !> Reads i/n.
+      subroutine read_part(text)
+         character(*), intent(in) :: text
+         integer :: slash
+         logical :: sound
+         slash = index(text, '/')
+         sound = slash > 1 .and. slash < len(text)
+         if (sound) sound = is_count(text(:slash - 1)) .and. is_count(text(slash + 1:))
+         if (sound) then
+            read (text(:slash - 1), *) arguments%part
+            read (text(slash + 1:), *) arguments%parts
+            sound = arguments%part <= arguments%parts
+         end if
+         if (.not. sound) call refuse('--part '//text//' is no part; give i/n with i from 1 to n, as in --part 2/4')
+      end subroutine read_part
+
+      !> Whether a text is a whole number of 1 to 9999.
+      pure function is_count(text) result(is)
+         character(*), intent(in) :: text
+         logical :: is
+         is = len(text) >= 1 .and. len(text) <= longest_count .and. verify(text, '0123456789') == 0 .and. verify(text, '0') > 0
+      end function is_count
 
       subroutine refuse(message)
          character(*), intent(in) :: message
@@ -123,6 +157,8 @@ contains
          '  --check        read and validate the deck, print what would be run, solve nothing', &
          '  --output DIR   folder of results instead of the deck''s output_dir', &
          '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores', &
+         '  --part I/N     solve only part I of N of the deck''s sweeps; --merge N then joins them', &
+         '  --merge N      join the N parts of each sweep, solve nothing', &
          '  --quiet        no notes, no progress', &
          '  --help         this text', &
          '  --version      name and version', &

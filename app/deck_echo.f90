@@ -9,6 +9,7 @@ module dg_deck_echo
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_study_plan, only: most_variants
+   use dg_sweep_echo, only: add_sweeps
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: position_at
    use dg_units, only: unit_system_type
@@ -67,6 +68,7 @@ contains
       do i = 1, size(model%cases)
          call add_case(lines, job%units, model%cases(i))
       end do
+      call add_sweeps(lines, job)
       call add_numerics(lines, job%units, model%numerics)
       if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
                                                  ' variants of '//to_text(size(job%study%cases))//' cases')

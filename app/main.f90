@@ -61,6 +61,14 @@ contains
       if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
       job%quiet = arguments%quiet
       if (arguments%threads_given) job%threads = arguments%threads
+      job%part = arguments%part
+      job%parts = arguments%parts
+      job%merge = arguments%merge
+      if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) == 0) then
+         write (error_unit, '(a)') program_name//': '//arguments%deck//' has no &sweep; nothing else can be divided into parts'
+         status = status_bad_input
+         return
+      end if
       if (arguments%check) then
          call print_echo(output_unit, job, model, notes)
          status = status_ok

@@ -19,6 +19,7 @@ module dg_run_deck
    use dg_run_legacy, only: run_legacy
    use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
+   use dg_run_sweeps, only: prepare_sweeps, run_sweep, sweep_run_type
    use dg_results_h5, only: write_results_h5
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
@@ -43,22 +44,41 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(out) :: status
-      type(case_result_type), allocatable :: results(:)
-      type(along_string_type), allocatable :: alongs(:)
-      type(whole_string_type), allocatable :: wholes(:)
+      type(sweep_run_type), allocatable :: sweeps(:)
       type(error_type), allocatable :: error
-      integer :: i
+      integer :: i, lost
 
       status = status_ok
       call make_folder(job%output_dir, error)
+      if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
       if (allocated(error)) then
          call tell(error%message)
          status = error%status
          return
       end if
+      call watch_for_signals()
+      if (size(model%cases) > 0 .and. job%parts == 0 .and. job%merge == 0) call run_cases(job, model, status)
+      do i = 1, size(sweeps)
+         if (is_interrupted()) exit
+         call run_sweep(job, model, i, sweeps(i), lost, error)
+         call note_failure(error, status)
+         if (lost > 0) status = graver(status, status_not_converged)
+      end do
+      flush (output_unit)
+   end subroutine run_deck
+
+   !> The load cases of a deck.
+   subroutine run_cases(job, model, status)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(inout) :: status
+      type(case_result_type), allocatable :: results(:)
+      type(along_string_type), allocatable :: alongs(:)
+      type(whole_string_type), allocatable :: wholes(:)
+      type(error_type), allocatable :: error
+      integer :: i
       allocate (results(size(job%models)*size(model%cases)))
       allocate (alongs(size(results)), wholes(size(results)))
-      call watch_for_signals()
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
@@ -90,7 +110,7 @@ contains
          call run_pictures(job, model, results, alongs, wholes, error)
          call note_failure(error, status)
       end if
-   end subroutine run_deck
+   end subroutine run_cases
 
    !> Solves every case with every model, as many at a time as the job allows; after a signal no more of them. Cases do not
    !> know of each other, and what is told and written of them comes in the deck's order: nothing depends on the number of

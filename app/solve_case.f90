@@ -19,12 +19,13 @@ contains
    !> Solves one case with one model. Where that is refused, or a signal came before it was done, the result is marked as not
    !> converged. The model is only read:
    !> several threads may solve cases of it.
-   subroutine solve_case(model, number, case_index, result, error)
+   subroutine solve_case(model, number, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: number            !< of the model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      logical, intent(in), optional :: totals_only   !< .true.: no profile is asked for; models that save time so leave it out
       integer, parameter :: nothing = 0
       select case (merge(nothing, number, is_interrupted()))
       case (nothing)
@@ -32,7 +33,7 @@ contains
       case (model_mcge)
          call solve_static_analysis(model, case_index, result, error)
       case (model_soft)
-         call solve_soft_string(model, case_index, result, error)
+         call solve_soft_string(model, case_index, result, error, totals_only)
       case (model_rigid)
          call solve_rigid_string(model, case_index, result, error)
       case (model_mixed)

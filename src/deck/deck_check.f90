@@ -4,12 +4,12 @@
 module dg_deck_check
    use dg_kinds, only: wp
    use dg_component, only: contact_diameter
-   use dg_deck_draft, only: draft_type, draft_hole_type
+   use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: quoted, suggestion, to_text, lower_case
    implicit none
    private
-   public :: close_holes, check_draft
+   public :: close_holes, check_draft, check_case
 
    !> Part of a depth that is only round-off of a conversion or of a survey table [-].
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
@@ -114,15 +114,26 @@ contains
    subroutine check_draft(draft, faults)
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
+      type(draft_case_type) :: item
       integer :: i
       call check_strings(draft, faults)
       do i = 1, size(draft%cases)
          call check_name(draft, i, faults)
          if (.not. draft%cases(i)%sound) cycle
-         call check_depth(draft, i, faults)
-         call check_string(draft, i, faults)
+         item = draft%cases(i)
+         call check_case(draft, item, faults)
+         draft%cases(i) = item
       end do
    end subroutine check_draft
+
+   !> Survey and holes reach the bit of a case, its string exists, reaches surface and passes the hole.
+   subroutine check_case(draft, item, faults)
+      type(draft_type), intent(in) :: draft
+      type(draft_case_type), intent(inout) :: item
+      type(fault_list_type), intent(inout) :: faults
+      call check_depth(draft, item, faults)
+      call check_string(draft, item, faults)
+   end subroutine check_case
 
    !> Components: lengths, and that they sink in the mud.
    subroutine check_strings(draft, faults)
@@ -172,9 +183,9 @@ contains
    end subroutine check_name
 
    !> Survey and holes reach the bit.
-   subroutine check_depth(draft, i, faults)
-      type(draft_type), intent(inout) :: draft
-      integer, intent(in) :: i
+   subroutine check_depth(draft, item, faults)
+      type(draft_type), intent(in) :: draft
+      type(draft_case_type), intent(inout) :: item
       type(fault_list_type), intent(inout) :: faults
       if (draft%has_stations) call reach('survey', draft%stations%md(size(draft%stations%md)))
       if (all(draft%holes%sound) .and. size(draft%holes) > 0) &
@@ -183,12 +194,13 @@ contains
       subroutine reach(what, bottom)
          character(*), intent(in) :: what
          real(wp), intent(in) :: bottom
-         associate (depth => draft%cases(i)%load_case%bit_depth)
+         associate (depth => item%load_case%bit_depth)
             if (depth > bottom*(1.0_wp + depth_round_off)) then
-               call add_fault(faults, draft%path, draft%cases(i)%line_depth, 'group &load_case: bit_depth = '// &
+               call add_fault(faults, draft%path, item%line_depth, 'group &'//trim(item%group)//': '// &
+                              trim(item%depth_key)//' = '// &
                               depth_text(draft, depth)//' lies below the '//what//', which ends at '// &
                               depth_text(draft, bottom)//'; needs a number, > 0 and <= '//depth_text(draft, bottom))
-               draft%cases(i)%sound = .false.
+               item%sound = .false.
             else
                depth = min(depth, bottom)
             end if
@@ -197,16 +209,16 @@ contains
    end subroutine check_depth
 
    !> The string of a case exists, reaches surface and passes the hole.
-   subroutine check_string(draft, i, faults)
+   subroutine check_string(draft, item, faults)
       type(draft_type), intent(in) :: draft
-      integer, intent(in) :: i
+      type(draft_case_type), intent(in) :: item
       type(fault_list_type), intent(inout) :: faults
       integer, allocatable :: parts(:)
       character(name_shown) :: names(size(draft%components))
       integer :: k
       real(wp) :: length
 
-      associate (case => draft%cases(i)%load_case)
+      associate (case => item%load_case)
          allocate (parts(0))
          do k = 1, size(draft%components)
             if (draft%components(k)%string == case%string) parts = [parts, k]
@@ -216,7 +228,7 @@ contains
             do k = 1, size(names)
                names(k) = draft%components(k)%string
             end do
-            call fault(draft%cases(i)%line_string, 'no component belongs to string '//quoted(case%string)//'; '// &
+            call fault(item%line_string, 'no component belongs to string '//quoted(case%string)//'; '// &
                        suggestion(case%string, distinct(names)))
             return
          end if
@@ -227,29 +239,29 @@ contains
          end do
          if (draft%components(parts(size(parts)))%component%length > 0.0_wp .and. &
              length < case%bit_depth*(1.0_wp - depth_round_off)) &
-            call fault(draft%cases(i)%line_depth, 'string '//quoted(case%string)//' is '//depth_text(draft, length)// &
-                       ' long and does not reach surface from bit_depth = '//depth_text(draft, case%bit_depth)// &
+            call fault(item%line_depth, 'string '//quoted(case%string)//' is '//depth_text(draft, length)// &
+                       ' long and does not reach surface from '//trim(item%depth_key)//' = '//depth_text(draft, case%bit_depth)// &
                        '; leave out the length of its last component (line '// &
                        to_text(draft%components(parts(size(parts)))%line)//')')
-         if (all(draft%holes%sound)) call check_passage(draft, i, parts, faults)
+         if (all(draft%holes%sound)) call check_passage(draft, item, parts, faults)
       end associate
    contains
       subroutine fault(line, message)
          integer, intent(in) :: line
          character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line, 'group &load_case: '//message)
+         call add_fault(faults, draft%path, line, 'group &'//trim(item%group)//': '//message)
       end subroutine fault
    end subroutine check_string
 
    !> Every component is thinner than each hole section that it has passed on its way down.
-   subroutine check_passage(draft, i, parts, faults)
+   subroutine check_passage(draft, probe, parts, faults)
       type(draft_type), intent(in) :: draft
-      integer, intent(in) :: i               !< the case
+      type(draft_case_type), intent(in) :: probe
       integer, intent(in) :: parts(:)        !< components of its string, from the bit up
       type(fault_list_type), intent(inout) :: faults
       integer :: k, h, m
       real(wp) :: lower_end, diameter
-      lower_end = draft%cases(i)%load_case%bit_depth
+      lower_end = probe%load_case%bit_depth
       do k = 1, size(parts)
          if (lower_end <= 0.0_wp) return
          associate (item => draft%components(parts(k)))
@@ -261,7 +273,7 @@ contains
                call add_fault(faults, draft%path, item%line_diameter, 'group &component: '// &
                               quoted(item%component%name)//' with '//wide(diameter)//' does not pass the hole of '// &
                               wide(draft%holes(h)%section%diameter)//' (line '//to_text(draft%holes(h)%line)// &
-                              ') in case '//quoted(draft%cases(i)%load_case%name)//'; needs a diameter < '// &
+                              ') in '//trim(probe%what)//' '//quoted(probe%load_case%name)//'; needs a diameter < '// &
                               wide(draft%holes(h)%section%diameter))
                exit
             end do

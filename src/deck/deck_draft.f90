@@ -34,6 +34,9 @@ module dg_deck_draft
 
    type :: draft_case_type
       type(load_case_type) :: load_case
+      character(12) :: group = 'load_case'     !< that it comes from, the key of its depth, and what messages call it
+      character(16) :: depth_key = 'bit_depth'
+      character(8) :: what = 'case'
       logical :: sound = .false.
       integer :: line = 0
       integer :: line_name = 0, line_depth = 0, line_string = 0

@@ -22,7 +22,7 @@ module dg_deck_keys
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &
       group_rule_type('solver', meaning='numbers that steer the solution'), &
-      group_rule_type('sweep', repeatable=.true., available=.false., meaning='hook load and torque against depth'), &
+      group_rule_type('sweep', repeatable=.true., meaning='hook load and torque against depth'), &
       group_rule_type('calibrate', repeatable=.true., available=.false., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
       group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
@@ -214,6 +214,30 @@ module dg_deck_keys
       key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
          meaning='beside the element_lengths, each with what it sets in the solver')]
 
+   type(key_rule_type), parameter :: sweep_keys(12) = [ &
+      key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
+      key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
+         meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
+      key_rule_type('sweep', 'bit_depth_from', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='first measured depth of the bit; at surface itself there is nothing to solve'), &
+      key_rule_type('sweep', 'bit_depth_to', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='last one; default the end of survey or hole'), &
+      key_rule_type('sweep', 'bit_depth_step', unit=unit_length, low=0.0_wp, open=.true., high=deepest, default='30', &
+         meaning='from one to the next; the last one is always solved'), &
+      key_rule_type('sweep', 'frictions', array=.true., low=0.0_wp, high=roughest, &
+         meaning='coefficients, axial and rotary, all along the hole; default those of the hole sections'), &
+      key_rule_type('sweep', 'string', kind_text, default='main', meaning='name of the drillstring'), &
+      key_rule_type('sweep', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit in all operations; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('sweep', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='torque on bit in all operations'), &
+      key_rule_type('sweep', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
+         meaning='one or several; default the models of &job'), &
+      key_rule_type('sweep', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', &
+         meaning='rotation speed, for ream and backream'), &
+      key_rule_type('sweep', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string, for ream and backream')]
+
 contains
 
    !> Rules of the keys of a group; none for a group that this version does not have.
@@ -229,6 +253,7 @@ contains
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
+      case ('sweep'); rules = sweep_keys
       case ('legacy'); rules = legacy_keys
       case ('study'); rules = study_keys
       case default; allocate (rules(0))

@@ -13,6 +13,7 @@ module dg_read_deck
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
+   use dg_deck_sweep, only: take_sweeps
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
@@ -72,6 +73,7 @@ contains
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)
       call take_study(draft, checked, job%models, job%study, faults)
+      call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck
 
@@ -108,6 +110,7 @@ contains
          if (.not. group_rules(k)%required) cycle
          do i = 1, size(groups)
             if (groups(i)%name == group_rules(k)%name) exit
+            if (group_rules(k)%name == 'load_case' .and. groups(i)%name == 'sweep') exit   ! a sweep is work enough
          end do
          if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(group_rules(k)%name)// &
             ': missing; a deck needs it ('//trim(group_rules(k)%meaning)//')')

@@ -3,6 +3,7 @@ module dg_job
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
    use dg_study_plan, only: study_plan_type
+   use dg_sweep, only: sweep_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -24,12 +25,16 @@ module dg_job
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
       type(study_plan_type), allocatable :: study       !< accuracy and cost to compare; not allocated: nothing
+      type(sweep_type), allocatable :: sweeps(:) !< over bit depth
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       character(:), allocatable :: deck_text   !< the deck itself, for the record
       logical :: profiles = .true.             !< write profiles along the string
       logical :: hdf5 = .true.                 !< write results.h5
       logical :: plots = .true.                !< write files to look at
       logical :: quiet = .false.
+      integer :: part = 1                      !< of the sweeps, the one that this run solves, from 1 to parts
+      integer :: parts = 0                     !< 0: undivided; else sweeps alone are run, and only this part of them
+      integer :: merge = 0                     !< > 0: so many parts are joined, nothing is solved
       integer :: threads = 0                   !< cases solved at a time; 0: all cores
    end type job_type
 end module dg_job

@@ -185,6 +185,7 @@ contains
          call move_alloc(larger, row%fields)
       end if
       row%count = row%count + 1
+      row%fields(row%count)%kind = field_absent   ! a row may be filled again
    end subroutine put_none
 
    pure subroutine put_real(row, value)

@@ -27,11 +27,12 @@ contains
    !> Solves a load case with the soft string. There is nothing to iterate: the status is `converged`, or
    !> `locked_up` where friction in a long bend outgrows all bounds. Refused (bad input): unknown string, bit
    !> above the first station. A string that must be pushed at surface is said so in `message`.
-   subroutine solve_soft_string(model, case_index, result, error)
+   subroutine solve_soft_string(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      logical, intent(in), optional :: totals_only   !< .true.: no profile, for those who solve thousands of cases
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
       type(soft_totals_type) :: totals
       integer(int64) :: start, finish, rate
@@ -62,11 +63,14 @@ contains
             result%message = trim(text)
          end if
       end associate
+      allocate (result%history(0))
+      if (present(totals_only)) then
+         if (totals_only) return
+      end if
       call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
       result%states = 0
       result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
       result%states(state_free) = count(result%profile%gap_state == state_free)
-      allocate (result%history(0))
       call system_clock(finish)
       result%seconds = real(finish - start, wp)/real(rate, wp)
    end subroutine solve_soft_string

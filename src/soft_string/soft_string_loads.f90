@@ -67,6 +67,14 @@ module dg_soft_string_loads
       logical :: coils = .false.    !< compression beyond the coiling load presses it on the wall
    end type piece_type
 
+   !> A place of a piece, as scalars: three-vectors and their norms took half of the time.
+   type :: place_type
+      real(wp) :: depth = 0.0_wp    !< vertical, below the arc's start [m]
+      real(wp) :: bend = 0.0_wp     !< k.k of the curvature vector k [1/m2]
+      real(wp) :: both = 0.0_wp     !< k.g with the weight across the hole g per length [N/m2]
+      real(wp) :: across = 0.0_wp   !< g.g [N2/m2]
+   end type place_type
+
 contains
 
    !> Axial force, torque and contact of the soft string of a load case at given depths.
@@ -130,12 +138,13 @@ contains
       force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
    end function coil_force
 
-   !> Contact force [N/m] of a piece under an axial force [N] and a load across the hole [N/m].
-   pure function pressed(piece, force, load) result(normal)
+   !> Contact force [N/m] at a place of a piece under an axial force [N].
+   pure function pressed(piece, place, force) result(normal)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: force, load(3)
+      type(place_type), intent(in) :: place
+      real(wp), intent(in) :: force
       real(wp) :: normal
-      normal = norm2(load)
+      normal = sqrt(max(force*(force*place%bend + 2.0_wp*place%both) + place%across, 0.0_wp))
       if (piece%coils .and. force < 0.0_wp) then
          if (-force > coiling_load(piece%stiffness, normal, piece%weight, piece%clearance)) &
             normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
@@ -195,8 +204,7 @@ contains
       real(wp), intent(inout) :: moment        !< [N.m]
       type(soft_totals_type), intent(inout) :: sums
       real(wp) :: step, angle, offset, normal
-      real(wp), dimension(3) :: here, half_way, there, across_here, across_half, across_there, &
-                                bend_here, bend_half, bend_there
+      type(place_type) :: here, half_way, there
       integer :: steps, i
       if (sums%runaway) then
          position = target
@@ -209,28 +217,25 @@ contains
          steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
       offset = position - piece%arc%md
-      call at_offset(piece, offset, here, across_here, bend_here)
+      here = place_at(piece, offset)
       do i = 1, steps
-         call at_offset(piece, offset - 0.5_wp*step, half_way, across_half, bend_half)
-         call at_offset(piece, offset - step, there, across_there, bend_there)
+         half_way = place_at(piece, offset - 0.5_wp*step)
+         there = place_at(piece, offset - step)
          offset = offset - step
          block
-            real(wp) :: n1, n2, n3, n4, middle, trial
-            middle = force + piece%weight*(here(3) - half_way(3))
-            n1 = pressed(piece, force, force*bend_here + across_here)
-            trial = middle + 0.5_wp*step*piece%axial*n1
-            n2 = pressed(piece, trial, trial*bend_half + across_half)
-            trial = middle + 0.5_wp*step*piece%axial*n2
-            n3 = pressed(piece, trial, trial*bend_half + across_half)
-            force = force + piece%weight*(here(3) - there(3))
-            trial = force + step*piece%axial*n3
-            n4 = pressed(piece, trial, trial*bend_there + across_there)
+            real(wp) :: n1, n2, n3, n4, middle
+            middle = force + piece%weight*(here%depth - half_way%depth)
+            n1 = pressed(piece, here, force)
+            n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
+            n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
+            force = force + piece%weight*(here%depth - there%depth)
+            n4 = pressed(piece, there, force + step*piece%axial*n3)
             normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
          end block
          force = force + piece%axial*normal
          moment = moment + piece%rotary*piece%radius*normal
          sums%normal_force = sums%normal_force + normal
-         sums%weight = sums%weight + piece%weight*(here(3) - there(3))
+         sums%weight = sums%weight + piece%weight*(here%depth - there%depth)
          sums%steps = sums%steps + 1
          if (abs(force) > runaway_force .or. (piece%coils .and. -force > runaway_strain*piece%stretching)) then
             sums%runaway = .true.
@@ -238,11 +243,22 @@ contains
             exit
          end if
          here = there
-         across_here = across_there
-         bend_here = bend_there
       end do
       position = target
    end subroutine climb
+
+   !> What the load across the hole at a place of the piece needs: its square is the sum of T^2 k.k, 2 T k.g and g.g.
+   pure function place_at(piece, offset) result(place)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
+      type(place_type) :: place
+      real(wp) :: position(3), tangent(3), bend(3)
+      call point_on_arc(piece%arc, offset, position, tangent, bend)
+      place%depth = position(3)
+      place%bend = piece%arc%curvature**2
+      place%both = piece%weight*bend(3)          ! the bend lies across the tangent, so that weight along it adds nothing
+      place%across = piece%weight**2*(tangent(1)**2 + tangent(2)**2)
+   end function place_at
 
    !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
    pure subroutine at_offset(piece, offset, position, across, bend)

@@ -139,7 +139,7 @@ contains
 
    subroutine test_later()
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
-      call refuse("&boundary top_lateral = 'centred' /", "&sweep name = 'x' /", 15, 'group &sweep: not available in this version')
+      call refuse("&boundary top_lateral = 'centred' /", "&calibrate /", 15, 'group &calibrate: not available in this version')
       call refuse("element_length = 10.0", "linear_solver = 'sparse'", 20, "'sparse' is not available in this version")
       call refuse("kind = 'collar'", "catalogue = 'DC'", 11, 'catalogue is not available in this version')
    end subroutine test_later

@@ -41,6 +41,7 @@ contains
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_paraview, only: paraview_suite
       use dg_test_study, only: study_suite
+      use dg_test_sweep, only: sweep_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -76,5 +77,6 @@ contains
       call suite%addTest(string_limits_suite())
       call suite%addTest(paraview_suite())
       call suite%addTest(study_suite())
+      call suite%addTest(sweep_suite())
    end function load_tests
 end program unit

@@ -1,0 +1,243 @@
+!> Runs the sweeps of a deck: on all cores, in parts where asked for, from where an interrupted run stopped.
+module dg_run_sweeps
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_error, only: error_type, raise, status_failure
+   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_model, only: model_type
+   use dg_model_text, only: sweep_lines
+   use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
+   use dg_solve_case, only: solve_case
+   use dg_sweep, only: point_at, point_case, point_count, point_type, sweep_type
+   use dg_sweep_file, only: write_sweep
+   use dg_sweep_record, only: close_record, keep, keeper_type, open_record, take_parts, write_record
+   use dg_sweep_result, only: is_solved, sweep_result_type
+   use dg_sweep_table, only: sweep_table
+   use dg_sweep_work, only: in_part
+   use dg_text, only: quoted, text_type, to_text
+   use dg_threads, only: thread_count
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: sweep_run_type, prepare_sweeps, run_sweep
+
+   !> A sweep with its results as far as they are there.
+   type :: sweep_run_type
+      type(keeper_type) :: keeper
+      type(sweep_result_type), allocatable :: points(:)
+   end type sweep_run_type
+
+contains
+
+   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined. An error
+   !> (bad input) where that does not fit the deck.
+   subroutine prepare_sweeps(job, model, runs, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sweep_run_type), allocatable, intent(out) :: runs(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+      allocate (runs(size(job%sweeps)))
+      do i = 1, size(runs)
+         associate (sweep => job%sweeps(i), run => runs(i))
+            allocate (run%points(point_count(sweep)))
+            if (job%merge > 0) then
+               call take_parts(job, sweep%name, sweep_lines(model, sweep), run%points, error)
+            else
+               call open_record(job, sweep%name, sweep_lines(model, sweep), run%points, run%keeper, error)
+            end if
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine prepare_sweeps
+
+   !> Solves what is left of a sweep, writes and prints it. `lost` counts the points without solution.
+   subroutine run_sweep(job, model, number, run, lost, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number                !< of the sweep in the job
+      type(sweep_run_type), intent(inout) :: run
+      integer, intent(out) :: lost
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: closing
+      type(text_type), allocatable :: lines(:)
+      integer :: i, resumed
+      real(wp) :: seconds
+      associate (sweep => job%sweeps(number))
+         resumed = count(is_solved(run%points))
+         if (resumed > 0 .and. job%merge == 0) call tell('sweep '//quoted(sweep%name)//': '//to_text(resumed)// &
+            ' points were solved before, in '//run%keeper%path)
+         seconds = 0.0_wp
+         if (job%merge == 0) call solve_points(job, model, sweep, run, seconds)
+         lost = count(run%points%status == result_not_converged)
+         if (lost > 0) call tell_lost(sweep, run%points, lost)
+         if (job%merge == 0 .and. is_interrupted()) then
+            call write_record(run%keeper, run%points, error)
+            if (.not. allocated(error)) call raise(error, status_failure, 'sweep '//quoted(sweep%name)//': ended by '// &
+               interruption_name()//' with '//to_text(count(is_solved(run%points)))//' of '//to_text(size(run%points))// &
+               ' points solved; the same command goes on from there ('//run%keeper%path//')')
+            return
+         end if
+         if (job%parts > 0) then
+            call close_record(run%keeper, run%points, error)
+            if (.not. allocated(error)) call print_line('Sweep '//sweep%name//', part '//to_text(job%part)// &
+               ' of '//to_text(job%parts)//': '//to_text(count(is_solved(run%points)))//' of '// &
+               to_text(size(run%points))//' points, in '//run%keeper%path)
+            return
+         end if
+         call write_sweep(job%output_dir//'/sweep_'//sweep%name//'.csv', job, sweep, run%points, error)
+         if (allocated(error)) return
+         if (job%merge == 0) call close_record(run%keeper, run%points, closing)
+         allocate (lines, source=sweep_table(job%units, sweep, run%points))
+         do i = 1, size(lines)
+            call print_line(lines(i)%text)
+         end do
+         if (job%merge > 0) then
+            call print_line(to_text(size(run%points))//' points, joined from '//to_text(job%merge)//' parts')
+         else
+            call print_line(to_text(size(run%points) - resumed)//' points solved in '//to_text(seconds, 3)//' s')
+         end if
+      end associate
+   end subroutine run_sweep
+
+   !> Solves the points of this part that have no result yet, as many at a time as the job allows. Points do not know of each
+   !> other: results do not depend on the number of threads, nor on what was solved before.
+   subroutine solve_points(job, model, sweep, run, seconds)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_run_type), intent(inout) :: run
+      real(wp), intent(out) :: seconds
+      type(progress_type) :: progress
+      integer, allocatable :: left(:)
+      real(wp) :: work, done, before
+      integer(int64) :: start, finish
+      integer :: i
+      logical :: failed
+      call system_clock(start)
+      left = pack([(i, i=1, size(run%points))], .not. is_solved(run%points) .and. &
+                  in_part([(i, i=1, size(run%points))], job%part, max(job%parts, 1)))
+      ! a deep string costs more than a shallow one, about in proportion
+      work = sum_of_depths(sweep, job)
+      done = work - sum([(depth_of(sweep, left(i)), i=1, size(left))])
+      before = done/work
+      failed = .false.
+      call start_progress(progress, 'sweep '//sweep%name, job%quiet)
+      !$omp parallel num_threads(thread_count(job%threads, size(left))) default(shared)
+      call share_points()
+      !$omp end parallel
+      call end_progress(progress)
+      if (failed) call tell(run%keeper%failure%message)
+      call system_clock(finish)
+      seconds = seconds_between(start, finish)
+
+   contains
+
+      !> What one thread does: with a model of its own, whose one load case becomes point after point.
+      subroutine share_points()
+         type(model_type) :: mine
+         integer :: k
+         call copy_without_cases(model, mine)
+         !$omp do schedule(dynamic, 1)
+         do k = 1, size(left)
+            call solve_point(mine, sweep, point_at(sweep, left(k)), run%points(left(k)))
+            if (.not. is_solved(run%points(left(k)))) cycle
+            !$omp critical (sweep_results)
+            done = done + depth_of(sweep, left(k))
+            call keep(run%keeper, left(k:k), run%points)
+            call show_progress(progress, done/work, before, 'solved')
+            !$omp end critical (sweep_results)
+         end do
+         !$omp end do
+      end subroutine share_points
+   end subroutine solve_points
+
+   !> The model with room for one load case.
+   subroutine copy_without_cases(model, copy)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(out) :: copy
+      copy%trajectory = model%trajectory
+      copy%holes = model%holes
+      copy%strings = model%strings
+      copy%boundary = model%boundary
+      copy%numerics = model%numerics
+      copy%mud_density = model%mud_density
+      copy%gravity = model%gravity
+      allocate (copy%cases(1))
+   end subroutine copy_without_cases
+
+   !> Solves one point.
+   subroutine solve_point(model, sweep, point, found)
+      type(model_type), intent(inout) :: model     !< its first load case is overwritten
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      type(sweep_result_type), intent(out) :: found
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call point_case(sweep, point, model%cases(1))
+      call solve_case(model, sweep%models(point%model), 1, result, error, totals_only=.true.)
+      ! a signal in the midst of a point leaves it for the next run
+      if (is_interrupted() .and. result%status == result_not_converged) return
+      found%status = result%status
+      found%hookload = result%hookload
+      found%torque = result%torque
+      if (result%message /= '') found%message = result%message
+   end subroutine solve_point
+
+   !> Bit depth of a point [m].
+   pure function depth_of(sweep, number) result(depth)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number
+      real(wp) :: depth
+      depth = sweep%depths(modulo(number - 1, size(sweep%depths)) + 1)
+   end function depth_of
+
+   !> Sum of the bit depths of all points of this part [m].
+   pure function sum_of_depths(sweep, job) result(depths)
+      type(sweep_type), intent(in) :: sweep
+      type(job_type), intent(in) :: job
+      real(wp) :: depths
+      integer :: i
+      depths = 0.0_wp
+      do i = job%part, point_count(sweep), max(job%parts, 1)
+         depths = depths + depth_of(sweep, i)
+      end do
+   end function sum_of_depths
+
+   !> Tells how many points have no solution, and why the first has none.
+   subroutine tell_lost(sweep, points, lost)
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: lost
+      type(point_type) :: first
+      character(:), allocatable :: text
+      integer :: i
+      do i = 1, size(points)
+         if (points(i)%status == result_not_converged) exit
+      end do
+      first = point_at(sweep, i)
+      text = 'sweep '//quoted(sweep%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(points)))// &
+         ' points did not converge; the first: '//trim(model_name(sweep%models(first%model)))//', '// &
+         trim(operation_name(sweep%operations(first%operation)))
+      if (sweep%frictions(first%friction)%present) text = text//', friction '//to_text(sweep%frictions(first%friction)%value)
+      text = text//', bit at '//to_text(sweep%depths(first%depth), 7)//' m'
+      if (allocated(points(i)%message)) text = text//': '//points(i)%message
+      call tell(text)
+   end subroutine tell_lost
+
+   subroutine print_line(line)
+      character(*), intent(in) :: line
+      integer :: status
+      write (output_unit, '(a)', iostat=status) line
+      if (status /= 0) return   ! nobody reads on: the file holds the results
+   end subroutine print_line
+
+   !> A diagnostic on standard error.
+   subroutine tell(message)
+      character(*), intent(in) :: message
+      write (error_unit, '(a)') program_name//': '//message
+   end subroutine tell
+end module dg_run_sweeps

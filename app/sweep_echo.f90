@@ -1,0 +1,44 @@
+!> Tells what a deck's sweeps ask for as the program understood it, in the deck's units.
+module dg_sweep_echo
+   use dg_kinds, only: wp
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: operation_name
+   use dg_sweep, only: point_count
+   use dg_text, only: append_text, joined, text_type, to_text
+   implicit none
+   private
+   public :: add_sweeps
+
+   !> Significant digits of a depth.
+   integer, parameter :: digits = 7
+
+contains
+
+   !> One line a sweep.
+   pure subroutine add_sweeps(lines, job)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(job_type), intent(in) :: job
+      character(:), allocatable :: factors
+      integer :: i, k
+      do i = 1, size(job%sweeps)
+         associate (sweep => job%sweeps(i))
+            factors = ''
+            do k = 1, size(sweep%frictions)
+               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
+            end do
+            if (factors == '') factors = ' of the hole'
+            call append_text(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
+               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
+               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
+               shown(sweep%depths(size(sweep%depths)))//' '//trim(job%units%length_label)//'; '// &
+               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
+         end associate
+      end do
+   contains
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth     !< [m]
+         character(:), allocatable :: text
+         text = to_text(depth/job%units%length, digits)
+      end function shown
+   end subroutine add_sweeps
+end module dg_sweep_echo

@@ -1,0 +1,193 @@
+!> Files in which a sweep keeps what is solved, so that an interrupted run goes on where it stopped and parts can be joined:
+!> sweep_<name>.partial, or sweep_<name>.part_<i>_of_<n> for one part of a divided run.
+module dg_sweep_record
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_error, only: error_type, raise, status_bad_input, status_failure
+   use dg_file_lines, only: read_lines
+   use dg_file_system, only: delete_file, write_text_file
+   use dg_job, only: job_type
+   use dg_progress, only: seconds_between
+   use dg_sweep_result, only: is_solved, sweep_result_type
+   use dg_sweep_work, only: result_text, take_record
+   use dg_task_record, only: read_record, record_head, record_line, record_type
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: keeper_type, record_path, open_record, take_parts, keep, write_record, close_record
+
+   !> Keeps results while they come.
+   type :: keeper_type
+      character(:), allocatable :: path
+      integer :: part = 1, parts = 1
+      type(text_type), allocatable :: settings(:)
+      integer, allocatable :: waiting(:)        !< numbers of points that are solved and not yet on disk
+      integer :: count = 0                      !< of these
+      integer(int64) :: last = 0                !< when something was written [ticks]
+      logical :: there = .false.                !< the file is there
+      type(error_type), allocatable :: failure  !< why nothing can be written any more
+   end type keeper_type
+
+   !> Results go to disk no later than this after they came [s]: a short sweep needs no record.
+   real(wp), parameter :: patience = 0.1_wp
+
+contains
+
+   !> Path of the record of a part, or of an undivided run (`parts` = 0).
+   pure function record_path(job, name, part, parts) result(path)
+      type(job_type), intent(in) :: job
+      character(*), intent(in) :: name         !< of the sweep
+      integer, intent(in) :: part, parts
+      character(:), allocatable :: path
+      path = job%output_dir//'/sweep_'//name//'.partial'
+      if (parts > 0) path = job%output_dir//'/sweep_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
+   end function record_path
+
+   !> Begins to keep the results of a run. Where an interrupted run has left a record its results are taken over; one of other
+   !> work is refused (bad input).
+   subroutine open_record(job, name, settings, points, keeper, error)
+      type(job_type), intent(in) :: job
+      character(*), intent(in) :: name
+      type(text_type), intent(in) :: settings(:)
+      type(sweep_result_type), intent(inout) :: points(:)
+      type(keeper_type), intent(out) :: keeper
+      type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: failure
+      keeper%path = record_path(job, name, job%part, job%parts)
+      keeper%part = job%part
+      keeper%parts = max(job%parts, 1)
+      keeper%settings = settings
+      allocate (keeper%waiting(size(points)))
+      call system_clock(keeper%last)
+      inquire (file=keeper%path, exist=keeper%there)
+      if (.not. keeper%there) return
+      call take_file(keeper%path, keeper%part, keeper%parts, settings, points, failure)
+      if (failure /= '') then
+         call raise(error, status_bad_input, 'sweep '//name//': cannot go on with '//keeper%path//': '//failure// &
+                    '; restore the deck, or remove that file to begin anew')
+         return
+      end if
+      call write_record(keeper, points, error)   ! without a line that was cut short
+   end subroutine open_record
+
+   !> Joins the results of all parts. What is missing, of another deck, or there twice is refused by name (bad input).
+   subroutine take_parts(job, name, settings, points, error)
+      type(job_type), intent(in) :: job
+      character(*), intent(in) :: name
+      type(text_type), intent(in) :: settings(:)
+      type(sweep_result_type), intent(inout) :: points(:)
+      type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: path, failure, faults, remedy
+      integer :: part, missing
+      logical :: there
+      faults = ''
+      do part = 1, job%merge
+         path = record_path(job, name, part, job%merge)
+         inquire (file=path, exist=there)
+         failure = 'it is missing'
+         remedy = 'run'
+         if (there) remedy = 'remove it and run'
+         if (there) call take_file(path, part, job%merge, settings, points, failure)
+         if (failure == '') then
+            missing = count(.not. is_solved(points(part::job%merge)))
+            if (missing > 0) remedy = 'go on with'
+            if (missing > 0) failure = 'it lacks '//to_text(missing)//' of its points'
+         end if
+         if (failure /= '') faults = faults//new_line('a')//'  '//path//': '//failure//'; '//remedy//' --part '// &
+            to_text(part)//'/'//to_text(job%merge)
+      end do
+      if (faults /= '') call raise(error, status_bad_input, 'sweep '//name//': its parts do not make a whole'//faults)
+   end subroutine take_parts
+
+   !> Takes the results of one file.
+   subroutine take_file(path, part, parts, settings, points, failure)
+      character(*), intent(in) :: path
+      integer, intent(in) :: part, parts
+      type(text_type), intent(in) :: settings(:)
+      type(sweep_result_type), intent(inout) :: points(:)
+      character(:), allocatable, intent(out) :: failure
+      type(text_type), allocatable :: lines(:)
+      type(record_type) :: record
+      allocate (lines(0))   ! the compiler's flow analysis takes it for undefined otherwise
+      call read_lines(path, lines, failure)
+      if (failure /= '') return
+      call read_record(lines, record, failure)
+      if (failure /= '') return
+      call take_record(record, part, parts, settings, points, failure)
+   end subroutine take_file
+
+   !> Notes that points are solved and puts them to disk when some time has gone by. A file that cannot be written is noted in
+   !> the keeper; the work goes on without.
+   subroutine keep(keeper, numbers, points)
+      type(keeper_type), intent(inout) :: keeper
+      integer, intent(in) :: numbers(:)                   !< of points that are solved now
+      type(sweep_result_type), intent(in) :: points(:)    !< all of the sweep
+      type(error_type), allocatable :: error
+      integer(int64) :: now
+      if (allocated(keeper%failure)) return
+      keeper%waiting(keeper%count + 1:keeper%count + size(numbers)) = numbers
+      keeper%count = keeper%count + size(numbers)
+      call system_clock(now)
+      if (seconds_between(keeper%last, now) < patience) return
+      keeper%last = now
+      if (keeper%there) then
+         call append_waiting(keeper, points, error)
+      else
+         call write_record(keeper, points, error)
+      end if
+      if (allocated(error)) call move_alloc(error, keeper%failure)
+   end subroutine keep
+
+   !> Ends keeping: the record of a part stays, complete; that of an undivided run has served.
+   subroutine close_record(keeper, points, error)
+      type(keeper_type), intent(inout) :: keeper
+      type(sweep_result_type), intent(in) :: points(:)
+      type(error_type), allocatable, intent(out) :: error
+      if (index(keeper%path, '.partial', back=.true.) == len(keeper%path) - len('.partial') + 1) then
+         if (keeper%there) call delete_file(keeper%path)
+      else
+         call write_record(keeper, points, error)
+      end if
+   end subroutine close_record
+
+   !> Writes the whole record with all points that are solved.
+   subroutine write_record(keeper, points, error)
+      type(keeper_type), intent(inout) :: keeper
+      type(sweep_result_type), intent(in) :: points(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      integer :: i, head
+      associate (top => record_head(keeper%part, keeper%parts, size(points), keeper%settings))
+         head = size(top)
+         allocate (lines(head + count(is_solved(points))))
+         do i = 1, head
+            lines(i)%text = top(i)%text
+         end do
+      end associate
+      do i = 1, size(points)
+         if (.not. is_solved(points(i))) cycle
+         head = head + 1
+         lines(head)%text = record_line(i, result_text(points(i)))
+      end do
+      call write_text_file(keeper%path, lines, error)
+      keeper%there = .not. allocated(error)
+      keeper%count = 0
+   end subroutine write_record
+
+   !> Puts the waiting points at the end of the record.
+   subroutine append_waiting(keeper, points, error)
+      type(keeper_type), intent(inout) :: keeper
+      type(sweep_result_type), intent(in) :: points(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: unit, status, i
+      open (newunit=unit, file=keeper%path, status='old', position='append', action='write', iostat=status)
+      do i = 1, keeper%count
+         if (status /= 0) exit
+         write (unit, '(a)', iostat=status) record_line(keeper%waiting(i), result_text(points(keeper%waiting(i))))
+      end do
+      if (status == 0) close (unit, iostat=status)
+      if (status /= 0) call raise(error, status_failure, 'cannot write '//keeper%path//': an interruption would lose what '// &
+                                  'is solved (is the disk full?)')
+      keeper%count = 0
+   end subroutine append_waiting
+end module dg_sweep_record

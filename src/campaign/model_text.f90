@@ -1,0 +1,152 @@
+!> All that the results of a string depend on, in words: one line `key = value` a property, in SI units.
+!> Two models with the same lines give the same results, and where they differ the line says in what.
+module dg_model_text
+   use dg_kinds, only: wp
+   use dg_component, only: component_type
+   use dg_hole_section, only: hole_section_type
+   use dg_job, only: model_name
+   use dg_load_case, only: operation_name
+   use dg_model, only: model_type, string_index
+   use dg_numerics, only: numerics_type
+   use dg_sweep, only: sweep_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_version, only: program_name, program_version
+   implicit none
+   private
+   public :: model_lines, sweep_lines
+
+   integer, parameter :: longest_settings = 2000
+
+contains
+
+   !> What a sweep is, with its string, hole and solver.
+   function sweep_lines(model, sweep) result(lines)
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: text
+      integer :: i
+      allocate (lines, source=model_lines(model, sweep%string))
+      call append_text(lines, 'sweep = '//sweep%name)
+      text = ''
+      do i = 1, size(sweep%models)
+         text = text//' '//trim(model_name(sweep%models(i)))
+      end do
+      call append_text(lines, 'models ='//text)
+      text = ''
+      do i = 1, size(sweep%operations)
+         text = text//' '//trim(operation_name(sweep%operations(i)))
+      end do
+      call append_text(lines, 'operations ='//text)
+      text = ''
+      do i = 1, size(sweep%frictions)
+         if (sweep%frictions(i)%present) then
+            text = text//' '//to_text(sweep%frictions(i)%value)
+         else
+            text = text//' hole'
+         end if
+      end do
+      call append_text(lines, 'frictions ='//text)
+      call append_text(lines, 'wob = '//to_text(sweep%wob))
+      call append_text(lines, 'tob = '//to_text(sweep%tob))
+      call append_text(lines, 'rotation, rad/s = '//to_text(sweep%angular_speed))
+      call append_text(lines, 'trip speed, m/s = '//to_text(sweep%trip_speed))
+      call append_text(lines, 'first bit depth, m = '//to_text(sweep%depths(1)))
+      call append_text(lines, 'last bit depth, m = '//to_text(sweep%depths(size(sweep%depths))))
+      call append_text(lines, 'number of bit depths = '//to_text(size(sweep%depths)))
+      call append_text(lines, 'bit depths, m ='//numbers_text(sweep%depths))
+   end function sweep_lines
+
+   !> The model with one of its strings; its load cases are left out.
+   function model_lines(model, string) result(lines)
+      type(model_type), intent(in) :: model
+      character(*), intent(in) :: string     !< its name
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      allocate (lines(0))
+      call append_text(lines, program_name//' = '//program_version)
+      call append_text(lines, 'survey, number of stations = '//to_text(size(model%trajectory%md)))
+      call append_text(lines, 'survey, md ='//numbers_text(model%trajectory%md))
+      call append_text(lines, 'survey, inclination ='//numbers_text(model%trajectory%inclination))
+      call append_text(lines, 'survey, azimuth ='//numbers_text(model%trajectory%azimuth))
+      call append_text(lines, 'survey, number of arcs = '//to_text(size(model%trajectory%arcs)))
+      do i = 1, size(model%holes)
+         call append_hole(lines, 'hole '//to_text(i)//', ', model%holes(i))
+      end do
+      associate (pipes => model%strings(string_index(model%strings, string))%components)
+         call append_text(lines, 'string = '//string//' of '//to_text(size(pipes)))
+         do i = 1, size(pipes)
+            call append_component(lines, 'component '//to_text(i)//', ', pipes(i))
+         end do
+      end associate
+      call append_text(lines, 'mud density = '//to_text(model%mud_density))
+      call append_text(lines, 'gravity = '//to_text(model%gravity))
+      call append_text(lines, 'boundary, top centred = '//yes_or_no(model%boundary%top_centred))
+      call append_text(lines, 'boundary, bit centred = '//yes_or_no(model%boundary%bit_centred))
+      call append_text(lines, 'solver settings = '//settings_text(model%numerics))
+   end function model_lines
+
+   subroutine append_hole(lines, head, hole)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      type(hole_section_type), intent(in) :: hole
+      call append_text(lines, head//'md_top = '//to_text(hole%md_top))
+      call append_text(lines, head//'md_bottom = '//to_text(hole%md_bottom))
+      call append_text(lines, head//'diameter = '//to_text(hole%diameter))
+      call append_text(lines, head//'friction_axial = '//to_text(hole%friction_axial))
+      call append_text(lines, head//'friction_rotary = '//to_text(hole%friction_rotary))
+      call append_text(lines, head//'wall_stiffness = '//to_text(hole%wall_stiffness))
+      call append_text(lines, head//'mud_sheath = '//to_text(hole%mud_sheath))
+   end subroutine append_hole
+
+   !> What acts on forces; strength and make-up torque do not.
+   subroutine append_component(lines, head, part)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      type(component_type), intent(in) :: part
+      call append_text(lines, head//'kind = '//part%kind)
+      call append_text(lines, head//'length = '//to_text(part%length))
+      call append_text(lines, head//'od = '//to_text(part%od))
+      call append_text(lines, head//'id = '//to_text(part%id))
+      call append_text(lines, head//'mass = '//to_text(part%mass))
+      call append_text(lines, head//'density = '//to_text(part%density))
+      call append_text(lines, head//'youngs = '//to_text(part%youngs))
+      call append_text(lines, head//'poisson = '//to_text(part%poisson))
+      call append_text(lines, head//'joint_od = '//to_text(part%joint_od))
+      call append_text(lines, head//'joint_length = '//to_text(part%joint_length))
+      call append_text(lines, head//'joint_spacing = '//to_text(part%joint_spacing))
+   end subroutine append_component
+
+   !> All settings of the solver in the order of their type: list-directed output takes in those that come new.
+   function settings_text(numerics) result(text)
+      type(numerics_type), intent(in) :: numerics
+      character(:), allocatable :: text
+      character(longest_settings) :: buffer
+      integer :: i
+      write (buffer, *) numerics
+      text = ''
+      do i = 1, len_trim(buffer)
+         if (buffer(i:i) == ' ' .and. buffer(max(i - 1, 1):max(i - 1, 1)) == ' ') cycle
+         text = text//buffer(i:i)
+      end do
+   end function settings_text
+
+   pure function yes_or_no(flag) result(text)
+      logical, intent(in) :: flag
+      character(:), allocatable :: text
+      text = trim(merge('yes', 'no ', flag))
+   end function yes_or_no
+
+   pure function numbers_text(numbers) result(text)
+      real(wp), intent(in) :: numbers(:)
+      character(:), allocatable :: text
+      integer, parameter :: width = 24
+      character(width) :: one
+      integer :: i
+      allocate (character(width*size(numbers)) :: text)
+      do i = 1, size(numbers)
+         write (one, '(es24.15e3)') numbers(i)
+         text(width*(i - 1) + 1:width*i) = one
+      end do
+   end function numbers_text
+end module dg_model_text

@@ -1,0 +1,95 @@
+!> A sweep as numbered pieces of work: what belongs to which part, and results as lines of a record.
+module dg_sweep_work
+   use dg_kinds, only: wp
+   use dg_case_result, only: result_locked_up, result_status_name
+   use dg_sweep_result, only: is_solved, sweep_result_type
+   use dg_task_record, only: difference_of, part_text, record_type
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: in_part, result_text, take_result, take_record
+
+   !> Numbers of a double in text, to the last bit.
+   character(*), parameter :: row_form = '(2es25.16e3)'
+   integer, parameter :: number_width = 25
+
+contains
+
+   !> Whether a piece of work belongs to part `part` of `parts`: every parts-th does, so that each part has its share of
+   !> shallow and of deep points.
+   elemental function in_part(piece, part, parts) result(yes)
+      integer, intent(in) :: piece, part, parts
+      logical :: yes
+      yes = modulo(piece - 1, parts) == part - 1
+   end function in_part
+
+   !> A solved point as text of a record: status, hook load and torque to the last bit, message.
+   pure function result_text(point) result(text)
+      type(sweep_result_type), intent(in) :: point
+      character(:), allocatable :: text
+      character(2*number_width) :: numbers
+      write (numbers, row_form) point%hookload, point%torque
+      text = trim(result_status_name(point%status))//numbers
+      if (allocated(point%message)) text = text//' '//point%message
+   end function result_text
+
+   !> The point of such a text; `sound` tells whether it is one.
+   pure subroutine take_result(text, point, sound)
+      character(*), intent(in) :: text
+      type(sweep_result_type), intent(out) :: point
+      logical, intent(out) :: sound
+      integer :: i, at, status
+      sound = .false.
+      do i = 1, result_locked_up
+         at = len_trim(result_status_name(i))
+         if (len(text) < at + 2*number_width) cycle
+         if (text(:at + 1) /= trim(result_status_name(i))//' ') cycle
+         read (text(at + 1:at + 2*number_width), row_form, iostat=status) point%hookload, point%torque
+         if (status /= 0) return
+         point%status = i
+         if (len(text) > at + 2*number_width + 1) point%message = text(at + 2*number_width + 2:)
+         sound = .true.
+         return
+      end do
+   end subroutine take_result
+
+   !> Puts the results of a record to those that are there. `failure` is '' or says why the record is not one of part `part`
+   !> of `parts` of the work with these settings; then `points` stay as they were.
+   pure subroutine take_record(record, part, parts, settings, points, failure)
+      type(record_type), intent(in) :: record
+      integer, intent(in) :: part, parts
+      type(text_type), intent(in) :: settings(:)
+      type(sweep_result_type), intent(inout) :: points(:)
+      character(:), allocatable, intent(out) :: failure
+      type(sweep_result_type) :: found(size(record%numbers))
+      logical :: sound
+      integer :: i
+      failure = difference_of(record%settings, settings)
+      if (failure /= '') then
+         failure = 'it is of another deck: '//failure
+         return
+      end if
+      if (record%pieces /= size(points)) then
+         failure = 'it is of '//to_text(record%pieces)//' points, the deck has '//to_text(size(points))
+         return
+      end if
+      if (record%part /= part .or. record%parts /= parts) then
+         failure = 'it holds '//part_text(record%part, record%parts)//' instead of '//part_text(part, parts)
+         return
+      end if
+      do i = 1, size(found)
+         call take_result(record%texts(i)%text, found(i), sound)
+         if (.not. sound) then
+            failure = 'the result of point '//to_text(record%numbers(i))//' is damaged'
+         else if (.not. in_part(record%numbers(i), part, parts)) then
+            failure = 'point '//to_text(record%numbers(i))//' does not belong to '//part_text(part, parts)
+         else if (is_solved(points(record%numbers(i)))) then
+            failure = 'point '//to_text(record%numbers(i))//' is there already'
+         end if
+         if (failure /= '') return
+      end do
+      do i = 1, size(found)
+         points(record%numbers(i)) = found(i)
+      end do
+   end subroutine take_record
+end module dg_sweep_work

@@ -1,0 +1,176 @@
+!> The record of work that is split into numbered pieces: what it is about, which part of it this is, and what is done.
+!>
+!> A record is text, written while the work goes on, so that an interrupted run can be continued and the parts of a divided
+!> one can be joined. Its settings say in full what the work depends on: pieces of other work are never taken for ours, and
+!> what differs can be named. Layout:
+!>     drillgap record, format 1
+!>     part 2 of 4                  (1 of 1: undivided)
+!>     pieces 1488                  (of all parts together)
+!>     settings 57                  (that many lines `key = value` follow)
+!>     ...
+!>     NUMBER TEXT ;                (one line a piece; without its end mark a line was cut short and does not count)
+module dg_task_record
+   use dg_text, only: quoted, text_type, to_text
+   implicit none
+   private
+   public :: record_type, record_head, record_line, read_record, difference_of, part_text
+
+   type :: record_type
+      integer :: part = 1
+      integer :: parts = 1
+      integer :: pieces = 0                        !< of all parts together
+      type(text_type), allocatable :: settings(:)  !< `key = value`
+      integer, allocatable :: numbers(:)           !< of the pieces that are done, in the order of the file
+      type(text_type), allocatable :: texts(:)     !< what is known of each
+   end type record_type
+
+   character(*), parameter :: title = 'drillgap record, format 1'
+   character(*), parameter :: end_mark = ' ;'
+   integer, parameter :: head_lines = 4
+   character(*), parameter :: equals = ' = '
+   !> Longest value that a message repeats.
+   integer, parameter :: longest_shown = 60
+
+contains
+
+   !> The lines of a record before its first piece.
+   pure function record_head(part, parts, pieces, settings) result(lines)
+      integer, intent(in) :: part, parts, pieces
+      type(text_type), intent(in) :: settings(:)
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      allocate (lines(head_lines + size(settings)))
+      lines(1)%text = title
+      lines(2)%text = part_text(part, parts)
+      lines(3)%text = 'pieces '//to_text(pieces)
+      lines(4)%text = 'settings '//to_text(size(settings))
+      do i = 1, size(settings)
+         lines(head_lines + i)%text = settings(i)%text
+      end do
+   end function record_head
+
+   pure function part_text(part, parts) result(text)
+      integer, intent(in) :: part, parts
+      character(:), allocatable :: text
+      text = 'part '//to_text(part)//' of '//to_text(parts)
+   end function part_text
+
+   !> The line of one piece.
+   pure function record_line(number, text) result(line)
+      integer, intent(in) :: number
+      character(*), intent(in) :: text     !< one line
+      character(:), allocatable :: line
+      line = to_text(number)//' '//text//end_mark
+   end function record_line
+
+   !> Reads the lines of a record. `failure` is '' or says what is wrong with them. A last line that was cut short is left
+   !> out; any other line that is none is a failure, and so is a piece that stands there twice with different texts.
+   pure subroutine read_record(lines, record, failure)
+      type(text_type), intent(in) :: lines(:)
+      type(record_type), intent(out) :: record
+      character(:), allocatable, intent(out) :: failure
+      integer, allocatable :: first_place(:)
+      integer :: i, settings, number, count, blank
+      logical :: sound
+      failure = ''
+      allocate (record%numbers(0), record%texts(0), record%settings(0))
+      if (size(lines) < head_lines) then
+         failure = 'it is no record: it has '//to_text(size(lines))//' lines'
+         return
+      end if
+      if (lines(1)%text /= title) then
+         failure = 'it is no record: it begins '//quoted(lines(1)%text)
+         return
+      end if
+      settings = 0
+      blank = index(lines(2)%text, ' of ')
+      sound = index(lines(2)%text, 'part ') == 1 .and. blank > 0
+      if (sound) call take_number(lines(2)%text(len('part '):blank), record%part, sound)
+      if (sound) call take_number(lines(2)%text(blank + len(' of '):), record%parts, sound)
+      if (sound) call take_number(after('pieces ', lines(3)%text), record%pieces, sound)
+      if (sound) call take_number(after('settings ', lines(4)%text), settings, sound)
+      if (.not. sound .or. head_lines + settings > size(lines)) then
+         failure = 'its head is damaged or cut short'
+         return
+      end if
+      record%settings = lines(head_lines + 1:head_lines + settings)
+      count = size(lines) - head_lines - settings
+      deallocate (record%numbers, record%texts)
+      allocate (record%numbers(count), record%texts(count))
+      allocate (first_place(record%pieces), source=0)
+      count = 0
+      do i = head_lines + settings + 1, size(lines)
+         associate (line => lines(i)%text)
+            blank = index(line, ' ')
+            number = 0
+            sound = len(line) > len(end_mark) + 1 .and. blank > 1
+            if (sound) sound = line(len(line) - len(end_mark) + 1:) == end_mark
+            if (sound) call take_number(line(:blank), number, sound)
+            if (sound) sound = number >= 1 .and. number <= record%pieces
+            if (.not. sound .and. i == size(lines)) exit
+            if (.not. sound) then
+               failure = 'line '//to_text(i)//' is damaged'
+               return
+            end if
+            if (first_place(number) > 0) then
+               if (record%texts(first_place(number))%text /= line(blank + 1:len(line) - len(end_mark))) then
+                  failure = 'line '//to_text(i)//': piece '//to_text(number)//' is there twice, with different results'
+                  return
+               end if
+               cycle
+            end if
+            count = count + 1
+            first_place(number) = count
+            record%numbers(count) = number
+            record%texts(count)%text = line(blank + 1:len(line) - len(end_mark))
+         end associate
+      end do
+      record%numbers = record%numbers(:count)
+      record%texts = record%texts(:count)
+   end subroutine read_record
+
+   !> What is behind a word; '' where the text does not begin with it.
+   pure function after(word, text) result(rest)
+      character(*), intent(in) :: word, text
+      character(:), allocatable :: rest
+      rest = ''
+      if (index(text, word) == 1) rest = text(len(word) + 1:)
+   end function after
+
+   !> A whole number >= 1 of up to nine digits.
+   pure subroutine take_number(text, number, sound)
+      character(*), intent(in) :: text
+      integer, intent(out) :: number
+      logical, intent(out) :: sound
+      integer, parameter :: longest = 9
+      integer :: status
+      number = 0
+      sound = len_trim(adjustl(text)) >= 1 .and. len_trim(adjustl(text)) <= longest .and. verify(text, ' 0123456789') == 0
+      if (sound) read (text, *, iostat=status) number
+      if (sound) sound = status == 0 .and. number >= 1
+   end subroutine take_number
+
+   !> The first setting in which two lists differ, in words: '' where they are the same.
+   pure function difference_of(then, now) result(words)
+      type(text_type), intent(in) :: then(:), now(:)
+      character(:), allocatable :: words
+      integer :: i, cut
+      words = ''
+      do i = 1, min(size(then), size(now))
+         if (then(i)%text == now(i)%text) cycle
+         cut = index(then(i)%text, equals)
+         if (cut > 0 .and. index(now(i)%text, then(i)%text(:max(cut, 1) + len(equals) - 1)) == 1) then
+            words = then(i)%text(:cut - 1)//' has changed'
+            if (max(len(then(i)%text), len(now(i)%text)) - cut <= longest_shown) &
+               words = then(i)%text(:cut - 1)//' was '//then(i)%text(cut + len(equals):)//' and is '// &
+                       now(i)%text(cut + len(equals):)
+         else
+            words = quoted(then(i)%text)//' is now '//quoted(now(i)%text)
+         end if
+         return
+      end do
+      if (size(then) > size(now)) words = quoted(then(size(now) + 1)%text)//' is gone'
+      if (size(now) > size(then)) words = quoted(now(size(then) + 1)%text)//' is new'
+   end function difference_of
+
+end module dg_task_record

@@ -1,0 +1,220 @@
+!> The groups &sweep of a deck: which string over which depths, with what was measured there.
+module dg_deck_sweep
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, reals_of, text_of, texts_of
+   use dg_deck_check, only: check_case
+   use dg_deck_draft, only: draft_case_type, draft_type
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_job, only: model_count, model_name
+   use dg_load_case, only: given, operation_backream, operation_from_name, operation_name, operation_ream, &
+      operation_rotate_off_bottom, operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, &
+      operation_trip_out
+   use dg_sweep, only: measured_type, regular_depths, sweep_type, with_depths
+   use dg_text, only: append_text, is_separator_free, lower_case, quoted, text_type, to_text
+   implicit none
+   private
+   public :: take_sweeps
+
+   !> Distance of depths where a deck says nothing [m].
+   real(wp), parameter :: usual_step = 30.0_wp
+   !> Most points of a sweep: more is a slip in bit_depth_step.
+   integer, parameter :: most_points = 1000000
+   !> Digits of a depth in a message.
+   integer, parameter :: depth_digits = 7
+
+contains
+
+   !> All sweeps of a deck, in its order, and the faults of each. `notes` gets what is legal but hardly meant.
+   subroutine take_sweeps(draft, groups, models, sweeps, notes, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: groups(:)
+      integer, intent(in) :: models(:)             !< of &job
+      type(sweep_type), allocatable, intent(out) :: sweeps(:)
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, j, n
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name == 'sweep') n = n + 1
+      end do
+      allocate (sweeps(n))
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'sweep') cycle
+         n = n + 1
+         call take_one(draft, groups(i), n, models, sweeps(n), faults)
+         do j = 1, n - 1
+            if (lower_case(sweeps(j)%name) /= lower_case(sweeps(n)%name)) cycle
+            call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &sweep: name '//quoted(sweeps(n)%name)// &
+                           ' is taken; names must be unique, letter case aside')
+         end do
+         call note_bit_loads(sweeps(n), notes)
+      end do
+   end subroutine take_sweeps
+
+   subroutine take_one(draft, group, number, models, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, intent(in) :: number                !< of the sweep in the deck
+      integer, intent(in) :: models(:)
+      type(sweep_type), intent(out) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      type(draft_case_type) :: probe
+      type(text_type), allocatable :: texts(:)
+      real(wp), allocatable :: numbers(:)
+      real(wp) :: first, last, step, points
+      integer :: i, m, before
+      before = faults%count
+      allocate (texts(0), numbers(0))   ! the compiler's flow analysis takes them for undefined otherwise
+      sweep%name = text_of(group, 'name', to_text(number))
+      if (.not. is_separator_free(sweep%name)) call fault('name', 'name = '//quoted(sweep%name)// &
+         ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+      sweep%string = text_of(group, 'string', 'main')
+      sweep%wob = real_of(group, 'wob', 0.0_wp)
+      sweep%tob = real_of(group, 'tob', 0.0_wp)
+      sweep%angular_speed = real_of(group, 'rpm', 0.0_wp)
+      sweep%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
+      sweep%operations = [operation_trip_out, operation_trip_in, operation_rotate_off_bottom]
+      if (is_given(group, 'operations')) then
+         texts = texts_of(group, 'operations')
+         sweep%operations = [integer ::]
+         do i = 1, size(texts)
+            m = operation_from_name(texts(i)%text)
+            if (m > 0 .and. .not. any(sweep%operations == m)) sweep%operations = [sweep%operations, m]  ! named twice: runs once
+         end do
+      end if
+      sweep%models = models
+      if (is_given(group, 'model')) then
+         texts = texts_of(group, 'model')
+         sweep%models = [integer ::]
+         do i = 1, size(texts)
+            do m = 1, model_count
+               if (texts(i)%text == model_name(m) .and. .not. any(sweep%models == m)) sweep%models = [sweep%models, m]
+            end do
+         end do
+      end if
+      numbers = reals_of(group, 'frictions')
+      allocate (sweep%frictions(max(size(numbers), 1)))
+      do i = 1, size(numbers)
+         if (any(abs(numbers(:i - 1) - numbers(i)) <= 0.0_wp)) &
+            call fault('frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one')
+         sweep%frictions(i) = given(numbers(i))
+      end do
+      if (any(sweep%operations == operation_ream .or. sweep%operations == operation_backream)) then
+         call need_speed('rpm', sweep%angular_speed)
+         call need_speed('trip_speed', sweep%trip_speed)
+      end if
+      call set_default_end(draft, group, last)
+      first = real_of(group, 'bit_depth_from', 0.0_wp)
+      step = real_of(group, 'bit_depth_step', usual_step)
+      probe%group = 'sweep'
+      probe%depth_key = 'bit_depth_to'
+      probe%what = 'sweep'
+      probe%line = group%line
+      probe%line_depth = line_of(group, 'bit_depth_to')
+      probe%line_string = line_of(group, 'string')
+      probe%sound = .true.
+      probe%load_case%name = sweep%name
+      probe%load_case%string = sweep%string
+      probe%load_case%bit_depth = last
+      if (last > 0.0_wp .and. is_sound_or_absent('bit_depth_to') .and. is_sound(group, 'string')) &
+         call check_case(draft, probe, faults)
+      last = probe%load_case%bit_depth
+      if (faults%count > before .or. .not. (last > 0.0_wp .and. step > 0.0_wp)) return
+      if (.not. (is_sound(group, 'bit_depth_from') .and. is_sound(group, 'bit_depth_step'))) return
+      if (first > last) then
+         call fault('bit_depth_from', 'bit_depth_from = '//shown(first)//' lies below bit_depth_to = '//shown(last))
+         return
+      end if
+      points = ((last - first)/step + 1.0_wp)*size(sweep%operations)*size(sweep%frictions)*size(sweep%models)
+      if (points > real(most_points, wp)) then
+         call fault('bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 3)// &
+                    ' points; at most '//to_text(most_points)//' can be solved in one sweep')
+         return
+      end if
+      sweep%depths = regular_depths(first, last, step)
+      call take_measured(draft, sweep)
+
+   contains
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
+      end subroutine fault
+
+      subroutine need_speed(key, value)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
+         call fault(key, 'reaming needs '//key//' > 0')
+      end subroutine need_speed
+
+      pure function is_sound_or_absent(key) result(yes)
+         character(*), intent(in) :: key
+         logical :: yes
+         yes = is_sound(group, key) .or. .not. is_given(group, key)
+      end function is_sound_or_absent
+
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth
+         character(:), allocatable :: text
+         text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
+      end function shown
+   end subroutine take_one
+
+   !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.
+   subroutine set_default_end(draft, group, last)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      real(wp), intent(out) :: last
+      last = real_of(group, 'bit_depth_to', 0.0_wp)
+      if (is_given(group, 'bit_depth_to')) return
+      if (.not. draft%has_stations .or. size(draft%holes) == 0) return
+      if (.not. all(draft%holes%sound)) return
+      last = min(draft%stations%md(size(draft%stations%md)), draft%holes(size(draft%holes))%section%md_bottom)
+   end subroutine set_default_end
+
+   !> Measurements that load cases of the deck tell of this string in these operations. Their depths join the sweep's, so
+   !> that each can be laid beside a calculated value.
+   subroutine take_measured(draft, sweep)
+      type(draft_type), intent(in) :: draft
+      type(sweep_type), intent(inout) :: sweep
+      type(measured_type), allocatable :: found(:)
+      real(wp) :: depths(size(draft%cases))
+      integer :: i, n
+      allocate (found(size(draft%cases)))
+      n = 0
+      do i = 1, size(draft%cases)
+         associate (case => draft%cases(i)%load_case)
+            if (.not. draft%cases(i)%sound) cycle
+            if (case%string /= sweep%string .or. .not. any(sweep%operations == case%operation)) cycle
+            if (.not. (case%measured_hookload%present .or. case%measured_torque%present)) cycle
+            if (case%bit_depth < sweep%depths(1) .or. case%bit_depth > sweep%depths(size(sweep%depths))) cycle
+            if (abs(case%wob - sweep%wob) > 0.0_wp .or. abs(case%tob - sweep%tob) > 0.0_wp) cycle   ! another load
+            n = n + 1
+            found(n)%name = case%name
+            found(n)%operation = case%operation
+            found(n)%bit_depth = case%bit_depth
+            found(n)%hookload = case%measured_hookload
+            found(n)%torque = case%measured_torque
+            depths(n) = case%bit_depth
+         end associate
+      end do
+      sweep%measured = found(:n)
+      sweep%depths = with_depths(sweep%depths, depths(:n))
+   end subroutine take_measured
+
+   !> A load on the bit acts in every operation of a sweep: hardly meant where the string is off bottom.
+   subroutine note_bit_loads(sweep, notes)
+      type(sweep_type), intent(in) :: sweep
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      if (abs(sweep%wob) <= 0.0_wp .and. sweep%tob <= 0.0_wp) return
+      do i = 1, size(sweep%operations)
+         if (any(sweep%operations(i) == [operation_rotary_drilling, operation_sliding_drilling])) cycle
+         call append_text(notes, 'sweep '//quoted(sweep%name)//': its wob and tob act in '// &
+                          trim(operation_name(sweep%operations(i)))//' too; a second &sweep holds other loads')
+         return
+      end do
+   end subroutine note_bit_loads
+end module dg_deck_sweep

@@ -1,0 +1,138 @@
+!> A sweep: one string over a range of bit depths, with several operations and friction factors (the broomstick).
+!>
+!> A point of a sweep is a load case like any other. Components are listed from the bit upwards, so at every depth the
+!> string is the right one by itself: the components move with the bit, the uppermost is as long as it needs to be, and the
+!> sections of the hole stay where they are.
+module dg_sweep
+   use dg_kinds, only: wp
+   use dg_load_case, only: load_case_type, operation_static, optional_real
+   implicit none
+   private
+   public :: sweep_type, measured_type, point_type
+   public :: curve_count, point_count, point_number, point_at, point_case, regular_depths, with_depths
+
+   !> What the rig showed at a depth in an operation.
+   type :: measured_type
+      character(:), allocatable :: name        !< of the load case that tells it
+      integer :: operation = operation_static
+      real(wp) :: bit_depth = 0.0_wp           !< [m]
+      type(optional_real) :: hookload          !< [N]
+      type(optional_real) :: torque            !< [N.m]
+   end type measured_type
+
+   type :: sweep_type
+      character(:), allocatable :: name        !< unique, safe as part of a file name
+      character(:), allocatable :: string      !< name of the drillstring
+      integer, allocatable :: models(:)        !< numbers (dg_job)
+      integer, allocatable :: operations(:)    !< numbers (dg_load_case)
+      type(optional_real), allocatable :: frictions(:) !< at least one; absent: the coefficients of the hole sections
+      real(wp), allocatable :: depths(:)       !< of the bit, ascending, at least one [m]
+      real(wp) :: wob = 0.0_wp                 !< in all operations [N]
+      real(wp) :: tob = 0.0_wp                 !< in all operations [N.m]
+      real(wp) :: angular_speed = 0.0_wp       !< [rad/s]
+      real(wp) :: trip_speed = 0.0_wp          !< [m/s]
+      type(measured_type), allocatable :: measured(:)
+   end type sweep_type
+
+   !> Place of a point: positions in the lists of its sweep.
+   type :: point_type
+      integer :: model = 1, operation = 1, friction = 1, depth = 1
+   end type point_type
+
+   !> Depths closer than this part of the step are one [-]: round-off of the last step.
+   real(wp), parameter :: same_share = 1.0e-6_wp
+
+contains
+
+   !> Curves of one model: an operation with a friction factor each.
+   pure function curve_count(sweep) result(count)
+      type(sweep_type), intent(in) :: sweep
+      integer :: count
+      count = size(sweep%operations)*size(sweep%frictions)
+   end function curve_count
+
+   pure function point_count(sweep) result(count)
+      type(sweep_type), intent(in) :: sweep
+      integer :: count
+      count = size(sweep%models)*curve_count(sweep)*size(sweep%depths)
+   end function point_count
+
+   !> Number of a point from 1 on: curve after curve, model after model, depth counting fastest.
+   pure function point_number(sweep, point) result(number)
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      integer :: number
+      number = (((point%model - 1)*size(sweep%operations) + point%operation - 1)*size(sweep%frictions) &
+                + point%friction - 1)*size(sweep%depths) + point%depth
+   end function point_number
+
+   !> The point of a number.
+   pure function point_at(sweep, number) result(point)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number
+      type(point_type) :: point
+      integer :: rest
+      rest = number - 1
+      point%depth = modulo(rest, size(sweep%depths)) + 1
+      rest = rest/size(sweep%depths)
+      point%friction = modulo(rest, size(sweep%frictions)) + 1
+      rest = rest/size(sweep%frictions)
+      point%operation = modulo(rest, size(sweep%operations)) + 1
+      point%model = rest/size(sweep%operations) + 1
+   end function point_at
+
+   !> The load case of a point.
+   pure subroutine point_case(sweep, point, load_case)
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      type(load_case_type), intent(inout) :: load_case
+      load_case%name = sweep%name
+      load_case%string = sweep%string
+      load_case%operation = sweep%operations(point%operation)
+      load_case%bit_depth = sweep%depths(point%depth)
+      load_case%wob = sweep%wob
+      load_case%tob = sweep%tob
+      load_case%friction_axial = sweep%frictions(point%friction)
+      load_case%friction_rotary = sweep%frictions(point%friction)
+      load_case%angular_speed = sweep%angular_speed
+      load_case%trip_speed = sweep%trip_speed
+   end subroutine point_case
+
+   !> Depths from `first` to `last` every `step`, `last` always among them [m]. A `first` at surface is left out: there is
+   !> no string yet.
+   pure function regular_depths(first, last, step) result(depths)
+      real(wp), intent(in) :: first   !< >= 0
+      real(wp), intent(in) :: last    !< >= first, > 0
+      real(wp), intent(in) :: step    !< > 0
+      real(wp), allocatable :: depths(:)
+      integer :: i, start, steps
+      start = merge(0, 1, first > 0.0_wp)
+      steps = floor((last - first)/step + same_share)
+      allocate (depths(max(steps - start + 1, 0)))
+      do i = start, steps
+         depths(i - start + 1) = first + i*step
+      end do
+      if (size(depths) > 0) then
+         if (last - depths(size(depths)) <= same_share*step) then
+            depths(size(depths)) = last
+            return
+         end if
+      end if
+      depths = [depths, last]
+   end function regular_depths
+
+   !> Ascending depths with others put in between, where they are not there yet and lie within their range [m].
+   pure function with_depths(depths, others) result(all_depths)
+      real(wp), intent(in) :: depths(:)   !< ascending
+      real(wp), intent(in) :: others(:)
+      real(wp), allocatable :: all_depths(:)
+      integer :: i, place
+      all_depths = depths
+      do i = 1, size(others)
+         if (others(i) < depths(1) .or. others(i) > depths(size(depths))) cycle
+         place = count(all_depths < others(i))
+         if (abs(all_depths(place + 1) - others(i)) <= 0.0_wp) cycle
+         all_depths = [all_depths(:place), others(i), all_depths(place + 1:)]
+      end do
+   end function with_depths
+end module dg_sweep

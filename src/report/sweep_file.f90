@@ -1,0 +1,83 @@
+!> sweep_<name>.csv: one row a point, curve after curve.
+module dg_sweep_file
+   use dg_kinds, only: wp
+   use dg_case_result, only: result_status_name
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_length, &
+                        quantity_moment, quantity_none, quantity_percent, quantity_text
+   use dg_comparison, only: percent_error
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: operation_name, optional_real
+   use dg_sweep, only: point_at, point_type, sweep_type
+   use dg_sweep_result, only: sweep_result_type
+   use dg_text, only: text_or_nothing, text_type
+   implicit none
+   private
+   public :: sweep_columns, write_sweep
+
+   !> New ones are added at the end only: others rely on the names and the order.
+   type(column_type), parameter :: sweep_columns(11) = [ &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('operation', quantity_text, 'long name of the operation'), &
+      column_type('friction', quantity_none, 'coefficient along and around the hole; empty: those of the hole sections'), &
+      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
+      column_type('hookload', quantity_force, 'axial force held at the top'), &
+      column_type('torque', quantity_moment, 'at the top, bit torque included'), &
+      column_type('status', quantity_text, 'converged, not_converged or locked_up: only the first is a solution'), &
+      column_type('measured_hookload', quantity_force, 'of the load case with this operation, depth and string'), &
+      column_type('measured_torque', quantity_moment, 'the same of torque'), &
+      column_type('error', quantity_percent, '100 |hookload - measured| / measured'), &
+      column_type('message', quantity_text, 'reason and remedy where there is no solution, else warnings')]
+
+contains
+
+   !> Writes the whole of a sweep to `path`.
+   subroutine write_sweep(path, job, sweep, points, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      type(field_list_type) :: row
+      integer :: i
+      allocate (lines(0:size(points)))
+      lines(0)%text = csv_header(sweep_columns, job%units)
+      do i = 1, size(points)
+         call sweep_fields(sweep, point_at(sweep, i), points(i), row)
+         lines(i)%text = csv_row(sweep_columns, job%units, row%fields)
+      end do
+      call write_text_file(path, lines, error)
+   end subroutine write_sweep
+
+   !> Values of a point in the order of the columns.
+   pure subroutine sweep_fields(sweep, point, result, row)
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      type(sweep_result_type), intent(in) :: result
+      type(field_list_type), intent(inout) :: row
+      type(optional_real) :: hookload, torque
+      integer :: i
+      do i = size(sweep%measured), 1, -1
+         associate (measured => sweep%measured(i))
+            if (measured%operation /= sweep%operations(point%operation)) cycle
+            if (abs(measured%bit_depth - sweep%depths(point%depth)) > 0.0_wp) cycle
+            if (measured%hookload%present) hookload = measured%hookload
+            if (measured%torque%present) torque = measured%torque
+         end associate
+      end do
+      row%count = 0
+      call put(row, trim(model_name(sweep%models(point%model))))
+      call put(row, trim(operation_name(sweep%operations(point%operation))))
+      call put(row, sweep%frictions(point%friction))
+      call put(row, sweep%depths(point%depth))
+      call put(row, result%hookload)
+      call put(row, result%torque)
+      call put(row, trim(result_status_name(result%status)))
+      call put(row, hookload)
+      call put(row, torque)
+      call put(row, percent_error(result%hookload, hookload))
+      call put(row, text_or_nothing(result%message))
+   end subroutine sweep_fields
+end module dg_sweep_file

@@ -1,0 +1,264 @@
+!> The broomstick in print: hook load and torque against bit depth, a column for each operation and friction factor, and
+!> what was measured beside what was calculated. Every line fits 120 columns.
+module dg_sweep_table
+   use dg_kinds, only: wp
+   use dg_case_result, only: result_converged
+   use dg_job, only: model_name
+   use dg_load_case, only: given, operation_label, optional_real, rotates
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_sweep, only: point_number, point_type, sweep_type
+   use dg_sweep_result, only: sweep_result_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: sweep_table, fitting_friction
+
+   integer, parameter :: depth_width = 10
+   integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
+   integer, parameter :: most_columns = 12
+   integer, parameter :: name_width = 24
+   integer, parameter :: label_width = 18
+   !> Rows of a table: a page shows the shape of a curve, the file has every depth.
+   integer, parameter :: most_rows = 25
+   integer, parameter :: hookload = 1, torque = 2
+
+contains
+
+   !> All tables of a sweep.
+   pure function sweep_table(units, sweep, points) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
+      type(text_type), allocatable :: lines(:)
+      type(point_type), allocatable :: curves(:)
+      integer :: m, quantity, first
+      allocate (lines(0))
+      do m = 1, size(sweep%models)
+         do quantity = hookload, torque
+            curves = curves_of(sweep, m, quantity)
+            do first = 1, size(curves), most_columns
+               call append_curves(lines, units, sweep, points, quantity, curves(first:min(first + most_columns - 1, size(curves))))
+            end do
+         end do
+         call append_measured(lines, units, sweep, points, m)
+      end do
+      if (any(points%status /= result_converged)) call append_text(lines, '! no solution')
+   end function sweep_table
+
+   !> First points of the curves that have something to show: torque where the string turns or the bit has some.
+   pure function curves_of(sweep, model, quantity) result(curves)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: model, quantity
+      type(point_type), allocatable :: curves(:)
+      integer :: o, f
+      allocate (curves(0))
+      do o = 1, size(sweep%operations)
+         if (quantity == torque .and. .not. (rotates(sweep%operations(o)) .or. sweep%tob > 0.0_wp)) cycle
+         do f = 1, size(sweep%frictions)
+            curves = [curves, point_type(model, o, f, 1)]
+         end do
+      end do
+   end function curves_of
+
+   !> One table: a row a depth, a column a curve.
+   pure subroutine append_curves(lines, units, sweep, points, quantity, curves)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: quantity
+      type(point_type), intent(in) :: curves(:)
+      character(:), allocatable :: head, factors, row, rule
+      type(point_type) :: point
+      integer :: i, k, n, row_count
+      call append_text(lines, '')
+      call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%model)))//': '// &
+                       quantity_text(units, quantity)//' at friction factors')
+      head = right_aligned('Bit depth', depth_width)
+      factors = right_aligned(trim(units%length_label), depth_width)
+      i = 1
+      do while (i <= size(curves))
+         n = count(curves%operation == curves(i)%operation)
+         head = head//operation_head(trim(operation_label(sweep%operations(curves(i)%operation))), n)
+         i = i + n
+      end do
+      do k = 1, size(curves)
+         factors = factors//right_aligned(factor_text(sweep%frictions(curves(k)%friction)), cell_width - 1)//' '
+      end do
+      rule = repeat('-', max(len_trim(head), len(factors)))
+      call append_text(lines, rule)
+      call append_text(lines, trim(head))
+      call append_text(lines, trim(factors))
+      call append_text(lines, rule)
+      n = size(sweep%depths)
+      row_count = min(n, most_rows)
+      do i = 1, row_count
+         row = ''
+         do k = 1, size(curves)
+            point = curves(k)
+            point%depth = ceiling(real(i, wp)*real(n, wp)/real(row_count, wp))
+            if (k == 1) row = fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1)
+            associate (found => points(point_number(sweep, point)))
+               if (quantity == torque) then
+                  row = row//fixed_cell(found%torque/units%moment, cell_width - 1, 2)
+               else
+                  row = row//fixed_cell(found%hookload/units%force, cell_width - 1, 1)
+               end if
+               row = row//merge(' ', '!', found%status == result_converged)
+            end associate
+         end do
+         call append_text(lines, trim(row))
+      end do
+      call append_text(lines, rule)
+      if (row_count < n) call append_text(lines, to_text(row_count)//' of '//to_text(n)//' depths; the file has them all')
+   end subroutine append_curves
+
+   !> Name of an operation above its `n` columns: its first word where there is one column.
+   pure function operation_head(label, n) result(head)
+      character(*), intent(in) :: label
+      integer, intent(in) :: n
+      character(n*cell_width) :: head
+      if (n > 1) then
+         head = left_aligned('  '//label, len(head))
+      else
+         head = right_aligned(label(:index(label//' ', ' ') - 1), cell_width - 1)
+      end if
+   end function operation_head
+
+   !> What was measured, what every friction factor gives there, and the factor that would give it.
+   pure subroutine append_measured(lines, units, sweep, points, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      integer, parameter :: most_factors = 5
+      character(:), allocatable :: head, rule
+      integer :: i, f, shown
+      shown = min(size(sweep%frictions), most_factors)
+      if (size(sweep%measured) == 0) return
+      call append_text(lines, '')
+      call append_text(lines, 'Measured, and calculated by '//trim(model_name(sweep%models(model)))//' at friction factors')
+      head = left_aligned('Load case', name_width)//right_aligned('Bit depth', depth_width)//'  '// &
+         left_aligned('Operation', label_width)//right_aligned('Measured', cell_width + 1)
+      do f = 1, shown
+         head = head//right_aligned(factor_text(sweep%frictions(f)), cell_width - 1)//' '
+      end do
+      head = head//right_aligned('Fits', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      do i = 1, size(sweep%measured)
+         if (sweep%measured(i)%hookload%present) &
+            call append_text(lines, measured_row(units, sweep, points, model, i, hookload, shown))
+         if (sweep%measured(i)%torque%present) &
+            call append_text(lines, measured_row(units, sweep, points, model, i, torque, shown))
+      end do
+      call append_text(lines, rule)
+      call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
+   end subroutine append_measured
+
+   pure function measured_row(units, sweep, points, model, number, quantity, shown) result(row)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      integer, intent(in) :: number    !< of the measured point
+      integer, intent(in) :: quantity
+      integer, intent(in) :: shown     !< friction factors in the row
+      character(:), allocatable :: row
+      type(point_type) :: point
+      real(wp) :: values(size(sweep%frictions)), unit, one
+      logical :: solved(size(sweep%frictions))
+      type(optional_real) :: measured
+      integer :: f
+      one = 1.0_wp
+      associate (told => sweep%measured(number))
+         measured = told%hookload
+         unit = units%force
+         if (quantity == torque) measured = told%torque
+         if (quantity == torque) unit = units%moment
+         row = left_aligned(told%name, name_width)//fixed_cell(told%bit_depth/units%length, depth_width, 1)//'  '// &
+            left_aligned(trim(operation_label(told%operation)), label_width)//fixed_cell(measured, unit, cell_width + 1, quantity)
+         point = point_type(model, findloc_of(sweep%operations, told%operation), 1, depth_of(sweep, told%bit_depth))
+      end associate
+      do f = 1, size(values)
+         point%friction = f
+         associate (found => points(point_number(sweep, point)))
+            values(f) = found%hookload
+            if (quantity == torque) values(f) = found%torque
+            solved(f) = found%status == result_converged
+            if (f <= shown) row = row//fixed_cell(values(f)/unit, cell_width - 1, quantity)// &
+               merge(' ', '!', found%status == result_converged)
+         end associate
+      end do
+      row = row//fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
+   end function measured_row
+
+   !> Friction factor at which values known at some factors reach a measured one, by straight lines between neighbours;
+   !> absent where the measured value lies outside.
+   pure function fitting_friction(frictions, values, solved, measured) result(friction)
+      type(optional_real), intent(in) :: frictions(:)
+      real(wp), intent(in) :: values(:)        !< at these factors
+      logical, intent(in) :: solved(:)         !< whether they are solutions
+      real(wp), intent(in) :: measured
+      type(optional_real) :: friction
+      integer :: order(size(frictions)), i, j, moving
+      if (.not. all(frictions%present)) return
+      order = [(i, i=1, size(order))]
+      do i = 2, size(order)
+         do j = i, 2, -1
+            if (frictions(order(j - 1))%value <= frictions(order(j))%value) exit
+            moving = order(j)
+            order(j) = order(j - 1)
+            order(j - 1) = moving
+         end do
+      end do
+      do i = 2, size(order)
+         associate (a => values(order(i - 1)), b => values(order(i)), from => frictions(order(i - 1))%value, &
+                    to => frictions(order(i))%value)
+            if (.not. (solved(order(i - 1)) .and. solved(order(i)))) cycle
+            if ((measured - a)*(measured - b) > 0.0_wp .or. .not. abs(b - a) > 0.0_wp) cycle
+            friction = given(from + (to - from)*(measured - a)/(b - a))
+            return
+         end associate
+      end do
+   end function fitting_friction
+
+   !> Place of a number in a list.
+   pure function findloc_of(list, number) result(place)
+      integer, intent(in) :: list(:), number
+      integer :: place
+      do place = 1, size(list) - 1
+         if (list(place) == number) return
+      end do
+      place = size(list)
+   end function findloc_of
+
+   !> Place of the depth nearest to one that is among them [m].
+   pure function depth_of(sweep, depth) result(place)
+      type(sweep_type), intent(in) :: sweep
+      real(wp), intent(in) :: depth
+      integer :: place
+      place = minloc(abs(sweep%depths - depth), dim=1)
+   end function depth_of
+
+   pure function factor_text(friction) result(text)
+      type(optional_real), intent(in) :: friction
+      character(:), allocatable :: text
+      integer, parameter :: digits = 4
+      text = 'hole'
+      if (friction%present) text = to_text(friction%value, digits)
+   end function factor_text
+
+   pure function quantity_text(units, quantity) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      character(:), allocatable :: text
+      text = 'hook load, '//trim(units%force_label)
+      if (quantity == torque) text = 'torque, kN.m'
+      if (quantity == torque .and. units%name == 'field') text = 'torque, kft.lbf'
+   end function quantity_text
+end module dg_sweep_table

@@ -1,0 +1,26 @@
+!> What a model returns for one point of a sweep. SI units.
+module dg_sweep_result
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: sweep_result_type, unsolved, is_solved
+
+   !> Status of a point that nobody has solved yet, beside those of dg_case_result.
+   integer, parameter :: unsolved = 0
+
+   type :: sweep_result_type
+      integer :: status = unsolved
+      real(wp) :: hookload = 0.0_wp            !< [N]
+      real(wp) :: torque = 0.0_wp              !< at the top [N.m]
+      character(:), allocatable :: message     !< reason where there is no solution, warnings else; not allocated: none
+   end type sweep_result_type
+
+contains
+
+   !> Whether a point has its result, be it that there is no solution.
+   elemental function is_solved(point) result(yes)
+      type(sweep_result_type), intent(in) :: point
+      logical :: yes
+      yes = point%status /= unsolved
+   end function is_solved
+end module dg_sweep_result
