@@ -15,7 +15,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(26) = [ &
+   type(column_type), parameter :: limits_columns(32) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -45,7 +45,15 @@ module dg_limits_file
       column_type('rig_margin', quantity_force, 'rig_limit - hook load'), &
       column_type('makeup_margin', quantity_moment, 'least make-up torque of a connection - torque there; empty where none '// &
          'is given'), &
-      column_type('makeup_margin_md', quantity_length, 'where')]
+      column_type('makeup_margin_md', quantity_length, 'where'), &
+      column_type('wob_lockup', quantity_force, 'as wob_no_hookload, with the friction of a coiled string: about the most '// &
+         'that reaches the bit without a push'), &
+      column_type('shape', quantity_text, 'what the string was found to do by mcge: none, sinusoidal (it snakes) or helical'), &
+      column_type('snaking_length', quantity_length, 'of string found to snake'), &
+      column_type('coiled_length', quantity_length, 'of string found to coil'), &
+      column_type('coil_turns', quantity_none, 'turns of its coils'), &
+      column_type('stability_margin', quantity_none, 'part by which compression could still grow before the string leaves its '// &
+         'shape, read off the tangent; 1 stands for more, empty where it is not compressed enough')]
 
 contains
 
@@ -112,5 +120,11 @@ contains
       call put(row, whole%rig_margin)
       call put(row, whole%makeup_margin)
       call put(row, whole%makeup_margin_md)
+      call put(row, whole%wob_lockup)
+      call put(row, trim(buckling_name(whole%shape)))
+      call put(row, whole%snaking_length)
+      call put(row, whole%coiled_length)
+      call put(row, whole%coil_turns)
+      call put(row, whole%stability_margin)
    end subroutine limits_fields
 end module dg_limits_file

@@ -96,11 +96,20 @@ contains
       call append_least(lines, units, names, 'Buckling begins at wob', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%wob_no_hookload
       call append_least(lines, units, names, 'No hook load left at wob', quantity_force, 1, numbers, nowhere, .false.)
+      numbers = wholes%wob_lockup
+      call append_least(lines, units, names, 'The same, coils rubbing', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
          call append_text(lines, '  buckled by the limits: '//names(i)%text//', '//trim(buckling_name(wholes(i)%buckling))// &
                           ', '//to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
                           trim(units%length_label)//' of string')
+      end do
+      do i = 1, size(results)
+         if (wholes(i)%shape == buckling_none) cycle
+         call append_text(lines, '  found buckled: '//names(i)%text//', snaking over '// &
+                          to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', coiled over '// &
+                          to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' in '// &
+                          to_text(anint(wholes(i)%coil_turns))//' turns')
       end do
    end subroutine append_block
 

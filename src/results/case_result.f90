@@ -1,6 +1,7 @@
 !> What any model returns for one load case. SI units.
 module dg_case_result
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    use dg_profile, only: profile_type
    implicit none
    private
@@ -63,6 +64,9 @@ module dg_case_result
       integer :: states(0:2) = 0
       integer :: flips = 0
       integer :: moves = 0
+      !> Part by which compression could still grow before the equilibrium is lost, read off the tangent there (as that of a
+      !> string on the low side, sqrt(1 + nu) - 1); 1 stands for more, missing where the string is not compressed enough [-].
+      real(wp) :: stability_margin = missing
       !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp

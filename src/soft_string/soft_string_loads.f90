@@ -80,7 +80,7 @@ contains
    !> Axial force, torque and contact of the soft string of a load case at given depths.
    !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
    !> The scales serve load increments: both absent or one is the load case itself.
-   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals, coiled)
+   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals, coiled, wob)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
@@ -91,6 +91,7 @@ contains
       real(wp), intent(in), optional :: load_scale     !< on weight and torque on bit [-]
       type(soft_totals_type), intent(out), optional :: totals
       logical, intent(in), optional :: coiled          !< friction of a coiled string too; absent: no
+      real(wp), intent(in), optional :: wob            !< instead of the load case's [N]
       type(soft_totals_type) :: sums
       type(piece_type) :: piece
       real(wp) :: friction, load, position, force, moment
@@ -102,6 +103,7 @@ contains
       associate (load_case => model%cases(case_index))
          position = load_case%bit_depth
          force = -load*load_case%wob
+         if (present(wob)) force = -load*wob
          moment = load*load_case%tob
       end associate
       piece = piece_above(model, case_index, position, friction, coiled)

@@ -35,7 +35,7 @@ module dg_damped_newton
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
-   public :: damped_type, new_damped, iterate_damped, is_stable
+   public :: damped_type, new_damped, iterate_damped, is_stable, find_stability_margin
 
    !> Viscosity in the units of dg_viscosity [-]; below the least it is none. An equilibrium counts as stable that needs no more
    !> than the margin: F would have to drop by half of that part, 0.5 %.
@@ -62,6 +62,8 @@ module dg_damped_newton
    !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
    integer, parameter :: energy_steps = 3
    real(wp), parameter :: failing = 15.0_wp
+   !> Halvings in the search of the stability margin: to 0.4 %.
+   integer, parameter :: margin_halvings = 8
    !> Vertical to round-off: cosine of the inclination.
    real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
 
@@ -340,6 +342,39 @@ contains
       call weigh(mesh, work, damped%lump)
       call block_positive_definite(damped%energy, stability_margin, damped%lump, stable)
    end subroutine is_stable
+
+   !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
+   !> definite when nu F^2/(4 EI) is taken off it, and a string on the low side is lost at (1 + nu) F^2/(4 EI) = n/c.
+   subroutine find_stability_margin(damped, trajectory, mesh, loads, gaps, state, work, margin)
+      type(damped_type), intent(inout) :: damped
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(out) :: margin
+      real(wp) :: low, high
+      logical :: definite
+      integer :: i
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
+      call weigh(mesh, work, damped%lump)
+      low = 0.0_wp
+      high = 1.0_wp
+      margin = high
+      call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + high)**2, damped%lump, definite)
+      if (definite) return
+      do i = 1, margin_halvings
+         margin = 0.5_wp*(low + high)
+         call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + margin)**2, damped%lump, definite)
+         if (definite) then
+            low = margin
+         else
+            high = margin
+         end if
+      end do
+      margin = low
+   end subroutine find_stability_margin
 
    !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
    pure subroutine raise_viscosity(damped, margin)

@@ -8,7 +8,7 @@ module dg_mesh_for_case
    use dg_constants, only: pi
    use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
+   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
    implicit none
    private
@@ -35,11 +35,12 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, compressed, pressing, shortened)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
+      type(soft_totals_type), intent(out) :: totals  !< of the coiled soft string: whether it is locked up
       real(wp), intent(out) :: compressed      !< largest compression of the soft string over its coiling load [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
@@ -52,7 +53,8 @@ contains
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
-         call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
+         call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals=totals, coiled=.true.)
+         if (totals%runaway) return
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
             compression = -min(axial(e), axial(e + 1))

@@ -4,24 +4,22 @@ module dg_static_analysis
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
-   use dg_damped_newton, only: damped_type, is_stable, iterate_damped, new_damped
-   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
+   use dg_case_result, only: case_result_type, result_converged, scale_count
+   use dg_damped_newton, only: damped_type, find_stability_margin, is_stable, iterate_damped, new_damped
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_free
-   use dg_gap_table, only: count_states, gap_table_type, new_gap_table
-   use dg_gap_survey, only: node_offset
-   use dg_job, only: model_mcge
+   use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_load_case, only: load_case_type
    use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
-   use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_singular, newton_type
+   use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict
-   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_profile, recover_gaps
    use dg_refinement, only: take_over
-   use dg_trajectory, only: inclination_of, position_at
+   use dg_soft_string_loads, only: soft_totals_type
+   use dg_static_result, only: fill_result, look_outside, outcome_outside, result_of_lock_up
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
@@ -56,8 +54,6 @@ module dg_static_analysis
    integer, parameter :: plain_iterations = 70, brief_iterations = 25
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
-   !> Outcome of an attempt that converged to such a place, beside those of dg_newton.
-   integer, parameter :: outcome_outside = 100
    !> A mesh with so many times the elements of the coarsest is solved on that first; the iterations that may take, and its
    !> tolerance [-].
    real(wp), parameter :: much_finer = 2.5_wp
@@ -69,8 +65,8 @@ module dg_static_analysis
 
 contains
 
-   !> Solves one load case by beams with contact gap elements. A case that does not converge is a result with its
-   !> reason, no error; `error` stands for what prevents any result.
+   !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
+   !> with its reason, no error; `error` stands for what prevents any result.
    subroutine solve_static_analysis(model, case_index, result, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -85,13 +81,20 @@ contains
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
+      type(soft_totals_type) :: totals
       real(wp) :: worst, pressing, compressed
       logical :: may_buckle, started, damping, stable
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, compressed, pressing, shortened)
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, pressing, shortened)
+      if (totals%runaway) then
+         call result_of_lock_up(model, case_index, result)
+         call system_clock(ticks)
+         result%seconds = real(ticks - start, wp)/real(rate, wp)
+         return
+      end if
       may_buckle = compressed > watch_share
       call prepare(model, model%cases(case_index), mesh, newton, work)
       call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
@@ -118,6 +121,8 @@ contains
          if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
       end do
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, loads, outcome, work, result)
+      if (result%status == result_converged .and. may_buckle) &
+         call find_stability_margin(damped, model%trajectory, mesh, loads, gaps, state, work, result%stability_margin)
       result%shortened = shortened
       result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
       if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &
@@ -146,13 +151,14 @@ contains
       type(load_type) :: loads
       type(numerics_type) :: numerics
       real(wp), allocatable :: solved(:, :)
+      type(soft_totals_type) :: totals
       real(wp) :: pressing, compressed
       integer :: outcome, shortened(scale_count), none(0)
       started = .false.
       if (may_buckle .or. model%numerics%load_steps > 1) return
       numerics = settings_of('auto')
       if (.not. model%numerics%element_length*much_finer < numerics%element_length) return
-      call mesh_for_case(model, case_index, numerics%element_length, coarse, compressed, pressing, shortened)
+      call mesh_for_case(model, case_index, numerics%element_length, coarse, totals, compressed, pressing, shortened)
       if (mesh%elements < much_finer*coarse%elements) return
       numerics = model%numerics
       numerics%max_iterations = min(coarse_iterations, numerics%max_iterations)
@@ -293,86 +299,4 @@ contains
       if (model%boundary%top_centred) loads%top_support = support
       if (model%boundary%bit_centred) loads%bit_support = support
    end subroutine set_loads
-
-   !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(newton_type), intent(in) :: newton
-      real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
-      type(load_type), intent(in) :: loads
-      integer, intent(in) :: outcome
-      type(workspace_type), intent(in) :: work
-      type(case_result_type), intent(out) :: result
-      type(iteration_type) :: last
-      real(wp) :: position(3), tangent(3), worst
-      integer :: place
-      character(200) :: text
-      result%case_index = case_index
-      result%model = model_mcge
-      last = newton%history(newton%iterations + 1)
-      result%message = ''
-      select case (outcome)
-      case (newton_converged)
-         result%status = result_converged
-         if (drive > model%numerics%tolerance*newton%force_scale) &
-            result%message = 'the string whirls: in a vertical hole nothing static balances friction and torque that turn its '// &
-            'bends about the axis; forces are those of the string as it turns'
-      case (outcome_outside)
-         call look_outside(model, mesh, work, worst, place)
-         result%status = result_not_converged
-         write (text, '(a,f0.1,a,f0.1,a)') 'the string lies outside the hole by ', worst, ' clearances at ', mesh%md(place), &
-            ' m, between two gap elements; try shorter elements'
-         result%message = trim(text)
-      case (newton_exhausted)
-         result%status = result_not_converged
-         write (text, '(a,i0,a,es9.2,a,i0,a)') 'iterations used up in load step ', last%increment, ': residual ', &
-            last%residual_force, ' N, ', last%flips, ' gaps still changing; try shorter elements, more max_iterations or load_steps'
-         result%message = trim(text)
-      case default
-         result%status = result_not_converged
-         write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &
-            ': the string can move freely somewhere; check supports and loads, or try more load_steps'
-         result%message = trim(text)
-      end select
-      call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
-      result%inclination = inclination_of(tangent)
-      result%hookload = work%hookload
-      result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
-      result%torque = work%top_torque
-      result%normal_force = sum(work%normal)
-      result%iterations = newton%iterations
-      result%elements = mesh%elements
-      result%states = count_states(gaps)
-      result%flips = sum(gaps%flips)
-      result%moves = sum(gaps%moves)
-      call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-      call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
-      call recover_gaps(mesh, gaps, work, result%gaps)
-      result%history = newton%history(:newton%iterations + 1)
-   end subroutine fill_result
-
-   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen
-   !> by the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no
-   !> result.
-   pure subroutine look_outside(model, mesh, work, worst, place)
-      type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: worst
-      integer, intent(out) :: place
-      real(wp) :: gap(3), tangent(3), outside
-      integer :: n
-      worst = -1.0_wp
-      place = 1
-      do n = 1, mesh%nodes
-         call node_offset(model%trajectory, mesh, work, n, gap, tangent)
-         outside = norm2(gap)/maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements))) - 1.0_wp
-         if (outside <= worst) cycle
-         worst = outside
-         place = n
-      end do
-   end subroutine look_outside
 end module dg_static_analysis

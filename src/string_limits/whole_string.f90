@@ -2,15 +2,18 @@
 module dg_whole_string
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, mud_pressure
-   use dg_buckling_limits, only: buckling_none, buckling_sinusoidal
+   use dg_buckled_shape, only: find_buckled_shape
+   use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
-   use dg_component, only: axial_stiffness, torsional_stiffness
+   use dg_component, only: axial_stiffness, bending_stiffness, torsional_stiffness
    use dg_drillstring, only: component_at, component_tops
+   use dg_job, only: model_mcge
    use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: top_md
+   use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
    public :: whole_string_type, find_whole_string, neutral_points_of
@@ -33,6 +36,12 @@ module dg_whole_string
       real(wp) :: side_force_md = 0.0_wp            !< where [m]
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
       type(optional_real) :: wob_no_hookload        !< weight on bit that leaves no hook load [N]
+      type(optional_real) :: wob_lockup             !< the same with the friction of a coiled string [N]
+      integer :: shape = buckling_none              !< what the string was found to do, gap elements only
+      real(wp) :: snaking_length = 0.0_wp           !< of string found to snake [m]
+      real(wp) :: coiled_length = 0.0_wp            !< of string found to coil [m]
+      real(wp) :: coil_turns = 0.0_wp               !< turns of the coils [-]
+      type(optional_real) :: stability_margin       !< as the result has it [-]
       type(optional_real) :: rig_limit              !< hook load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -46,16 +55,14 @@ module dg_whole_string
    real(wp), parameter :: hair = 1.0e-6_wp
    !> Halvings in the search of a weight on bit: to 1e-9 of the bracket.
    integer, parameter :: halvings = 30
-   !> Doublings of a weight on bit until nothing hangs from the hook any more.
-   integer, parameter :: doublings = 40
 
 contains
 
    !> All of it, from a result and its columns along the string.
    !>
-   !> The two weights on bit are those of a soft string with the friction of this case, whatever the model of the
-   !> result: a search with beams would cost a hundred solutions. They leave out what a buckled string adds to the
-   !> contact force, so the second is no lock-up load but a bound of it. Absent for operations that pull.
+   !> The weights on bit are those of a soft string with the friction of this case, whatever the model of the
+   !> result: a search with beams would cost a hundred solutions. The first two leave out what a buckled string adds to
+   !> the contact force; the third has it. Absent for operations that pull.
    pure subroutine find_whole_string(model, result, along, rig_limit, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -82,6 +89,8 @@ contains
          whole%side_force = profile%side_force(i)
          whole%side_force_md = profile%md(i)
       end associate
+      if (result%model == model_mcge) call add_shape(model, result, along, whole)
+      if (.not. is_missing(result%stability_margin)) whole%stability_margin = given(result%stability_margin)
       call add_margins(model, result, rig_limit, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
@@ -146,6 +155,32 @@ contains
       if (present(least_md)) least_md = given(md(i))
    end subroutine least_of
 
+   !> What the string of beams was found to do.
+   pure subroutine add_shape(model, result, along, whole)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(whole_string_type), intent(inout) :: whole
+      real(wp), allocatable :: tops(:), ei(:)
+      integer :: shape(size(result%profile%md)), i
+      real(wp) :: length, bit
+      bit = model%cases(result%case_index)%bit_depth
+      associate (profile => result%profile, string => model%strings(string_index(model%strings, &
+                                                                                 model%cases(result%case_index)%string)))
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - profile%md(i)))), &
+                                i=1, size(profile%md))])
+         call find_buckled_shape(profile%md, profile%axial, profile%displacement/(0.5_wp*(along%hole_diameter - along%od)), &
+                                 profile%clock, ei, shape, whole%coil_turns)
+         whole%shape = maxval(shape)
+         do i = 2, size(shape)
+            length = profile%md(i) - profile%md(i - 1)
+            if (minval(shape(i - 1:i)) == buckling_sinusoidal) whole%snaking_length = whole%snaking_length + length
+            if (minval(shape(i - 1:i)) == buckling_helical) whole%coiled_length = whole%coiled_length + length
+         end do
+      end associate
+   end subroutine add_shape
+
    !> Hook load against the rig, torque against the make-up torque of the connections. A connection at a joint of two
    !> components is the weaker one's.
    pure subroutine add_margins(model, result, rig_limit, whole)
@@ -182,23 +217,21 @@ contains
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(whole_string_type), intent(inout) :: whole
-      type(model_type), allocatable :: trial
       real(wp) :: low, high, middle, margin
       integer :: k, n, i
       k = result%case_index
       if (any(model%cases(k)%operation == [operation_trip_out, operation_backream])) return
       n = size(result%profile%md)
-      allocate (trial, source=model)
       associate (md => result%profile%md)
          if (.not. is_missing(along%sinusoidal(n))) then
             low = 0.0_wp
             high = along%sinusoidal(n)   ! here the bit end itself buckles
-            call least_margin(trial, k, md, along%sinusoidal, 0.0_wp, margin)
+            call least_margin(model, k, md, along%sinusoidal, 0.0_wp, margin)
             if (margin < 0.0_wp) high = 0.0_wp
             do i = 1, halvings
                if (high <= 0.0_wp) exit
                middle = 0.5_wp*(low + high)
-               call least_margin(trial, k, md, along%sinusoidal, middle, margin)
+               call least_margin(model, k, md, along%sinusoidal, middle, margin)
                if (margin < 0.0_wp) then
                   high = middle
                else
@@ -207,42 +240,21 @@ contains
             end do
             whole%wob_buckling = given(high)
          end if
-         low = 0.0_wp
-         high = abs(result%hookload) + abs(model%cases(k)%wob)
-         call least_margin(trial, k, md(:1), [0.0_wp], 0.0_wp, margin)
-         if (margin <= 0.0_wp) high = 0.0_wp
-         do i = 1, doublings
-            if (high <= 0.0_wp) exit
-            call least_margin(trial, k, md(:1), [0.0_wp], high, margin)
-            if (margin < 0.0_wp) exit
-            low = high
-            high = 2.0_wp*high
-         end do
-         do i = 1, halvings
-            if (high <= 0.0_wp) exit
-            middle = 0.5_wp*(low + high)
-            call least_margin(trial, k, md(:1), [0.0_wp], middle, margin)
-            if (margin < 0.0_wp) then
-               high = middle
-            else
-               low = middle
-            end if
-         end do
-         whole%wob_no_hookload = given(low)
+         whole%wob_no_hookload = given(most_weight_on_bit(model, k, coiled=.false., pushed=.false.))
+         whole%wob_lockup = given(most_weight_on_bit(model, k, coiled=.true., pushed=.false.))
       end associate
    end subroutine add_weights_on_bit
 
    !> Least of axial force plus allowed compression over some depths, for a weight on bit.
-   pure subroutine least_margin(trial, case_index, md, allowed, wob, margin)
-      type(model_type), intent(inout) :: trial   !< its weight on bit is changed
+   pure subroutine least_margin(model, case_index, md, allowed, wob, margin)
+      type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)              !< [m]
       real(wp), intent(in) :: allowed(:)         !< compression, may be missing [N]
       real(wp), intent(in) :: wob                !< [N]
       real(wp), intent(out) :: margin            !< [N]
       real(wp) :: axial(size(md)), torque(size(md)), contact(3, size(md))
-      trial%cases(case_index)%wob = wob
-      call soft_string_at(trial, case_index, md, axial, torque, contact)
+      call soft_string_at(model, case_index, md, axial, torque, contact, wob=wob)
       margin = minval(axial + max(allowed, 0.0_wp), mask=.not. is_missing(allowed))
    end subroutine least_margin
 end module dg_whole_string

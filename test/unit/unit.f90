@@ -37,6 +37,7 @@ contains
       use dg_test_legacy, only: legacy_suite
       use dg_test_pictures, only: pictures_suite
       use dg_test_pipe_stress, only: pipe_stress_suite
+      use dg_test_buckled_shape, only: buckled_shape_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_paraview, only: paraview_suite
@@ -73,6 +74,7 @@ contains
       call suite%addTest(legacy_suite())
       call suite%addTest(pictures_suite())
       call suite%addTest(pipe_stress_suite())
+      call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(string_limits_suite())
       call suite%addTest(paraview_suite())

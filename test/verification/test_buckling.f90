@@ -2,14 +2,19 @@
 !> coil, and what friction then leaves of the force. Pipe of Wicks et al. (2008): OD 0.140, ID 0.116 m, E 207 GPa, clearance
 !> 0.041 m.
 module dg_test_buckling
-   use funit, only: assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type
-   use dg_component, only: bending_stiffness, component_type
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
+                    TestSuite
+   use dg_case_result, only: case_result_type, result_locked_up
+   use dg_component, only: axial_stiffness, bending_stiffness, component_type
    use dg_constants, only: degree, pi
+   use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_sliding_drilling, operation_static
    use dg_model, only: model_type
+   use dg_soft_string_loads, only: soft_string_at, soft_totals_type
+   use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
    public :: buckling_suite
@@ -26,6 +31,7 @@ contains
       call suite%addTest(TestMethod('onset_in_a_build', test_onset_in_a_build))
       call suite%addTest(TestMethod('helix', test_helix))
       call suite%addTest(TestMethod('helix_with_friction', test_helix_with_friction))
+      call suite%addTest(TestMethod('lock_up', test_lock_up))
    end function buckling_suite
 
    !> A hole with the pipe in it, both ends on the axis.
@@ -200,4 +206,30 @@ contains
          call assertRelativelyEqual(top, result%hookload, 0.01_wp, message='push at the top')
       end do
    end subroutine test_helix_with_friction
+
+   !> The same push needs a force without bound from 4 EI/(mu c F_b) above the bit; a string that long is locked up there, and
+   !> 4 EI/(mu c L) is the most that any push brings down a length L. The pole is cut off at 1 % strain, which is
+   !> 4 EI/(mu c 0.01 EA) below it.
+   subroutine test_lock_up()
+      real(wp), parameter :: force = 300.0e3_wp, friction = 0.3_wp, length = 2500.0_wp, strain = 0.01_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      type(error_type), allocatable :: error
+      type(soft_totals_type) :: totals
+      real(wp) :: reach, cut, axial(1), torque(1), contact(3, 1)
+      call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], 0.1_wp, friction, clearance, component)
+      reach = 4.0_wp*bending_stiffness(component)/(friction*clearance)
+      cut = reach/(strain*axial_stiffness(component))
+      model%cases(1)%operation = operation_sliding_drilling
+      model%cases(1)%wob = force
+      call solve_static_analysis(model, 1, result, error)
+      call assertFalse(allocated(error))
+      call assertEqual(result_locked_up, result%status, message='status')
+      call assertTrue(index(result%message, 'grows without bound above') > 0, message=result%message)
+      call soft_string_at(model, 1, [0.0_wp], axial, torque, contact, totals=totals, coiled=.true.)
+      call assertRelativelyEqual(length - reach/force + cut, totals%runaway_md, 0.02_wp, message='where')
+      call assertRelativelyEqual(reach/(length + cut), most_weight_on_bit(model, 1, coiled=.true., pushed=.true.), 1.0e-3_wp, &
+                                 message='most')
+   end subroutine test_lock_up
 end module dg_test_buckling

@@ -1,0 +1,151 @@
+!> The result of an analysis by beams with contact gap elements.
+module dg_static_result
+   use dg_kinds, only: wp
+   use dg_assembly, only: load_type
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_locked_up, result_not_converged
+   use dg_gap_survey, only: node_offset
+   use dg_gap_table, only: count_states, gap_table_type
+   use dg_job, only: model_mcge
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_newton, only: newton_converged, newton_exhausted, newton_type
+   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_gaps, recover_profile
+   use dg_soft_string, only: fill_profile, subdivided
+   use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
+   use dg_text, only: to_text
+   use dg_trajectory, only: inclination_of, position_at
+   use dg_weight_on_bit, only: most_weight_on_bit
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: fill_result, result_of_lock_up, look_outside, outcome_outside
+
+   !> Outcome of an attempt that converged to a string outside its hole, beside those of dg_newton.
+   integer, parameter :: outcome_outside = 100
+   !> Digits of a weight in a message, in kilonewtons.
+   integer, parameter :: shown = 4
+   real(wp), parameter :: kilonewton = 1000.0_wp
+
+contains
+
+   !> The result of the last state, converged or not.
+   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(newton_type), intent(in) :: newton
+      real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
+      type(load_type), intent(in) :: loads
+      integer, intent(in) :: outcome
+      type(workspace_type), intent(in) :: work
+      type(case_result_type), intent(out) :: result
+      type(iteration_type) :: last
+      real(wp) :: position(3), tangent(3), worst
+      integer :: place
+      character(200) :: text
+      result%case_index = case_index
+      result%model = model_mcge
+      last = newton%history(newton%iterations + 1)
+      result%message = ''
+      select case (outcome)
+      case (newton_converged)
+         result%status = result_converged
+         if (drive > model%numerics%tolerance*newton%force_scale) &
+            result%message = 'the string whirls: in a vertical hole nothing static balances friction and torque that turn its '// &
+            'bends about the axis; forces are those of the string as it turns'
+      case (outcome_outside)
+         call look_outside(model, mesh, work, worst, place)
+         result%status = result_not_converged
+         write (text, '(a,f0.1,a,f0.1,a)') 'the string lies outside the hole by ', worst, ' clearances at ', mesh%md(place), &
+            ' m, between two gap elements; try shorter elements'
+         result%message = trim(text)
+      case (newton_exhausted)
+         result%status = result_not_converged
+         write (text, '(a,i0,a,es9.2,a,i0,a)') 'iterations used up in load step ', last%increment, ': residual ', &
+            last%residual_force, ' N, ', last%flips, ' gaps still changing; try shorter elements, more max_iterations or load_steps'
+         result%message = trim(text)
+      case default
+         result%status = result_not_converged
+         write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &
+            ': the string can move freely somewhere; check supports and loads, or try more load_steps'
+         result%message = trim(text)
+      end select
+      call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
+      result%inclination = inclination_of(tangent)
+      result%hookload = work%hookload
+      if (outcome == newton_converged .and. work%hookload < 0.0_wp) then
+         if (result%message /= '') result%message = result%message//'; '
+         result%message = result%message//'the weight of the string does not overcome friction and bit load: '// &
+                          'the string would have to be pushed at surface'
+      end if
+      result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
+      result%torque = work%top_torque
+      result%normal_force = sum(work%normal)
+      result%iterations = newton%iterations
+      result%elements = mesh%elements
+      result%states = count_states(gaps)
+      result%flips = sum(gaps%flips)
+      result%moves = sum(gaps%moves)
+      call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
+      call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
+      call recover_gaps(mesh, gaps, work, result%gaps)
+      result%history = newton%history(:newton%iterations + 1)
+   end subroutine fill_result
+
+   !> The result of a case that no push at the top can bring about: friction of the coiled string outgrows all bounds. Forces are
+   !> those of the soft string below that depth.
+   subroutine result_of_lock_up(model, case_index, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(soft_totals_type) :: totals
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
+      real(wp) :: position(3), tangent(3), most
+      md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
+      call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals, coiled=.true.)
+      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      call position_at(model%trajectory, md(size(md)), position, tangent)
+      result%case_index = case_index
+      result%model = model_mcge
+      result%status = result_locked_up
+      result%inclination = inclination_of(tangent)
+      result%hookload = axial(1)
+      result%friction = totals%weight - model%cases(case_index)%wob - axial(1)
+      result%torque = torque(1)
+      result%normal_force = totals%normal_force
+      result%message = 'friction of the coiled string grows without bound above '//to_text(anint(totals%runaway_md))//' m; '
+      most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
+      if (most > 0.0_wp) then
+         result%message = result%message//'no push at the top brings more than '//to_text(most/kilonewton, shown)// &
+                          ' kN to the bit, and without a push '// &
+                          to_text(most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.)/kilonewton, shown)//' kN'
+      else
+         result%message = result%message//'no push at the top brings the string down to this depth'
+      end if
+      allocate (result%gaps(0), result%history(0))
+   end subroutine result_of_lock_up
+
+   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen
+   !> by the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no
+   !> result.
+   pure subroutine look_outside(model, mesh, work, worst, place)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: worst
+      integer, intent(out) :: place
+      real(wp) :: gap(3), tangent(3), outside
+      integer :: n
+      worst = -1.0_wp
+      place = 1
+      do n = 1, mesh%nodes
+         call node_offset(model%trajectory, mesh, work, n, gap, tangent)
+         outside = norm2(gap)/maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements))) - 1.0_wp
+         if (outside <= worst) cycle
+         worst = outside
+         place = n
+      end do
+   end subroutine look_outside
+end module dg_static_result

@@ -1,0 +1,100 @@
+!> What a buckled string was found to do, read off its shape: it snakes where its angle about the hole swings to and fro within
+!> about the length of a buckling wave, and coils where it goes round without return.
+module dg_buckled_shape
+   use dg_kinds, only: wp
+   use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
+   use dg_constants, only: pi
+   implicit none
+   private
+   public :: find_buckled_shape
+
+   !> Off the axis by this part of the clearance a node has an angle about it [-].
+   real(wp), parameter :: off_axis = 0.2_wp
+   !> Swings of less than this are none [rad].
+   real(wp), parameter :: least_swing = 0.05_wp
+   !> A swing takes no longer than this times half a wave pi sqrt(2 EI/F) [-]: a string that changes sides where the hole turns
+   !> does not snake.
+   real(wp), parameter :: longest_swing = 2.5_wp
+
+contains
+
+   !> The state of every row (buckling_none, ...) and the turns of all coils [-].
+   pure subroutine find_buckled_shape(md, axial, off, clock, ei, shape, turns)
+      real(wp), intent(in) :: md(:)      !< [m]
+      real(wp), intent(in) :: axial(:)   !< tension > 0 [N]
+      real(wp), intent(in) :: off(:)     !< distance from the hole axis over the clearance [-]
+      real(wp), intent(in) :: clock(:)   !< where it lies [rad]
+      real(wp), intent(in) :: ei(:)      !< bending stiffness [N.m2]
+      integer, intent(out) :: shape(:)
+      real(wp), intent(out) :: turns
+      integer :: first, last
+      shape = buckling_none
+      turns = 0.0_wp
+      first = 1
+      do while (first <= size(md))
+         last = first
+         if (lies(first)) then
+            do while (last < size(md))
+               if (.not. lies(last + 1)) exit
+               last = last + 1
+            end do
+            if (last > first) call look_at(md(first:last), axial(first:last), clock(first:last), ei(first:last), &
+                                           shape(first:last), turns)
+         end if
+         first = last + 1
+      end do
+
+   contains
+
+      !> Compressed, and off the axis.
+      pure function lies(i) result(yes)
+         integer, intent(in) :: i
+         logical :: yes
+         yes = axial(i) < 0.0_wp .and. off(i) > off_axis
+      end function lies
+   end subroutine find_buckled_shape
+
+   !> The same for compressed string that is off the axis throughout: from turning point to turning point of its angle.
+   pure subroutine look_at(md, axial, clock, ei, shape, turns)
+      real(wp), intent(in) :: md(:), axial(:), clock(:), ei(:)
+      integer, intent(inout) :: shape(:)
+      real(wp), intent(inout) :: turns
+      real(wp) :: angle(size(md)), swing, wave
+      integer :: pivots(size(md) + 1), i, n, extreme, from, to
+      logical :: waves
+      angle(1) = 0.0_wp
+      do i = 2, size(md)
+         angle(i) = angle(i - 1) + modulo(clock(i) - clock(i - 1) + pi, 2.0_wp*pi) - pi
+      end do
+      n = 1
+      pivots(1) = 1
+      extreme = 1
+      do i = 2, size(md)
+         swing = angle(extreme) - angle(pivots(n))
+         if ((angle(i) - angle(extreme))*sign(1.0_wp, swing) >= 0.0_wp) then
+            extreme = i
+         else if (abs(angle(i) - angle(extreme)) > least_swing) then
+            if (abs(swing) > least_swing) then
+               n = n + 1
+               pivots(n) = extreme
+            end if
+            extreme = i
+         end if
+      end do
+      n = n + 1
+      pivots(n) = size(md)
+      do i = 1, n - 1
+         from = pivots(i)
+         to = pivots(i + 1)
+         swing = abs(angle(to) - angle(from))
+         if (swing >= 2.0_wp*pi) then
+            turns = turns + swing/(2.0_wp*pi)
+            shape(from:to) = buckling_helical
+            cycle
+         end if
+         wave = pi*sqrt(2.0_wp*maxval(ei(from:to))/maxval(-axial(from:to)))
+         waves = n > 2 .and. swing > least_swing .and. md(to) - md(from) < longest_swing*wave
+         if (waves) shape(from:to) = max(shape(from:to), buckling_sinusoidal)
+      end do
+   end subroutine look_at
+end module dg_buckled_shape
