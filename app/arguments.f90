@@ -15,14 +15,15 @@ module dg_arguments
       integer :: part = 1                     !< of the sweeps, of ...
       integer :: parts = 0                    !< ... so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
+      character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
       logical :: check = .false.
       logical :: quiet = .false.
       logical :: help = .false.
       logical :: version = .false.
    end type arguments_type
 
-   character(*), parameter :: options(8) = [character(9) :: '--check', '--output', '--threads', '--part', '--merge', &
-                                            '--quiet', '--help', '--version']
+   character(*), parameter :: options(10) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', &
+                                             '--quiet', '--help', '--version', '--template', '--list-catalogue']
    !> Most digits of a number of threads.
    integer, parameter :: longest_count = 4
 
@@ -38,6 +39,7 @@ contains
 
       arguments%deck = ''
       arguments%output_dir = ''
+      arguments%action = ''
       value = ''
       only_decks = .false.
       i = 0
@@ -88,12 +90,18 @@ contains
             if (option == '--quiet') arguments%quiet = .true.
             if (option == '--help' .or. option == '-h') arguments%help = .true.
             if (option == '--version') arguments%version = .true.
+         case ('--template', '--list-catalogue')
+            if (equals > 0) call refuse(option//' takes no value')
+            if (arguments%action /= '') call refuse(option//' and --'//arguments%action//' go one at a time')
+            arguments%action = option(3:)
          case default
             call refuse('unknown option '//quoted(option)//'; '//suggestion(option, options))
          end select
          if (allocated(error)) return
       end do
-      if (arguments%deck == '' .and. .not. (arguments%help .or. arguments%version)) call refuse('no deck given')
+      if (arguments%deck == '' .and. arguments%action == '' .and. .not. (arguments%help .or. arguments%version)) &
+         call refuse('no deck given')
+      if (arguments%deck /= '' .and. arguments%action == 'template') call refuse('--template takes no deck')
 
       if (.not. allocated(error) .and. arguments%parts > 0 .and. arguments%merge > 0) &
          call refuse('--part and --merge exclude each other: parts are joined when all are there')
@@ -162,6 +170,8 @@ contains
          '  --quiet        no notes, no progress', &
          '  --help         this text', &
          '  --version      name and version', &
+         'or: '//program_name//' --template                    prints a commented deck to start from', &
+         '    '//program_name//' --list-catalogue [PATTERN]    prints the catalogue of pipe, or what has PATTERN in its name', &
          'exit status: 0 all cases solved, 2 bad command line, deck or data file, 3 a case did not converge, 1 else'
    end subroutine print_usage
 end module dg_arguments

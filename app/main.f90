@@ -11,6 +11,7 @@ program main
    use dg_model, only: model_type
    use dg_process, only: end_process
    use dg_read_deck, only: read_deck
+   use dg_run_action, only: run_action
    use dg_run_deck, only: run_deck
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
@@ -30,6 +31,8 @@ program main
    else if (arguments%version) then
       write (output_unit, '(a)') program_name//' '//program_version
       status = status_ok
+   else if (arguments%action /= '') then
+      call run_action(arguments%action, arguments%deck, status)
    else
       call work(arguments, status)
    end if

@@ -40,7 +40,7 @@ module dg_deck_keys
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
 
-   type(key_rule_type), parameter :: job_keys(10) = [ &
+   type(key_rule_type), parameter :: job_keys(11) = [ &
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
@@ -50,6 +50,8 @@ module dg_deck_keys
          meaning='acceleration of gravity'), &
       key_rule_type('job', 'hdf5', kind_logical, default='.true.', meaning='write results.h5'), &
       key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='pictures, report.html and files for ParaView'), &
+      key_rule_type('job', 'catalogue_file', kind_text, &
+         meaning='catalogue of pipe, path relative to the deck; default: catalogue.csv beside the deck'), &
       key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
       key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='hook load that the rig may carry; default: not known'), &
@@ -93,7 +95,8 @@ module dg_deck_keys
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
          meaning='drillpipe, hwdp, collar, stabilizer, ...: a stabilizer touches at its joint_od'), &
-      key_rule_type('component', 'catalogue', kind_text, later='*', meaning='entry of the catalogue of components'), &
+      key_rule_type('component', 'catalogue', kind_text, &
+         meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='0 on the last one: to surface'), &
       key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=0.0_wp, open=.true., high=widest, &

@@ -54,6 +54,7 @@ contains
       do k = 1, n
          if (checked%values(k)%given) cycle
          if (checked%rules(k)%required) then
+            if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
             if (.not. misspelt(group, keys, trim(keys(k)))) &
                call add_fault(faults, path, group%line, place//'key '//trim(checked%rules(k)%key)//' is missing; '// &
                               needed_text(checked%rules(k), units))
@@ -62,6 +63,18 @@ contains
          end if
       end do
    end subroutine check_group
+
+   !> Whether a key stands in a group.
+   pure function has_entry(group, key) result(has)
+      type(group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical :: has
+      integer :: i
+      has = .false.
+      do i = 1, size(group%entries)
+         if (group%entries(i)%key == key) has = .true.
+      end do
+   end function has_entry
 
    !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
    pure function misspelt(group, keys, key) result(is)

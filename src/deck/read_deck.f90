@@ -3,6 +3,7 @@
 module dg_read_deck
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
+   use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
@@ -68,6 +69,7 @@ contains
       end do
       call take_job(path, draft%units, checked, job)
       job%deck_text = text_of_lines(lines)
+      call fill_from_catalogue(path, checked, faults)
       call take_draft(checked, draft, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)

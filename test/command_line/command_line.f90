@@ -8,6 +8,7 @@ contains
 
    function load_tests() result(suite)
       use funit, only: TestSuite
+      use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
@@ -17,6 +18,7 @@ contains
       use dg_test_sweep_runs, only: sweep_runs_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
+      call suite%addTest(actions_suite())
       call suite%addTest(bad_decks_suite())
       call suite%addTest(program_suite())
       call suite%addTest(legacy_runs_suite())

@@ -1,0 +1,120 @@
+!> What the program does without solving anything: a deck to start from, the catalogue of pipe.
+module dg_run_action
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, entry_type, find_catalogue, numeric_keys, &
+                           read_catalogue
+   use dg_deck_template, only: deck_template
+   use dg_error, only: status_bad_input, status_failure, status_ok
+   use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
+   use dg_kinds, only: wp
+   use dg_number_text, only: fixed_cell, left_aligned
+   use dg_text, only: append_text, lower_case, quoted, text_type
+   use dg_units, only: si_units, unit_system_type
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: run_action
+
+contains
+
+   !> Does what the option `action` (without its dashes) says.
+   subroutine run_action(action, operand, status)
+      character(*), intent(in) :: action
+      character(*), intent(in) :: operand     !< '': none
+      integer, intent(out) :: status          !< of the program
+      type(text_type), allocatable :: lines(:)
+      allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
+      select case (action)
+      case ('template')
+         call deck_template(lines)
+         call print_lines(lines)
+         status = status_ok
+      case ('list-catalogue')
+         call list_catalogue(operand, status)
+      case default
+         status = status_failure
+      end select
+   end subroutine run_action
+
+   !> Prints the entries that have `pattern` in their name or kind.
+   subroutine list_catalogue(pattern, status)
+      character(*), intent(in) :: pattern
+      integer, intent(out) :: status
+      type(catalogue_type) :: catalogue
+      type(fault_list_type) :: faults
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: path
+      integer :: i
+      status = status_bad_input
+      call find_catalogue('', '', path)
+      if (path == '') then
+         write (error_unit, '(a)') program_name//': no catalogue found: neither '//catalogue_name// &
+            ' here, nor the file that '//catalogue_variable//' of the environment names, nor input/'//catalogue_name
+         return
+      end if
+      call read_catalogue(path, catalogue, faults)
+      if (faults%count > 0) then
+         call print_faults(faults)
+         return
+      end if
+      allocate (lines(0))
+      do i = 1, size(catalogue%entries)
+         if (index(lower_case(catalogue%entries(i)%name), lower_case(pattern)) == 0 .and. &
+             index(lower_case(catalogue%entries(i)%kind), lower_case(pattern)) == 0) cycle
+         if (size(lines) == 0) then
+            call append_text(lines, path)
+            call append_text(lines, 'name                          kind            od      id    mass joint od  yield  source')
+            call append_text(lines, '                                              mm      mm    kg/m       mm    MPa')
+         end if
+         call append_text(lines, entry_line(catalogue%entries(i)))
+      end do
+      if (size(lines) == 0) then
+         write (error_unit, '(a)') program_name//': '//path//' has nothing like '//quoted(pattern)
+         return
+      end if
+      call print_lines(lines)
+      status = status_ok
+   end subroutine list_catalogue
+
+   !> One entry of the list.
+   function entry_line(entry) result(line)
+      type(entry_type), intent(in) :: entry
+      character(:), allocatable :: line
+      type(unit_system_type) :: units
+      units = si_units()
+      line = left_aligned(entry%name, 30)//left_aligned(entry%kind, 12)//cell('od', units%diameter, 8, 1)// &
+         cell('id', units%diameter, 8, 1)//cell('mass', units%mass_per_length, 8, 2)// &
+         cell('joint_od', units%diameter, 9, 1)//cell('yield', units%stress, 7, 0)//'  '//entry%source
+   contains
+      function cell(key, unit, width, decimals) result(text)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: unit
+         integer, intent(in) :: width, decimals
+         character(width) :: text
+         integer :: k
+         text = repeat(' ', width - 1)//'-'
+         do k = 1, size(numeric_keys)
+            if (numeric_keys(k) == key .and. entry%has(k)) text = fixed_cell(entry%numbers(k)/unit, width, decimals)
+         end do
+      end function cell
+   end function entry_line
+
+   subroutine print_lines(lines)
+      type(text_type), intent(in) :: lines(:)
+      integer :: i, status
+      do i = 1, size(lines)
+         write (output_unit, '(a)', iostat=status) lines(i)%text
+         if (status /= 0) return    ! nobody reads on
+      end do
+   end subroutine print_lines
+
+   subroutine print_faults(faults)
+      type(fault_list_type), intent(in) :: faults
+      type(fault_type), allocatable :: sorted(:)
+      integer :: i
+      allocate (sorted, source=sorted_faults(faults))
+      do i = 1, size(sorted)
+         write (error_unit, '(a)') fault_text(sorted(i))
+      end do
+   end subroutine print_faults
+end module dg_run_action

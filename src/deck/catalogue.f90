@@ -1,0 +1,286 @@
+!> The catalogue of pipe: a table whose columns are keys of &component with their unit, one row an entry. Rows of kind
+!> 'grade' are steels: the name of a pipe followed by that of a grade is the pipe with the yield strength of the grade.
+module dg_catalogue
+   use dg_kinds, only: wp
+   use dg_deck_number, only: read_real
+   use dg_deck_keys, only: keys_of
+   use dg_deck_schema, only: key_rule_type, unit_factor, unit_label, unit_none
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_file_lines, only: beside, read_lines
+   use dg_survey_file, only: split_fields, without_comment
+   use dg_text, only: joined, lower_case, quoted, text_type, to_text
+   use dg_units, only: field_units, si_units, unit_system_type
+   implicit none
+   private
+   public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
+   public :: catalogue_name, catalogue_variable
+
+   !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder.
+   character(*), parameter :: catalogue_name = 'catalogue.csv'
+   character(*), parameter :: catalogue_variable = 'DRILLGAP_CATALOGUE'
+
+   !> Keys of &component that a catalogue may give.
+   character(*), parameter :: numeric_keys(11) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
+      'joint_length', 'joint_spacing', 'yield', 'makeup_torque']
+   character(*), parameter :: kind_of_grades = 'grade'
+   !> Columns of texts, and those that no component needs.
+   integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3
+
+   type :: entry_type
+      character(:), allocatable :: name
+      character(:), allocatable :: kind
+      character(:), allocatable :: source
+      logical :: has(size(numeric_keys)) = .false.
+      real(wp) :: numbers(size(numeric_keys)) = 0.0_wp  !< of those keys [SI]
+   end type entry_type
+
+   type :: catalogue_type
+      character(:), allocatable :: path
+      type(entry_type), allocatable :: entries(:)
+   end type catalogue_type
+
+contains
+
+   !> Path of the catalogue for a deck ('' for none): `named` in the deck, or the first one that is there. '' where none is.
+   subroutine find_catalogue(deck, named, path)
+      character(*), intent(in) :: deck          !< path
+      character(*), intent(in) :: named         !< by the deck, from its folder; '': not
+      character(:), allocatable, intent(out) :: path
+      character(:), allocatable :: variable
+      integer :: length, status
+      logical :: is
+      path = ''
+      if (named /= '') then
+         path = beside(deck, named)
+         return
+      end if
+      inquire (file=beside(deck, catalogue_name), exist=is)
+      if (is) then
+         path = beside(deck, catalogue_name)
+         return
+      end if
+      call get_environment_variable(catalogue_variable, length=length, status=status)
+      if (status == 0 .and. length > 0) then
+         allocate (character(length) :: variable)
+         call get_environment_variable(catalogue_variable, value=variable)
+         path = variable
+         return
+      end if
+      inquire (file='input/'//catalogue_name, exist=is)
+      if (is) path = 'input/'//catalogue_name
+   end subroutine find_catalogue
+
+   !> Reads the table `path` with all its faults.
+   subroutine read_catalogue(path, catalogue, faults)
+      character(*), intent(in) :: path
+      type(catalogue_type), intent(out) :: catalogue
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: lines(:), fields(:)
+      character(:), allocatable :: failure, text
+      integer, allocatable :: columns(:)
+      real(wp), allocatable :: factors(:)
+      integer :: line, n
+      logical :: has_header
+      catalogue%path = path
+      call read_lines(path, lines, failure)
+      allocate (catalogue%entries(size(lines)))
+      if (failure /= '') call add_fault(faults, path, 0, 'catalogue '//failure)
+      has_header = .false.
+      n = 0
+      do line = 1, size(lines)
+         text = without_comment(lines(line)%text)
+         if (text == '') cycle
+         call split_fields(text, ',', fields)
+         if (.not. has_header) then
+            has_header = .true.
+            call read_header(path, line, fields, columns, factors, faults)
+            if (.not. any(columns == column_name)) exit
+         else
+            n = n + 1
+            call read_entry(path, line, fields, columns, factors, catalogue%entries(n), faults)
+         end if
+      end do
+      catalogue%entries = catalogue%entries(:n)
+   end subroutine read_catalogue
+
+   !> What each column holds: the place of its key among `numeric_keys`, or one of the texts; and the SI value of its unit.
+   subroutine read_header(path, line, fields, columns, factors, faults)
+      character(*), intent(in) :: path
+      integer, intent(in) :: line
+      type(text_type), intent(in) :: fields(:)
+      integer, allocatable, intent(out) :: columns(:)
+      real(wp), allocatable, intent(out) :: factors(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, k
+      allocate (columns(size(fields)), source=column_ignored)
+      allocate (factors(size(fields)), source=1.0_wp)
+      do i = 1, size(fields)
+         select case (lower_case(fields(i)%text))
+         case ('name'); columns(i) = column_name
+         case ('kind'); columns(i) = column_kind
+         case ('source'); columns(i) = column_source
+         case default
+            do k = 1, size(numeric_keys)
+               call match(fields(i)%text, k, si_units())
+               call match(fields(i)%text, k, field_units())
+            end do
+            if (columns(i) == column_ignored) call add_fault(faults, path, line, 'catalogue: unknown column '// &
+               quoted(fields(i)%text)//'; legal: name, kind, source, and '//joined(numeric_keys, ', ')// &
+               ' with their unit behind, as in od_in, od_mm, mass_lbm_ft, mass_kg_m')
+         end select
+      end do
+      if (.not. any(columns == column_name)) call add_fault(faults, path, line, 'catalogue: the header names no name')
+
+   contains
+
+      subroutine match(heading, key, units)
+         character(*), intent(in) :: heading
+         integer, intent(in) :: key
+         type(unit_system_type), intent(in) :: units
+         type(key_rule_type) :: rule
+         rule = rule_of(key)
+         if (lower_case(heading) /= lower_case(heading_of(rule, units))) return
+         columns(i) = key
+         factors(i) = unit_factor(units, rule%unit)
+      end subroutine match
+   end subroutine read_header
+
+   !> One row; a number outside the range that a deck may give is a fault.
+   subroutine read_entry(path, line, fields, columns, factors, entry, faults)
+      character(*), intent(in) :: path
+      integer, intent(in) :: line
+      type(text_type), intent(in) :: fields(:)
+      integer, intent(in) :: columns(:)
+      real(wp), intent(in) :: factors(:)
+      type(entry_type), intent(out) :: entry
+      type(fault_list_type), intent(inout) :: faults
+      type(key_rule_type) :: rule
+      real(wp) :: number, scale
+      integer :: i
+      logical :: legal
+      entry%name = ''
+      entry%kind = ''
+      entry%source = ''
+      if (size(fields) > size(columns)) call add_fault(faults, path, line, 'catalogue: the row has '//to_text(size(fields))// &
+         ' columns, the header '//to_text(size(columns)))
+      do i = 1, min(size(fields), size(columns))
+         if (fields(i)%text == '') cycle
+         select case (columns(i))
+         case (column_name); entry%name = fields(i)%text
+         case (column_kind); entry%kind = fields(i)%text
+         case (column_source); entry%source = fields(i)%text
+         case (column_ignored)
+         case default
+            call read_real(fields(i)%text, number, legal)
+            rule = rule_of(columns(i))
+            scale = unit_factor(si_units(), rule%unit)
+            number = number*factors(i)
+            if (legal) legal = number >= rule%low*scale .and. number <= rule%high*scale
+            if (legal .and. rule%open) legal = number > rule%low*scale
+            if (.not. legal) then
+               call add_fault(faults, path, line, 'catalogue: '//trim(rule%key)//' = '//quoted(fields(i)%text)// &
+                              ' is no number that a deck may give')
+               cycle
+            end if
+            entry%has(columns(i)) = .true.
+            entry%numbers(columns(i)) = number
+         end select
+      end do
+      if (entry%name == '') call add_fault(faults, path, line, 'catalogue: the row has no name')
+   end subroutine read_entry
+
+   !> Entry and grade of that name, letter case and number of blanks aside; 0 where there is none. A grade stands behind the
+   !> name of a pipe.
+   pure subroutine find_entry(catalogue, name, entry, grade)
+      type(catalogue_type), intent(in) :: catalogue
+      character(*), intent(in) :: name
+      integer, intent(out) :: entry, grade
+      integer :: i, cut
+      character(:), allocatable :: wanted
+      wanted = plain(name)
+      entry = 0
+      grade = 0
+      do i = 1, size(catalogue%entries)
+         if (is_grade(i)) cycle
+         if (plain(catalogue%entries(i)%name) == wanted) entry = i
+      end do
+      cut = index(wanted, ' ', back=.true.)
+      if (entry > 0 .or. cut == 0) return
+      do i = 1, size(catalogue%entries)
+         if (is_grade(i)) then
+            if (plain(catalogue%entries(i)%name) == wanted(cut + 1:)) grade = i
+         else
+            if (plain(catalogue%entries(i)%name) == wanted(:cut - 1)) entry = i
+         end if
+      end do
+      if (grade == 0) entry = 0
+   contains
+      pure logical function is_grade(number)
+         integer, intent(in) :: number
+         is_grade = catalogue%entries(number)%kind == kind_of_grades
+      end function is_grade
+   end subroutine find_entry
+
+   !> What an entry with a grade (0: none) gives for one of `numeric_keys` [SI]; `has` tells whether it does.
+   pure subroutine number_of(catalogue, entry, grade, key, has, number)
+      type(catalogue_type), intent(in) :: catalogue
+      integer, intent(in) :: entry, grade
+      integer, intent(in) :: key             !< place in `numeric_keys`
+      logical, intent(out) :: has
+      real(wp), intent(out) :: number
+      has = catalogue%entries(entry)%has(key)
+      number = catalogue%entries(entry)%numbers(key)
+      if (grade == 0) return
+      if (.not. catalogue%entries(grade)%has(key)) return
+      has = .true.
+      number = catalogue%entries(grade)%numbers(key)
+   end subroutine number_of
+
+   !> A name for comparison: small letters, single blanks.
+   pure function plain(name) result(text)
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, len(name)
+         if (name(i:i) == ' ') then
+            if (len(text) == 0) cycle
+            if (text(len(text):) == ' ') cycle
+         end if
+         text = text//lower_case(name(i:i))
+      end do
+      text = trim(text)
+   end function plain
+
+   !> Heading of a column: key and unit, without marks that names of columns do not have.
+   pure function heading_of(rule, units) result(heading)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: heading
+      character(:), allocatable :: label
+      integer :: i
+      heading = trim(rule%key)
+      if (rule%unit == unit_none) return
+      label = unit_label(units, rule%unit)
+      heading = heading//'_'
+      do i = 1, len(label)
+         select case (label(i:i))
+         case ('.'); cycle
+         case ('/', ' '); heading = heading//'_'
+         case default; heading = heading//label(i:i)
+         end select
+      end do
+   end function heading_of
+
+   !> The rule of one of `numeric_keys`.
+   pure function rule_of(key) result(rule)
+      integer, intent(in) :: key
+      type(key_rule_type) :: rule
+      type(key_rule_type), allocatable :: rules(:)
+      integer :: i
+      allocate (rules, source=keys_of('component'))
+      do i = 1, size(rules)
+         if (rules(i)%key == numeric_keys(key)) rule = rules(i)
+      end do
+   end function rule_of
+end module dg_catalogue

@@ -1,0 +1,110 @@
+!> Fills components of a deck from the catalogue: what the deck gives goes before what the catalogue gives, and that before
+!> the defaults.
+module dg_deck_catalogue
+   use dg_kinds, only: wp
+   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, find_catalogue, find_entry, number_of, &
+                           numeric_keys, read_catalogue
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, rule_index, text_of
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_text, only: append_text, quoted, suggestion
+   implicit none
+   private
+   public :: fill_from_catalogue
+
+contains
+
+   !> Fills every component of the deck `path` that names an entry. The catalogue is read only where one does.
+   subroutine fill_from_catalogue(path, groups, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(inout) :: groups(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(catalogue_type) :: catalogue
+      character(:), allocatable :: named, file
+      integer :: i, before
+      logical :: tried, sound
+      named = ''
+      tried = .false.
+      sound = .false.
+      do i = 1, size(groups)
+         if (groups(i)%name == 'job') named = text_of(groups(i), 'catalogue_file', '')
+      end do
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'component') cycle
+         if (.not. is_given(groups(i), 'catalogue') .or. .not. is_sound(groups(i), 'catalogue')) cycle
+         if (.not. tried) then
+            tried = .true.
+            call find_catalogue(path, named, file)
+            if (file == '') then
+               call add_fault(faults, path, line_of(groups(i), 'catalogue'), 'group &component: no catalogue found: neither '// &
+                              catalogue_name//' beside the deck, nor the file that '//catalogue_variable// &
+                              ' of the environment names, nor input/'//catalogue_name//'; name it by catalogue_file in &job')
+            else
+               before = faults%count
+               call read_catalogue(file, catalogue, faults)
+               sound = faults%count == before
+            end if
+         end if
+         if (sound) call fill(path, catalogue, groups(i), faults)
+      end do
+   end subroutine fill_from_catalogue
+
+   !> Fills one component.
+   subroutine fill(path, catalogue, group, faults)
+      character(*), intent(in) :: path
+      type(catalogue_type), intent(in) :: catalogue
+      type(checked_group_type), intent(inout) :: group
+      type(fault_list_type), intent(inout) :: faults
+      character(:), allocatable :: name
+      integer :: entry, grade, key, place
+      real(wp) :: number
+      logical :: has
+      name = text_of(group, 'catalogue', '')
+      call find_entry(catalogue, name, entry, grade)
+      if (entry == 0) then
+         call add_fault(faults, path, line_of(group, 'catalogue'), 'group &component: '//catalogue%path//' has no '// &
+                        quoted(name)//'; '//advice(catalogue, name))
+         return
+      end if
+      do key = 1, size(numeric_keys)
+         if (is_given(group, trim(numeric_keys(key)))) cycle
+         call number_of(catalogue, entry, grade, key, has, number)
+         if (.not. has) cycle
+         place = rule_index(group%rules, trim(numeric_keys(key)))
+         group%values(place)%numbers = [number]
+         group%values(place)%sound = .true.
+      end do
+      call fill_text('name', name)
+      call fill_text('kind', catalogue%entries(entry)%kind)
+      if (.not. is_sound(group, 'od') .and. .not. is_given(group, 'od')) call add_fault(faults, path, &
+         line_of(group, 'catalogue'), 'group &component: '//quoted(name)//' of '//catalogue%path//' has no od; give it here')
+
+   contains
+
+      subroutine fill_text(key_name, text)
+         character(*), intent(in) :: key_name, text
+         integer :: k
+         if (is_given(group, key_name) .or. text == '') return
+         k = rule_index(group%rules, key_name)
+         if (allocated(group%values(k)%texts)) deallocate (group%values(k)%texts)
+         allocate (group%values(k)%texts(0))
+         call append_text(group%values(k)%texts, text)
+         group%values(k)%sound = .true.
+      end subroutine fill_text
+   end subroutine fill
+
+   !> The entry most like a name, or how to list all.
+   function advice(catalogue, name) result(text)
+      type(catalogue_type), intent(in) :: catalogue
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer, parameter :: longest = 80
+      character(longest), allocatable :: names(:)
+      integer :: i
+      allocate (names(size(catalogue%entries)))
+      do i = 1, size(names)
+         names(i) = catalogue%entries(i)%name
+      end do
+      text = suggestion(name, names)
+      if (index(text, 'legal:') == 1) text = '--list-catalogue lists what it has'
+   end function advice
+end module dg_deck_catalogue

@@ -1,0 +1,87 @@
+!> What the program does beside solving: a deck to start from, the catalogue, and decks that take pipe from it.
+module dg_test_actions
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: clear_scratch, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
+   implicit none
+   private
+   public :: actions_suite
+
+   character(*), parameter :: newline = achar(10)
+   character(*), parameter :: pipe = "&component od = 127.0, id = 108.6"//newline//"  joint_od = 168.3 /"
+
+contains
+
+   function actions_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('actions')
+      call suite%addTest(TestMethod('template', test_template))
+      call suite%addTest(TestMethod('list_catalogue', test_list))
+      call suite%addTest(TestMethod('pipe_of_the_catalogue', test_catalogue))
+      call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
+   end function actions_suite
+
+   !> The template runs as it stands, and with every comment that names a default taken in.
+   subroutine test_template()
+      type(run_type) :: run
+      integer :: status
+      call clear_scratch()
+      run = run_program('--template')
+      call assertEqual(0, run%status)
+      call assertTrue(index(run%output, '! &solver: ') > 0, message=run%output)
+      call execute_command_line('cp '//scratch//'/output.txt '//scratch//'/template.nml', exitstat=status)
+      run = run_program(scratch//'/template.nml --quiet --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'My well') > 0, message=run%output)
+      ! "! key = value  ! ..." becomes "key = value ! ..."; groups that are comments stay so
+      call execute_command_line("sed -E 's/^! ([a-z_]+ = [^ ].*)$/\1/; /^! &/,/^! \//s/^([a-z_]+ = )/! \1/' "//scratch// &
+                                '/template.nml > '//scratch//'/whole.nml', exitstat=status)
+      run = run_program(scratch//'/whole.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program('--template deck.nml')
+      call assertEqual(2, run%status)
+   end subroutine test_template
+
+   subroutine test_list()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program("--list-catalogue 'csg 9-5/8'")
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'CSG 9-5/8 47.00               casing') > 0, message=run%output)
+      call assertTrue(index(run%output, '   244.5   220.5   69.94    269.9') > 0, message=run%output)
+      call assertFalse(index(run%output, 'DP 5') > 0, message=run%output)
+      run = run_program('--list-catalogue nothing_like_this')
+      call assertEqual(2, run%status)
+      run = run_program('--list-catalogue', environment='DRILLGAP_CATALOGUE=/nonexistent/pipes.csv')
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, '/nonexistent/pipes.csv: catalogue cannot be opened') > 0, message=run%diagnostics)
+   end subroutine test_list
+
+   !> A component takes from the catalogue what it does not give itself.
+   subroutine test_catalogue()
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), pipe, "&component catalogue = 'dp 5 19.50 NC50 S135' /"), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'dp 5 19.50 NC50 S135 (drillpipe): to surface, od 127 mm, id 108.6104 mm, 31.05798 kg/m') &
+                      > 0, message=run%output)
+      call assertTrue(index(run%output, 'joints 168.275 mm') > 0, message=run%output)
+      run = run_deck_text(replaced(good_deck(), pipe, "&component catalogue = 'DP 5 19.50 NC50', mass = 33.0, name = 'mine' /"), &
+                          '--check')
+      call assertTrue(index(run%output, 'mine (drillpipe): to surface, od 127 mm, id 108.6104 mm, 33 kg/m') > 0, message=run%output)
+   end subroutine test_catalogue
+
+   subroutine test_catalogue_faults()
+      call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
+      call refuse("catalogue = 'something else altogether'", '--list-catalogue lists what it has')
+      call refuse("catalogue = 'S135'", "input/catalogue.csv has no 'S135'")
+      call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")
+      call refuse("name = 'pipe'", 'key od is missing')
+   end subroutine test_catalogue_faults
+
+   subroutine refuse(keys, expected)
+      character(*), intent(in) :: keys, expected
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), pipe, '&component '//keys//' /'))
+      call assertEqual(2, run%status, message=keys)
+      call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+   end subroutine refuse
+end module dg_test_actions
