@@ -115,8 +115,7 @@ contains
       integer, allocatable :: left(:)
       real(wp) :: work, done, before
       integer(int64) :: start, finish
-      integer :: i
-      logical :: failed
+      integer :: i, solved
       call system_clock(start)
       left = pack([(i, i=1, size(run%points))], .not. is_solved(run%points) .and. &
                   in_part([(i, i=1, size(run%points))], job%part, max(job%parts, 1)))
@@ -124,13 +123,13 @@ contains
       work = sum_of_depths(sweep, job)
       done = work - sum([(depth_of(sweep, left(i)), i=1, size(left))])
       before = done/work
-      failed = .false.
+      solved = count(is_solved(run%points))
       call start_progress(progress, 'sweep '//sweep%name, job%quiet)
       !$omp parallel num_threads(thread_count(job%threads, size(left))) default(shared)
       call share_points()
       !$omp end parallel
       call end_progress(progress)
-      if (failed) call tell(run%keeper%failure%message)
+      if (allocated(run%keeper%failure)) call tell(run%keeper%failure%message)
       call system_clock(finish)
       seconds = seconds_between(start, finish)
 
@@ -148,7 +147,8 @@ contains
             !$omp critical (sweep_results)
             done = done + depth_of(sweep, left(k))
             call keep(run%keeper, left(k:k), run%points)
-            call show_progress(progress, done/work, before, 'solved')
+            solved = solved + 1
+            call show_progress(progress, done/work, before, to_text(solved)//' of '//to_text(size(run%points))//' points')
             !$omp end critical (sweep_results)
          end do
          !$omp end do

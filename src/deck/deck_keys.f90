@@ -217,7 +217,7 @@ module dg_deck_keys
       key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
          meaning='beside the element_lengths, each with what it sets in the solver')]
 
-   type(key_rule_type), parameter :: sweep_keys(12) = [ &
+   type(key_rule_type), parameter :: sweep_keys(16) = [ &
       key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
          meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
@@ -239,7 +239,15 @@ module dg_deck_keys
       key_rule_type('sweep', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', &
          meaning='rotation speed, for ream and backream'), &
       key_rule_type('sweep', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
-         meaning='axial speed of the string, for ream and backream')]
+         meaning='axial speed of the string, for ream and backream'), &
+      key_rule_type('sweep', 'measured_depths', unit=unit_length, array=.true., low=0.0_wp, open=.true., high=deepest, &
+         meaning='bit depths of measurements, to be laid beside; those of load cases come by themselves'), &
+      key_rule_type('sweep', 'measured_operations', kind_text, array=.true., choices='*', &
+         meaning='operation of each, or one of all'), &
+      key_rule_type('sweep', 'measured_hookloads', unit=unit_force, array=.true., low=0.0_wp, high=strongest, &
+         meaning='measured hook load of each; 0: none'), &
+      key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
+         meaning='measured torque of each; 0: none')]
 
 contains
 

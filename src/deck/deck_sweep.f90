@@ -134,6 +134,7 @@ contains
       end if
       sweep%depths = regular_depths(first, last, step)
       call take_measured(draft, sweep)
+      call take_listed(draft, group, sweep, faults)
 
    contains
 
@@ -203,6 +204,76 @@ contains
       sweep%measured = found(:n)
       sweep%depths = with_depths(sweep%depths, depths(:n))
    end subroutine take_measured
+
+   !> Measurements that the group itself lists.
+   subroutine take_listed(draft, group, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(sweep_type), intent(inout) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      type(measured_type), allocatable :: listed(:)
+      type(text_type), allocatable :: operations(:)
+      real(wp), allocatable :: depths(:), hookloads(:), torques(:)
+      integer :: i, n
+      allocate (depths(0), hookloads(0), torques(0), operations(0))
+      depths = reals_of(group, 'measured_depths')
+      hookloads = reals_of(group, 'measured_hookloads')
+      torques = reals_of(group, 'measured_torques')
+      operations = texts_of(group, 'measured_operations')
+      n = size(depths)
+      call check_size('measured_hookloads', size(hookloads), .false.)
+      call check_size('measured_torques', size(torques), .false.)
+      call check_size('measured_operations', size(operations), .true.)
+      if (n == 0) return
+      if (size(operations) == 0) call fault('measured_depths', 'measured_depths needs measured_operations: what was done then')
+      if (max(size(hookloads), size(torques)) == 0) &
+         call fault('measured_depths', 'measured_depths needs measured_hookloads or measured_torques')
+      if (.not. any(size(operations) == [1, n]) .or. .not. any(size(hookloads) == [0, n]) .or. &
+          .not. any(size(torques) == [0, n])) return
+      allocate (listed(n))
+      do i = 1, n
+         listed(i)%name = 'point '//to_text(i)
+         listed(i)%bit_depth = depths(i)
+         listed(i)%operation = operation_from_name(operations(min(i, size(operations)))%text)
+         if (size(hookloads) == n) then
+            if (hookloads(i) > 0.0_wp) listed(i)%hookload = given(hookloads(i))
+         end if
+         if (size(torques) == n) then
+            if (torques(i) > 0.0_wp) listed(i)%torque = given(torques(i))
+         end if
+         if (.not. any(sweep%operations == listed(i)%operation)) then
+            call fault('measured_operations', 'measured_operations holds '// &
+                       trim(operation_name(listed(i)%operation))//', which is none of the operations of this sweep')
+            return
+         end if
+         if (depths(i) < sweep%depths(1) .or. depths(i) > sweep%depths(size(sweep%depths))) then
+            call fault('measured_depths', 'measured_depths('//to_text(i)//') = '// &
+                       to_text(depths(i)/draft%units%length, depth_digits)//' lies outside the depths of the sweep, '// &
+                       to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '// &
+                       to_text(sweep%depths(size(sweep%depths))/draft%units%length, depth_digits)//' '// &
+                       trim(draft%units%length_label))
+            return
+         end if
+      end do
+      sweep%measured = [sweep%measured, listed]
+      sweep%depths = with_depths(sweep%depths, depths)
+
+   contains
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
+      end subroutine fault
+
+      !> As many values as depths, or none, or one for all.
+      subroutine check_size(key, found, one_will_do)
+         character(*), intent(in) :: key
+         integer, intent(in) :: found
+         logical, intent(in) :: one_will_do
+         if (found == 0 .or. found == n .or. (one_will_do .and. found == 1 .and. n > 0)) return
+         call fault(key, key//' has '//to_text(found)//' values, measured_depths has '//to_text(n))
+      end subroutine check_size
+   end subroutine take_listed
 
    !> A load on the bit acts in every operation of a sweep: hardly meant where the string is off bottom.
    subroutine note_bit_loads(sweep, notes)

@@ -107,20 +107,26 @@ contains
       type(text_type), allocatable :: sweep(:)
       integer :: i, found
       run = run_deck_text(replaced(good_deck(), '  bit_depth = 900.0', '  bit_depth = 850.0, measured_hookload = 230')// &
-                          "&sweep name = 'b', frictions = 0.1, 0.5, bit_depth_step = 100 /"//newline)
+                          "&sweep name = 'b', frictions = 0.1, 0.5, bit_depth_step = 100,"//newline// &
+                          "  measured_depths = 300, 700, 700, measured_operations = 'up', 'up', 'rotate_off_bottom',"//newline// &
+                          '  measured_hookloads = 0, 210, 0, measured_torques = 1.5, 0, 2 /'//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (sweep(0))
       sweep = lines_of(csv)
       call assertEqual(1 + 3*2*10, size(sweep))
       found = 0
       do i = 2, size(sweep)
+         if (field(sweep(i)%text, 4) == '700.0000000' .and. field(sweep(i)%text, 2) == 'rotate_off_bottom') &
+            call assertEqual('2.000000000', field(sweep(i)%text, 9))
          if (field(sweep(i)%text, 8) == '') cycle
          found = found + 1
+         if (field(sweep(i)%text, 4) == '700.0000000') call assertEqual('210.0000000', field(sweep(i)%text, 8))
+         if (field(sweep(i)%text, 4) == '700.0000000') cycle
          call assertEqual('trip_out', field(sweep(i)%text, 2))
          call assertEqual('850.0000000', field(sweep(i)%text, 4))
          call assertEqual('230.0000000', field(sweep(i)%text, 8))
       end do
-      call assertEqual(2, found)
+      call assertEqual(2*2, found)
       call assertTrue(index(run%output, 'Measured, and calculated by soft at friction factors') > 0, message=run%output)
    end subroutine test_measured
 
@@ -392,6 +398,13 @@ contains
       call refuse('frictions = 0.2, 0.3, 0.2', 'frictions holds 0.2 twice; keep one')
       call refuse("string = 'mian'", "no component belongs to string 'mian'; did you mean 'main'?")
       call refuse("model = 'sofd'", "model = 'sofd' is unknown; did you mean 'soft'?")
+      call refuse("measured_depths = 300, 400, measured_hookloads = 5", 'measured_hookloads has 1 values, measured_depths has 2')
+      call refuse("measured_depths = 300, measured_hookloads = 5", 'measured_depths needs measured_operations')
+      call refuse("measured_depths = 300, measured_operations = 'up'", 'measured_depths needs measured_hookloads or')
+      call refuse("measured_depths = 950, measured_operations = 'up', measured_hookloads = 5", &
+                  'measured_depths(1) = 950 lies outside the depths of the sweep, 30 to 900 m')
+      call refuse("measured_depths = 300, measured_operations = 'ream', measured_hookloads = 5", &
+                  'measured_operations holds ream, which is none of the operations of this sweep')
       call refuse("name = 'x' / &sweep name = 'X'", "name 'X' is taken; names must be unique, letter case aside")
    contains
       subroutine refuse(keys, wanted)
