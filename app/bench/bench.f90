@@ -5,6 +5,7 @@
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
    use dg_bench_phases, only: print_phases
+   use dg_bench_solvers, only: print_solvers
    use dg_bench_tools, only: machine_name, median
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
@@ -37,6 +38,7 @@ program bench
    write (output_unit, '(a,i0,a)') 'medians of ', runs, ' runs'
    call print_cases(model)
    call print_phases(model, runs)
+   call print_solvers(model, maxloc(model%cases%bit_depth, dim=1), [10.0_wp, 1.0_wp, 0.1_wp, 0.032_wp], runs)
 
 contains
 

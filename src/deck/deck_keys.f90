@@ -156,7 +156,7 @@ module dg_deck_keys
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
          meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
-      key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded', later='sparse', &
+      key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='how the equations are solved'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, meaning='of a case'), &
@@ -212,7 +212,7 @@ module dg_deck_keys
          meaning='of every hole section, gk_max in proportion; default as in hole and solver'), &
       key_rule_type('study', 'gap_locations', kind_text, array=.true., choices='extremum nodes', &
          meaning='default that of the solver'), &
-      key_rule_type('study', 'linear_solvers', kind_text, array=.true., choices='block banded', later='sparse', &
+      key_rule_type('study', 'linear_solvers', kind_text, array=.true., choices='block banded sparse', &
          meaning='default that of the solver'), &
       key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
          meaning='beside the element_lengths, each with what it sets in the solver')]

@@ -8,7 +8,7 @@ module dg_deck_parts
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
    use dg_model, only: boundary_type
-   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_banded, solver_block
+   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -186,7 +186,7 @@ contains
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
       if (is_sound(group, 'linear_solver')) &
-         numerics%linear_solver = merge(solver_banded, solver_block, text_of(group, 'linear_solver', '') == 'banded')
+         numerics%linear_solver = findloc(solver_name == text_of(group, 'linear_solver', ''), .true., dim=1)
       numerics%tolerance = real_of(group, 'tolerance', numerics%tolerance)
       numerics%max_iterations = integer_of(group, 'max_iterations', numerics%max_iterations)
       numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)

@@ -5,16 +5,18 @@ module dg_linear_solver
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type
    use dg_block_solver, only: block_factor, block_solve, block_solver_type, new_block_solver
+   use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    implicit none
    private
    public :: linear_solver_type, new_linear_solver, solve_linear
-   public :: solver_block, solver_banded, solver_count, solver_name
+   public :: solver_block, solver_banded, solver_sparse, solver_count, solver_name
 
    integer, parameter :: solver_block = 1   !< 6 x 6 block elimination
    integer, parameter :: solver_banded = 2  !< LAPACK's band LU
-   integer, parameter :: solver_count = 2
+   integer, parameter :: solver_sparse = 3  !< sparse LU: KLU of SuiteSparse
+   integer, parameter :: solver_count = 3
    !> Names in decks, in the order of the numbers above.
-   character(*), parameter :: solver_name(solver_count) = [character(6) :: 'block', 'banded']
+   character(*), parameter :: solver_name(solver_count) = [character(6) :: 'block', 'banded', 'sparse']
 
    !> Residual of a solution over the largest right-hand side at which it is refined [-]: Newton's next step corrects what
    !> is left, so that four digits would do; eight keep its convergence quadratic to the end.
@@ -24,6 +26,7 @@ module dg_linear_solver
       integer :: kind = solver_block
       type(block_solver_type) :: block
       type(band_solver_type) :: band
+      type(sparse_solver_type) :: sparse
       real(wp), allocatable :: rhs(:, :)        !< (6,nodes)
       real(wp), allocatable :: correction(:, :) !< (6,nodes)
       integer :: refinements = 0                !< so far
@@ -50,19 +53,25 @@ contains
       integer, intent(out) :: info
       logical :: good
       solver%rhs = x
-      if (solver%kind == solver_block) then
-         call block_factor(solver%block, matrix, info)
-         if (info == 0) then
-            call block_solve(solver%block, matrix, x)
+      if (solver%kind /= solver_banded) then
+         if (solver%kind == solver_block) then
+            call block_factor(solver%block, matrix, info)
+         else
+            call sparse_factor(solver%sparse, matrix, info)
+         end if
+         good = info == 0
+         if (good) then
+            call substitute(solver, matrix, x)
             call check(solver, matrix, x, good)
             if (.not. good) then
                solver%refinements = solver%refinements + 1
-               call block_solve(solver%block, matrix, solver%correction)
+               call substitute(solver, matrix, solver%correction)
                x = x + solver%correction
                call check(solver, matrix, x, good)
             end if
-            if (good) return
          end if
+         if (solver%kind == solver_sparse) call sparse_release(solver%sparse)
+         if (good) return
          solver%fallbacks = solver%fallbacks + 1
          x = solver%rhs
       end if
@@ -70,6 +79,18 @@ contains
       call band_factor(solver%band, matrix, info)
       if (info == 0) call band_solve(solver%band, x)
    end subroutine solve_linear
+
+   !> Solves with the factors that the solver's kind has made.
+   subroutine substitute(solver, matrix, x)
+      type(linear_solver_type), intent(inout) :: solver
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(inout) :: x(:, :)
+      if (solver%kind == solver_block) then
+         call block_solve(solver%block, matrix, x)
+      else
+         call sparse_solve(solver%sparse, x)
+      end if
+   end subroutine substitute
 
    !> Puts rhs - matrix x into the solver's correction; good: it is small.
    pure subroutine check(solver, matrix, x, good)

@@ -1,14 +1,14 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
-   use dg_linear_solver, only: solver_banded, solver_block, solver_name
+   use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
    implicit none
    private
    public :: numerics_type, default_elastic_share
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_count, fidelity_name, settings_of, set_fidelity
-   public :: solver_banded, solver_block, solver_name
+   public :: solver_banded, solver_block, solver_name, solver_sparse
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
    integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
@@ -36,7 +36,7 @@ module dg_numerics
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
-      integer :: linear_solver = solver_block  !< solver_block or solver_banded
+      integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 400          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7

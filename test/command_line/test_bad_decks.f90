@@ -140,7 +140,6 @@ contains
    subroutine test_later()
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
       call refuse("&boundary top_lateral = 'centred' /", "&calibrate /", 15, 'group &calibrate: not available in this version')
-      call refuse("element_length = 10.0", "linear_solver = 'sparse'", 20, "'sparse' is not available in this version")
    end subroutine test_later
 
    subroutine test_survey()

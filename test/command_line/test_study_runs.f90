@@ -22,28 +22,30 @@ contains
       call suite%addTest(TestMethod('bad_groups', test_bad))
    end function study_runs_suite
 
-   !> Two cases by two models on three meshes, beams with both linear solvers: 2 (3 x 2 + 2) rows and the header; the two
+   !> Two cases by two models on three meshes, beams with all linear solvers: 2 (3 x 3 + 2) rows and the header; the
    !> linear solvers give the same hook load.
    subroutine test_study()
       type(run_type) :: run
       type(text_type), allocatable :: lines(:)
       character(:), allocatable :: failure
       run = run_deck_text(good_deck()//"&study models = 'mcge', 'soft', element_lengths = 20, 5, fidelities = 'standard',"// &
-                          " linear_solvers = 'block', 'banded' /"//newline)
+                          " linear_solvers = 'block', 'banded', 'sparse' /"//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Study of 2 cases') > 0, message=run%output)
       call assertTrue(index(run%output, 'Fidelity standard: hook load within ') > 0, message='fidelity in words')
       call read_lines(results_path//'/study.csv', lines, failure)
       call assertEqual('', failure)
       if (failure /= '') return
-      call assertEqual(17, size(lines))
+      call assertEqual(23, size(lines))
       call assertEqual(1, index(lines(1)%text, 'case,model,fidelity,element_length_m,tolerance,wall_stiffness_kN_m2,'))
       call assertEqual(1, index(lines(2)%text, 'u,mcge,,20.00000000,'), message=lines(2)%text)
       call assertEqual(number(lines(2)%text, 11), number(lines(3)%text, 11), tolerance*number(lines(2)%text, 11), &
                        message='hook load by block and by banded')
+      call assertEqual(number(lines(2)%text, 11), number(lines(4)%text, 11), tolerance*number(lines(2)%text, 11), &
+                       message='hook load by block and by sparse')
       call assertEqual('banded', field(lines(3)%text, 8))
-      call assertEqual('yes', field(lines(5)%text, 10), message='5 m, banded is the finest')
-      call assertEqual('soft', field(lines(9)%text, 2))
+      call assertEqual('yes', field(lines(7)%text, 10), message='5 m, sparse is the finest')
+      call assertEqual('soft', field(lines(12)%text, 2))
    end subroutine test_study
 
    !> Nothing to compare; an unknown case, model, linear solver; lists whose combinations have no end.

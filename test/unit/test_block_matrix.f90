@@ -5,7 +5,10 @@ module dg_test_block_matrix
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
    use dg_block_solver, only: block_factor, block_positive_definite, block_solve, block_solver_type, new_block_solver
    use dg_kinds, only: wp
-   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_banded, solver_block
+   use dg_sparse_matrix, only: set_sparse_matrix, sparse_matrix_type
+   use dg_sparse_solver, only: sparse_condition, sparse_factor, sparse_release, sparse_solve, sparse_solver_type
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_banded, solver_block, solver_count, &
+                               solver_sparse
    implicit none
    private
    public :: block_matrix_suite
@@ -26,6 +29,10 @@ contains
       call suite%addTest(TestMethod('one_node', test_one_node))
       call suite%addTest(TestMethod('singular', test_singular))
       call suite%addTest(TestMethod('definiteness', test_definiteness))
+      call suite%addTest(TestMethod('sparse_columns', test_sparse_columns))
+      call suite%addTest(TestMethod('sparse_solution', test_sparse_solution))
+      call suite%addTest(TestMethod('sparse_singular', test_sparse_singular))
+      call suite%addTest(TestMethod('condition', test_condition))
    end function block_matrix_suite
 
    !> Any numbers, no symmetry.
@@ -133,17 +140,17 @@ contains
       call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-12_wp)
    end subroutine test_singular_block
 
-   !> A first block singular but for 1e-13: numbers grow, and the answer is good all the same; both kinds agree.
+   !> A first block singular but for 1e-13: numbers grow, and the answer is good all the same; all kinds agree.
    subroutine test_refined()
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: linear
-      real(wp) :: b(unknowns), x(6, nodes, 2)
+      real(wp) :: b(unknowns), x(6, nodes, solver_count)
       integer :: k, kind, info
       matrix = any_matrix()
       matrix%diagonal(:, 2, 1) = matrix%diagonal(:, 1, 1)*(1.0_wp + 1.0e-13_wp)
       matrix%diagonal(3, 2, 1) = matrix%diagonal(3, 2, 1) + 1.0e-13_wp
       b = [(sin(3.0_wp*k), k=1, unknowns)]
-      do kind = solver_block, solver_banded
+      do kind = 1, solver_count
          call new_linear_solver(kind, nodes, linear)
          x(:, :, kind) = reshape(b, [6, nodes])
          call solve_linear(linear, matrix, x(:, :, kind), info)
@@ -151,8 +158,110 @@ contains
          call assertEqual(b, matmul(full(matrix), reshape(x(:, :, kind), [unknowns])), 1.0e-7_wp)
          if (kind == solver_block) call assertGreaterThan(linear%refinements, 0, message='refined')
       end do
-      call assertEqual(x(:, :, 2), x(:, :, 1), 1.0e-7_wp)
+      call assertEqual(x(:, :, solver_banded), x(:, :, solver_block), 1.0e-7_wp)
+      call assertEqual(x(:, :, solver_banded), x(:, :, solver_sparse), 1.0e-7_wp)
    end subroutine test_refined
+
+   !> The matrix by columns, zeros left out, is the matrix written out.
+   subroutine test_sparse_columns()
+      type(block_matrix_type) :: matrix
+      type(sparse_matrix_type) :: sparse
+      real(wp) :: dense(unknowns, unknowns), added(6, nodes)
+      integer :: pass, i, j, k
+      matrix = any_matrix()
+      matrix%upper(2, :, 3) = 0.0_wp
+      added = reshape([(sin(1.0_wp*k), k=1, unknowns)], [6, nodes])
+      do pass = 1, 2             ! whole; lower half with something on the diagonal
+         if (pass == 1) call set_sparse_matrix(matrix, sparse, lower=.false.)
+         if (pass == 2) call set_sparse_matrix(matrix, sparse, .true., 2.0_wp, added)
+         dense = 0.0_wp
+         do j = 1, unknowns
+            do k = sparse%columns(j) + 1, sparse%columns(j + 1)
+               dense(sparse%rows(k) + 1, j) = sparse%values(k)
+            end do
+         end do
+         if (pass == 1) then
+            call assertEqual(36*(3*nodes - 2) - 6, sparse%entries, message='six zeros left out')
+            call assertEqual(full(matrix), dense, message='the same numbers')
+         else
+            do j = 1, unknowns
+               call assertEqual([(full_entry(i, j), i=j, unknowns)], dense(j:, j), 1.0e-15_wp)
+               call assertEqual(0.0_wp, sum(abs(dense(:j - 1, j))), message='nothing above the diagonal')
+            end do
+         end if
+      end do
+   contains
+      function full_entry(row, column) result(entry)
+         integer, intent(in) :: row, column
+         real(wp) :: entry
+         real(wp) :: whole(unknowns, unknowns), flat(unknowns)
+         whole = full(matrix)
+         flat = reshape(added, [unknowns])
+         entry = whole(row, column)
+         if (row == column) entry = entry + 2.0_wp*flat(row)
+      end function full_entry
+   end subroutine test_sparse_columns
+
+   !> With and without zeros on the whole diagonal, where only an exchange of rows gets through.
+   subroutine test_sparse_solution()
+      type(block_matrix_type) :: matrix
+      type(sparse_solver_type) :: solver
+      real(wp) :: b(unknowns), x(6, nodes)
+      integer :: k, info, pass, n, i
+      matrix = any_matrix()
+      b = [(sin(3.0_wp*k), k=1, unknowns)]
+      do pass = 1, 2
+         call sparse_factor(solver, matrix, info)
+         call assertEqual(0, info)
+         x = reshape(b, [6, nodes])
+         call sparse_solve(solver, x)
+         ! pivots need not be the largest: a few digits less than the band's
+         call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-11_wp)
+         call assertGreaterThan(solver%fill, 36*(3*nodes - 2), message='entries of the factors')
+         do n = 1, nodes
+            do i = 1, 6
+               matrix%diagonal(i, i, n) = 0.0_wp
+            end do
+         end do
+      end do
+      call sparse_release(solver)
+      call sparse_release(solver)       ! nothing is given back twice
+   end subroutine test_sparse_solution
+
+   !> An unknown without any entry: refused, and by the one interface too, which asks the band solver.
+   subroutine test_sparse_singular()
+      type(block_matrix_type) :: matrix
+      type(sparse_solver_type) :: solver
+      type(linear_solver_type) :: linear
+      real(wp) :: x(6, nodes), condition
+      integer :: info
+      matrix = new_block_matrix(nodes)
+      matrix%diagonal = any_diagonal()
+      matrix%diagonal(:, 2, 3) = 0.0_wp
+      call sparse_factor(solver, matrix, info)
+      call assertGreaterThan(info, 0, message='info')
+      call sparse_condition(solver, condition)
+      call assertEqual(0.0_wp, condition, message='no factors, no condition')
+      call new_linear_solver(solver_sparse, nodes, linear)
+      x = 1.0_wp
+      call solve_linear(linear, matrix, x, info)
+      call assertEqual(6*2 + 2, info)
+   end subroutine test_sparse_singular
+
+   !> Condition of a diagonal matrix with entries from 1 + 1 + 1 to 1 + 6 + nodes: the largest over the smallest.
+   subroutine test_condition()
+      type(block_matrix_type) :: matrix
+      type(sparse_solver_type) :: solver
+      real(wp) :: condition
+      integer :: info
+      matrix = new_block_matrix(nodes)
+      matrix%diagonal = any_diagonal()
+      call sparse_factor(solver, matrix, info)
+      call assertEqual(0, info)
+      call sparse_condition(solver, condition)
+      call sparse_release(solver)
+      call assertEqual((1.0_wp + 6.0_wp + nodes)/3.0_wp, condition, 1.0e-12_wp)
+   end subroutine test_condition
 
    subroutine test_one_node()
       type(block_matrix_type) :: matrix

@@ -1,0 +1,82 @@
+!> The equations of one load case as an iteration meets them: mesh, gaps and matrix at the predicted state.
+module dg_bench_chain
+   use dg_assembly, only: assemble, load_type
+   use dg_block_matrix, only: block_matrix_type, block_product, new_block_matrix
+   use dg_gap_state, only: gap_law_type
+   use dg_gap_survey, only: survey_gaps
+   use dg_gap_table, only: gap_table_type, judge_states, new_gap_table
+   use dg_kinds, only: wp
+   use dg_mesh, only: mesh_type, new_mesh, node_depths
+   use dg_model, only: model_type
+   use dg_predictor, only: predict
+   use dg_workspace, only: new_workspace, place_nodes, workspace_type
+   implicit none
+   private
+   public :: chain_type, new_chain, assemble_chain, survey_chain, remaining
+
+   type :: chain_type
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(workspace_type) :: work
+      type(load_type) :: loads
+      type(block_matrix_type) :: matrix
+      real(wp), allocatable :: state(:, :), residual(:, :)   !< (6,nodes)
+   end type chain_type
+
+   !> Springs at the centred ends [N/m].
+   real(wp), parameter :: support = 1.0e9_wp
+   real(wp), parameter :: middle = 0.5_wp
+
+contains
+
+   !> Sets a case up with elements of a length [m], predicts its state and assembles the equations there.
+   subroutine new_chain(model, case_index, length, chain)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: length
+      type(chain_type), intent(out) :: chain
+      type(gap_law_type), allocatable :: laws(:)
+      integer :: e, flips
+      call new_mesh(model, model%cases(case_index), node_depths(model, model%cases(case_index), length), chain%mesh)
+      associate (mesh => chain%mesh)
+         allocate (laws(mesh%elements))
+         do e = 1, mesh%elements
+            laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
+                                   maximum=10.0_wp*mesh%wall(e)*mesh%length(e), eps_nmax=mesh%eps_nmax(e))
+         end do
+         chain%gaps = new_gap_table(laws, middle)
+         call new_workspace(mesh, chain%work)
+         chain%matrix = new_block_matrix(mesh%nodes)
+         allocate (chain%state(6, mesh%nodes), chain%residual(6, mesh%nodes))
+         call predict(model, case_index, mesh, 1.0_wp, 1.0_wp, mesh%wall, chain%state, chain%gaps)
+      end associate
+      chain%loads = load_type(wob=model%cases(case_index)%wob, top_support=support, bit_support=support)
+      call survey_chain(model, chain)
+      call judge_states(chain%gaps, chain%work%displacement, flips)
+      call assemble_chain(model, chain)
+   end subroutine new_chain
+
+   !> Places the nodes and measures the gaps.
+   subroutine survey_chain(model, chain)
+      type(model_type), intent(in) :: model
+      type(chain_type), intent(inout) :: chain
+      call place_nodes(chain%mesh, chain%state, chain%work)
+      call survey_gaps(model%trajectory, chain%mesh, chain%gaps, chain%work)
+   end subroutine survey_chain
+
+   !> Assembles residual and matrix.
+   subroutine assemble_chain(model, chain)
+      type(model_type), intent(in) :: model
+      type(chain_type), intent(inout) :: chain
+      call assemble(model%trajectory, chain%mesh, chain%loads, chain%gaps, chain%state, .false., chain%work, chain%residual, &
+                    chain%matrix)
+   end subroutine assemble_chain
+
+   !> Largest |r + K x| over the largest |r| [-].
+   pure function remaining(chain, x) result(remainder)
+      type(chain_type), intent(in) :: chain
+      real(wp), intent(in) :: x(:, :)
+      real(wp) :: remainder
+      remainder = maxval(abs(chain%residual + block_product(chain%matrix, x)))/maxval(abs(chain%residual))
+   end function remaining
+end module dg_bench_chain

@@ -1,0 +1,97 @@
+!> Linear solvers against the size of the mesh: factors, substitution, fill, and the residual that is left.
+module dg_bench_solvers
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
+   use dg_bench_chain, only: chain_type, new_chain, remaining
+   use dg_bench_tools, only: median, now
+   use dg_block_matrix, only: block_size
+   use dg_block_solver, only: block_factor, block_solve, block_solver_type, new_block_solver
+   use dg_kinds, only: wp
+   use dg_linear_solver, only: solver_banded, solver_block, solver_count, solver_name, solver_sparse
+   use dg_model, only: model_type
+   use dg_sparse_solver, only: sparse_condition, sparse_factor, sparse_release, sparse_solve, sparse_solver_type
+   implicit none
+   private
+   public :: print_solvers
+
+   real(wp), parameter :: microseconds = 1.0e6_wp
+   !> Elements that a measurement goes through at least, smaller meshes several times.
+   integer, parameter :: least_elements = 20000
+
+contains
+
+   !> One line a mesh and solver, times per element in microseconds.
+   subroutine print_solvers(model, case_index, lengths, runs)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: lengths(:)     !< of elements [m]
+      integer, intent(in) :: runs
+      type(chain_type) :: chain
+      type(sparse_solver_type) :: sparse
+      real(wp), allocatable :: x(:, :), first(:, :)
+      real(wp) :: factor, substitution, fill, condition, difference
+      integer :: i, kind, info
+      write (output_unit, '(/,a)') 'Linear solvers, '//model%cases(case_index)%name//' at its predicted state'
+      write (output_unit, '(a)') 'elements solver   factor us/el  substit. us/el  fill entries/el  residual/load  '// &
+         'differs from block  condition'
+      do i = 1, size(lengths)
+         call new_chain(model, case_index, lengths(i), chain)
+         call sparse_factor(sparse, chain%matrix, info)
+         call sparse_condition(sparse, condition)
+         call sparse_release(sparse)
+         do kind = 1, solver_count
+            call measure(chain, kind, runs, factor, substitution, fill, x)
+            if (kind == 1) first = x
+            difference = maxval(abs(x - first))/maxval(abs(first))
+            write (output_unit, '(i8,1x,a6,f15.2,f16.2,f17.1,es15.1,es20.1,es11.1)') chain%mesh%elements, solver_name(kind), &
+               factor, substitution, fill, remaining(chain, x), difference, condition
+         end do
+      end do
+   end subroutine print_solvers
+
+   !> Medians per element [us], entries of the factors per element, and the solution.
+   subroutine measure(chain, kind, runs, factor, substitution, fill, x)
+      type(chain_type), intent(in) :: chain
+      integer, intent(in) :: kind, runs
+      real(wp), intent(out) :: factor, substitution, fill
+      real(wp), allocatable, intent(out) :: x(:, :)
+      type(block_solver_type) :: block
+      type(band_solver_type) :: band
+      type(sparse_solver_type) :: sparse
+      real(wp) :: factors(runs), substitutions(runs), start, between
+      integer :: run, again, times, info
+      allocate (x, mold=chain%residual)
+      times = max(1, least_elements/chain%mesh%elements)
+      if (kind == solver_block) call new_block_solver(chain%mesh%nodes, block)
+      if (kind == solver_banded) band = new_band_solver(chain%mesh%nodes)
+      do run = 1, runs
+         start = now()
+         do again = 1, times
+            select case (kind)
+            case (solver_block); call block_factor(block, chain%matrix, info)
+            case (solver_banded); call band_factor(band, chain%matrix, info)
+            case default; call sparse_factor(sparse, chain%matrix, info)
+            end select
+         end do
+         between = now()
+         do again = 1, times
+            x = -chain%residual
+            select case (kind)
+            case (solver_block); call block_solve(block, chain%matrix, x)
+            case (solver_banded); call band_solve(band, x)
+            case default; call sparse_solve(sparse, x)
+            end select
+         end do
+         factors(run) = between - start
+         substitutions(run) = now() - between
+      end do
+      factor = microseconds*median(factors)/(real(times, wp)*chain%mesh%elements)
+      substitution = microseconds*median(substitutions)/(real(times, wp)*chain%mesh%elements)
+      select case (kind)
+      case (solver_block); fill = real(2*block_size**2, wp)
+      case (solver_banded); fill = real(size(band%band, 1), wp)*block_size
+      case default; fill = real(sparse%fill, wp)/chain%mesh%elements
+      end select
+      if (kind == solver_sparse) call sparse_release(sparse)
+   end subroutine measure
+end module dg_bench_solvers
