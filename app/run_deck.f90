@@ -45,8 +45,11 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(out) :: status
       type(sweep_run_type), allocatable :: sweeps(:)
+      type(case_result_type), allocatable :: results(:)
+      type(along_string_type), allocatable :: alongs(:)
+      type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
-      integer :: i, lost
+      integer :: i, lost, rows
 
       status = status_ok
       call make_folder(job%output_dir, error)
@@ -57,7 +60,10 @@ contains
          return
       end if
       call watch_for_signals()
-      if (size(model%cases) > 0 .and. job%parts == 0 .and. job%merge == 0) call run_cases(job, model, status)
+      rows = 0
+      if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
+      allocate (results(rows), alongs(rows), wholes(rows))
+      if (rows > 0) call run_cases(job, model, results, alongs, wholes, status)
       do i = 1, size(sweeps)
          if (is_interrupted()) exit
          call run_sweep(job, model, i, sweeps(i), lost, error)
@@ -65,20 +71,22 @@ contains
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       flush (output_unit)
+      if (job%plots .and. job%parts == 0 .and. .not. is_interrupted()) then
+         call run_pictures(job, model, results, alongs, wholes, error)
+         call note_failure(error, status)
+      end if
    end subroutine run_deck
 
    !> The load cases of a deck.
-   subroutine run_cases(job, model, status)
+   subroutine run_cases(job, model, results, alongs, wholes, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(case_result_type), intent(inout) :: results(:)   !< one a model and case
+      type(along_string_type), intent(inout) :: alongs(:)   !< as many
+      type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       integer, intent(inout) :: status
-      type(case_result_type), allocatable :: results(:)
-      type(along_string_type), allocatable :: alongs(:)
-      type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
       integer :: i
-      allocate (results(size(job%models)*size(model%cases)))
-      allocate (alongs(size(results)), wholes(size(results)))
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
@@ -106,9 +114,6 @@ contains
          call tell('ended by '//interruption_name()//': '//to_text(count(results%status /= result_not_converged))//' of '// &
                    to_text(size(results))//' results are there, the others are marked not_converged')
          status = graver(status, status_failure)
-      else if (job%plots) then
-         call run_pictures(job, model, results, alongs, wholes, error)
-         call note_failure(error, status)
       end if
    end subroutine run_cases
 

@@ -4,7 +4,7 @@ module dg_case_pictures
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_column, only: column_header, unit_size, unit_text
+   use dg_column, only: column_header, column_named, column_type, unit_size, unit_text
    use dg_gnuplot_script, only: add_series, colour_black, colour_grey, end_script, legend, limit_dash, line_style, mark_style, &
                                 panel, plot, series_type, start_script, x_range
    use dg_job, only: job_type, model_name
@@ -174,7 +174,7 @@ contains
          if (allocated(series)) deallocate (series)
          low = 0.0_wp
          high = 0.0_wp
-         unit = unit_size(profile_columns(place_of(column))%quantity, job%units)
+         unit = unit_size(quantity_of(column), job%units)
          do k = 1, size(results)
             call add_series(series, curve(k, value(column)), line_style(k), '')
             if (allocated(values)) deallocate (values)
@@ -215,7 +215,7 @@ contains
       pure function axis(label, column) result(text)
          character(*), intent(in) :: label, column
          character(:), allocatable :: text
-         text = label//' ['//unit_text(profile_columns(place_of(column))%quantity, job%units)//']'
+         text = label//' ['//unit_text(quantity_of(column), job%units)//']'
       end function axis
 
       !> The axial forces, and as much of the limits as does not crush them.
@@ -256,18 +256,16 @@ contains
       character(*), intent(in) :: column
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
-      text = "column('"//column_header(profile_columns(place_of(column)), units)//"')"
+      text = "column('"//column_header(column_named(profile_columns, column), units)//"')"
    end function file_value
 
-   !> Place of a column of profile files.
-   pure function place_of(column) result(place)
+   pure function quantity_of(column) result(quantity)
       character(*), intent(in) :: column
-      integer :: place
-      do place = 1, size(profile_columns)
-         if (profile_columns(place)%name == column) return
-      end do
-      place = 1
-   end function place_of
+      integer :: quantity
+      type(column_type) :: found
+      found = column_named(profile_columns, column)
+      quantity = found%quantity
+   end function quantity_of
 
    !> Draws every so many of `n` marks; '' draws all.
    pure function thinning(n) result(text)

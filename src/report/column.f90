@@ -9,7 +9,7 @@ module dg_column
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: column_type, field_type, field_list_type, column_header, unit_text, unit_size
+   public :: column_type, field_type, field_list_type, column_header, column_named, unit_text, unit_size
    public :: csv_header, csv_row, csv_value, put, put_none
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_percent, quantity_turns, quantity_curvature, quantity_time, quantity_wall
@@ -83,6 +83,18 @@ contains
       case default
       end select
    end function column_header
+
+   !> The column of that name; one without quantity where there is none.
+   pure function column_named(columns, name) result(column)
+      type(column_type), intent(in) :: columns(:)
+      character(*), intent(in) :: name
+      type(column_type) :: column
+      integer :: i
+      column%name = name
+      do i = size(columns), 1, -1
+         if (columns(i)%name == name) column = columns(i)
+      end do
+   end function column_named
 
    !> Unit of a quantity as readers write it; '' where there is none.
    pure function unit_text(quantity, units) result(text)

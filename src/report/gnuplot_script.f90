@@ -5,6 +5,7 @@ module dg_gnuplot_script
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
+   public :: colour_of, dash_of, mark_of
    public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, spelled, style_count, &
              series_type, add_series
    public :: colour_grey, colour_black, colour_measured, limit_dash
@@ -168,13 +169,30 @@ contains
       call move_alloc(longer, list)
    end subroutine add_series
 
+   !> Colour, dash and mark of the n-th of several curves.
+   pure function colour_of(n) result(text)
+      integer, intent(in) :: n
+      character(:), allocatable :: text
+      text = trim(colours(1 + mod(n - 1, style_count)))
+   end function colour_of
+
+   pure function dash_of(n) result(text)
+      integer, intent(in) :: n
+      character(:), allocatable :: text
+      text = trim(dashes(1 + mod(n - 1, style_count)))
+   end function dash_of
+
+   pure function mark_of(n) result(number)
+      integer, intent(in) :: n
+      integer :: number
+      number = marks(1 + mod(n - 1, style_count))
+   end function mark_of
+
    !> Look of the n-th of several lines.
    pure function line_style(n) result(look)
       integer, intent(in) :: n
       character(:), allocatable :: look
-      integer :: k
-      k = 1 + mod(n - 1, style_count)
-      look = "with lines lw 1.8 lc rgb '"//colours(k)//"' dt "//trim(dashes(k))
+      look = "with lines lw 1.8 lc rgb '"//colour_of(n)//"' dt "//dash_of(n)
    end function line_style
 
    !> Look of the n-th of several kinds of points; `size` 1 is gnuplot's own.
@@ -182,9 +200,7 @@ contains
       integer, intent(in) :: n
       real(wp), intent(in) :: size
       character(:), allocatable :: look
-      integer :: k
-      k = 1 + mod(n - 1, style_count)
-      look = 'with points pt '//to_text(marks(k))//' ps '//to_text(size, digits)//" lc rgb '"//colours(k)//"'"
+      look = 'with points pt '//to_text(mark_of(n))//' ps '//to_text(size, digits)//" lc rgb '"//colour_of(n)//"'"
    end function mark_style
 
    !> A text as gnuplot takes it literally.

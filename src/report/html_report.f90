@@ -59,13 +59,15 @@ contains
       type(page_type) :: lines
       call start_page(job, results, lines)
       call append_warnings(lines, model, results)
-      call append_results(lines, job, model, results)
-      call append_limits(lines, job, model, results, wholes)
+      if (size(results) > 0) then
+         call append_results(lines, job, model, results)
+         call append_limits(lines, job, model, results, wholes)
+      end if
       call append_pictures(lines, job, model, pictures)
       call add_line(lines, '<h2>What was computed</h2>')
       call append_preformatted(lines, echo)
       call append_assumptions(lines, job)
-      call append_costs(lines, job, model, results)
+      if (size(results) > 0) call append_costs(lines, job, model, results)
       call add_line(lines, '<h2>Deck</h2>')
       call append_deck(lines, job%deck_text)
       call add_line(lines, '</body></html>')
@@ -93,6 +95,7 @@ contains
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
       call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(time_stamp())// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
+      if (size(results) == 0) return
       if (solved == size(results)) then
          call add_line(lines, '<p class="note">All '//to_text(size(results))//' solutions converged.</p>')
       else
@@ -120,7 +123,7 @@ contains
       end do
       if (any_yet) then
          call add_line(lines, '</ul>')
-      else
+      else if (size(results) > 0) then
          call add_line(lines, '<p>No warnings.</p>')
       end if
    end subroutine append_warnings

@@ -1,7 +1,7 @@
 !> Picture of another program's results beside ours, from legacy_<label>.csv: each quantity that it has, and the difference.
 module dg_legacy_picture
    use dg_kinds, only: wp
-   use dg_column, only: column_header, unit_text
+   use dg_column, only: column_header, column_named, column_type, unit_text
    use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, line_style, panel, plot, series_type, start_script
    use dg_job, only: job_type, model_name
    use dg_legacy_rows, only: legacy_columns
@@ -29,6 +29,7 @@ contains
                              legend_top = 0.92_wp
       real(wp) :: wide, start
       character(:), allocatable :: label
+      type(column_type) :: shown
       integer :: k, m, quantity
       call start_script(lines, name, width, height)
       call append_text(lines, "ours(model, value) = stringcolumn('model') eq model ? value : NaN")
@@ -43,6 +44,7 @@ contains
       label = 'measured depth ['//trim(job%units%length_label)//']'
       do quantity = 1, quantity_count
          if (.not. table%has(quantity)) cycle
+         shown = column_named(legacy_columns, trim(quantity_name(quantity)))
          do k = 1, 2
             deallocate (series)
             do m = 1, size(job%models)
@@ -52,7 +54,7 @@ contains
             if (k == 1) call add_series(series, curve("ours('"//trim(model_name(job%models(1)))//"', "// &
                                                       value('legacy_'//trim(quantity_name(quantity)))//')'), theirs(), '')
             call panel(lines, start, start + wide, bottom, top, trim(axis_name(quantity))//trim(axis_ending(k))//' ['// &
-                       unit_text(legacy_columns(place_of(trim(quantity_name(quantity))))%quantity, job%units)//']', label)
+                       unit_text(shown%quantity, job%units)//']', label)
             call plot(lines, series)
             label = ''
             start = start + wide + gap
@@ -83,7 +85,7 @@ contains
       pure function value(column) result(text)
          character(*), intent(in) :: column
          character(:), allocatable :: text
-         text = "column('"//column_header(legacy_columns(place_of(column)), job%units)//"')"
+         text = "column('"//column_header(column_named(legacy_columns, column), job%units)//"')"
       end function value
    end subroutine legacy_script
 
@@ -91,14 +93,4 @@ contains
       character(:), allocatable :: look
       look = "with linespoints pt 6 ps 0.6 lw 1.0 dt (3,3) lc rgb '"//colour_measured//"'"
    end function theirs
-
-   !> Place of a column of legacy files.
-   pure function place_of(column) result(place)
-      character(*), intent(in) :: column
-      integer :: place
-      do place = 1, size(legacy_columns)
-         if (legacy_columns(place)%name == column) return
-      end do
-      place = 1
-   end function place_of
 end module dg_legacy_picture

@@ -8,9 +8,11 @@ module dg_picture_files
    use dg_file_system, only: delete_file, write_text_file
    use dg_folder, only: make_folder
    use dg_hookload_picture, only: hookload_script
-   use dg_job, only: job_type
+   use dg_job, only: job_type, model_name
    use dg_legacy_picture, only: legacy_script
    use dg_model, only: model_type
+   use dg_study_picture, only: study_script
+   use dg_sweep_picture, only: sweep_script
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
@@ -49,13 +51,37 @@ contains
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: name
       integer, allocatable :: rows(:)
       integer :: i, k
       allocate (list%pictures(0))
       call make_folder(folder_in(job), error)
       if (allocated(error)) return
-      call hookload_script('hookload', job, model, results, lines)
-      call add('hookload', 'Hook load of all cases', 0)
+      if (size(results) > 0) then
+         call hookload_script('hookload', job, model, results, lines)
+         call add('hookload', 'Hook load of all cases', 0)
+      end if
+      if (allocated(job%sweeps)) then
+         do i = 1, size(job%sweeps)
+            associate (sweep => job%sweeps(i))
+               do k = 1, size(sweep%models)
+                  name = 'sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k)))
+                  call sweep_script(name, job%units, sweep, sweep%models(k), lines)
+                  call add(name, 'Hook load and torque against bit depth, sweep '//sweep%name//', model '// &
+                           trim(model_name(sweep%models(k))), 0)
+               end do
+            end associate
+         end do
+      end if
+      if (allocated(job%study)) then
+         do k = 1, size(job%study%cases)
+            associate (load_case => model%cases(job%study%cases(k)))
+               call study_script('study_'//load_case%name, job, load_case, job%study, lines)
+               call add('study_'//load_case%name, 'Error against the finest way to compute it, and what it costs', &
+                        job%study%cases(k))
+            end associate
+         end do
+      end if
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
             associate (table => job%legacy(i))
@@ -69,12 +95,11 @@ contains
          rows = pack([(k, k=1, size(results))], results%case_index == i)
          rows = pack(rows, [(allocated(results(rows(k))%profile%md), k=1, size(rows))])
          if (size(rows) == 0) cycle
-         associate (name => model%cases(i)%name)
-            call path_script('path_'//name, job, model%cases(i), results(rows(1)), lines)
-            call add('path_'//name, 'Well path with contact of the string', i)
-            call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), lines)
-            call add('forces_'//name, 'Along the string', i)
-         end associate
+         name = model%cases(i)%name
+         call path_script('path_'//name, job, model%cases(i), results(rows(1)), lines)
+         call add('path_'//name, 'Well path with contact of the string', i)
+         call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), lines)
+         call add('forces_'//name, 'Along the string', i)
       end do
       if (.not. allocated(error)) call draw(job, list, error)
 

@@ -9,11 +9,17 @@ module dg_test_pictures
    use dg_gnuplot_script, only: spelled, x_range
    use dg_hookload_picture, only: hookload_script
    use dg_html_text, only: append_inline_svg, append_table, html_safe, page_type
-   use dg_job, only: job_type
+   use dg_job, only: job_type, model_soft
+   use dg_load_case, only: given, operation_rotary_drilling, operation_trip_out, optional_real
    use dg_limits_file, only: limits_columns
    use dg_model, only: model_type
+   use dg_study_picture, only: study_script
+   use dg_study_plan, only: study_plan_type
+   use dg_sweep, only: sweep_type
+   use dg_sweep_picture, only: sweep_script
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
+   use dg_units, only: field_units
    implicit none
    private
    public :: pictures_suite
@@ -30,6 +36,8 @@ contains
       call suite%addTest(TestMethod('pictures_keep_apart', test_inline))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('case_scripts', test_case_scripts))
+      call suite%addTest(TestMethod('sweep', test_sweep))
+      call suite%addTest(TestMethod('study', test_study))
    end function pictures_suite
 
    subroutine test_quotes()
@@ -128,6 +136,45 @@ contains
       call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
       call assertTrue(has_text(lines, "touches('rigid', "))
    end subroutine test_case_scripts
+
+   !> A curve an operation and friction factor, from the rows of the model that converged.
+   subroutine test_sweep()
+      type(text_type), allocatable :: lines(:)
+      type(sweep_type) :: sweep
+      sweep%name = 'broom'
+      sweep%operations = [operation_trip_out, operation_rotary_drilling]
+      sweep%frictions = given([0.1_wp, 0.25_wp])
+      sweep%depths = [100.0_wp, 2000.0_wp]
+      allocate (sweep%measured(1))
+      sweep%measured(1)%operation = operation_trip_out
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, lines)
+      call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
+      call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
+      call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
+      call assertFalse(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"), &
+                       message='no torque going up')
+      call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
+      call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
+      sweep%frictions = [optional_real()]
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, lines)
+      call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
+   end subroutine test_sweep
+
+   !> One picture a case, of the models of the study, without torque where nothing turns.
+   subroutine test_study()
+      type(text_type), allocatable :: lines(:)
+      type(study_plan_type) :: study
+      type(model_type) :: model
+      model = sample_model()
+      study%models = [model_soft]
+      call study_script('study_i_up', sample_job(), model%cases(1), study, lines)
+      call assertTrue(has_text(lines, "stringcolumn('case') eq 'i_up'"))
+      call assertTrue(has_text(lines, "made('soft', column('hookload_error_pct'))"))
+      call assertFalse(has_text(lines, "made('mcge', "))
+      call assertFalse(has_text(lines, 'torque_error_pct'))
+      call study_script('study_i_rotary', sample_job(), model%cases(3), study, lines)
+      call assertTrue(has_text(lines, 'torque_error_pct'))
+   end subroutine test_study
 
    pure function has_line(lines, line) result(has)
       type(text_type), intent(in) :: lines(:)

@@ -1,0 +1,118 @@
+!> The broomstick: hook load, and torque where anything turns, against bit depth, from sweep_<name>.csv. An operation is a
+!> colour, a friction factor a dash; what was measured is laid over it.
+module dg_sweep_picture
+   use dg_kinds, only: wp
+   use dg_column, only: column_header, column_named, column_type, unit_text
+   use dg_gnuplot_script, only: add_series, colour_black, colour_of, dash_of, end_script, legend, panel, plot, series_type, &
+                                start_script
+   use dg_job, only: model_name
+   use dg_load_case, only: operation_label, operation_name, optional_real, rotates
+   use dg_sweep, only: sweep_type
+   use dg_sweep_file, only: sweep_columns
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: sweep_script
+
+   integer, parameter :: digits = 8
+   integer, parameter :: width = 1120, height = 640
+   !> Marks of measured points: open forms, one an operation.
+   integer, parameter :: open_marks(8) = [6, 4, 8, 12, 10, 14, 2, 1]
+
+contains
+
+   !> One model's curves.
+   subroutine sweep_script(name, units, sweep, model, lines)
+      character(*), intent(in) :: name      !< of the picture
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: model          !< number of the model
+      type(text_type), allocatable, intent(out) :: lines(:)
+      type(series_type), allocatable :: series(:)
+      real(wp), parameter :: left = 0.075_wp, right = 0.985_wp, gap = 0.035_wp, bottom = 0.115_wp, top = 0.80_wp, &
+                             legend_top = 0.93_wp
+      real(wp) :: wide
+      integer :: i, k
+      logical :: with_torque
+      with_torque = any(rotates(sweep%operations)) .or. abs(sweep%tob) > 0.0_wp
+      call start_script(lines, name, width, height)
+      call append_text(lines, 'pick(operation, is_friction, value) = stringcolumn(''model'') eq '''//trim(model_name(model))// &
+                       ''' && stringcolumn(''operation'') eq operation && is_friction && stringcolumn(''status'') eq '// &
+                       '''converged'' ? value : NaN')
+      do i = 1, size(sweep%operations)
+         call add_series(series, 'NaN', "with lines lw 2.2 lc rgb '"//colour_of(i)//"'", &
+                         trim(operation_label(sweep%operations(i))))
+         if (any(sweep%measured%operation == sweep%operations(i))) &
+            call add_series(series, 'NaN', measured_look(i), trim(operation_label(sweep%operations(i)))//', measured')
+      end do
+      do k = 1, size(sweep%frictions)
+         call add_series(series, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
+                         friction_label(sweep%frictions(k)))
+      end do
+      call legend(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), series, top, legend_top)
+      call append_text(lines, 'set yrange ['//to_text(maxval(sweep%depths)/units%length, digits)//':0]')
+      wide = right - left
+      if (with_torque) wide = 0.5_wp*(right - left - gap)
+      call draw(left, 'hook load', 'hookload', 'bit depth ['//trim(units%length_label)//']', .false.)
+      if (with_torque) call draw(left + wide + gap, 'torque at the top', 'torque', '', .true.)
+      call end_script(lines)
+
+   contains
+
+      !> One panel; `turning`: only operations that have torque.
+      subroutine draw(start, label, column, depth_label, turning)
+         real(wp), intent(in) :: start
+         character(*), intent(in) :: label, column, depth_label
+         logical, intent(in) :: turning
+         type(column_type) :: shown
+         integer :: operation, friction
+         deallocate (series)
+         allocate (series(0))
+         do operation = 1, size(sweep%operations)
+            if (turning .and. .not. (rotates(sweep%operations(operation)) .or. abs(sweep%tob) > 0.0_wp)) cycle
+            do friction = 1, size(sweep%frictions)
+               call add_series(series, curve(operation, friction_test(sweep%frictions(friction)), column), &
+                               "with lines lw 1.6 dt "//dash_of(friction)//" lc rgb '"//colour_of(operation)//"'", '')
+            end do
+            if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
+               curve(operation, friction_test(sweep%frictions(1)), 'measured_'//column), measured_look(operation), '')
+         end do
+         shown = column_named(sweep_columns, column)
+         call panel(lines, start, start + wide, bottom, top, label//' ['//unit_text(shown%quantity, units)//']', depth_label)
+         call plot(lines, series)
+      end subroutine draw
+
+      pure function curve(operation, test, column) result(using)
+         integer, intent(in) :: operation
+         character(*), intent(in) :: test, column
+         character(:), allocatable :: using
+         using = "'../sweep_"//sweep%name//".csv' using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            test//", column('"//column_header(column_named(sweep_columns, column), units)//"'))):(column('"// &
+            column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
+      end function curve
+   end subroutine sweep_script
+
+   pure function measured_look(operation) result(look)
+      integer, intent(in) :: operation
+      character(:), allocatable :: look
+      look = 'with points pt '//to_text(open_marks(1 + mod(operation - 1, size(open_marks))))//" ps 1.2 lw 1.6 lc rgb '"// &
+         colour_black//"'"
+   end function measured_look
+
+   pure function friction_label(friction) result(text)
+      type(optional_real), intent(in) :: friction
+      character(:), allocatable :: text
+      text = 'friction of the hole'
+      if (friction%present) text = 'friction '//to_text(friction%value, digits)
+   end function friction_label
+
+   !> Whether a row of the file has that friction factor, in gnuplot's words.
+   pure function friction_test(friction) result(text)
+      type(optional_real), intent(in) :: friction
+      character(:), allocatable :: text
+      text = "stringcolumn('friction') eq ''"
+      ! the file has ten digits
+      if (friction%present) text = "abs(column('friction') - "//to_text(friction%value)//') < 1e-9'
+   end function friction_test
+end module dg_sweep_picture
