@@ -19,6 +19,7 @@ contains
       use dg_test_stiff_wells, only: stiff_wells_suite
       use dg_test_bit_side_force, only: bit_side_force_suite
       use dg_test_buckling, only: buckling_suite
+      use dg_test_tool_joints, only: tool_joints_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -32,5 +33,6 @@ contains
       call suite%addTest(stiff_wells_suite())
       call suite%addTest(bit_side_force_suite())
       call suite%addTest(buckling_suite())
+      call suite%addTest(tool_joints_suite())
    end function load_tests
 end program verification

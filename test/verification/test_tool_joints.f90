@@ -1,0 +1,129 @@
+!> Drill pipe that touches at its tool joints only: the bending moment between them in closed form, and where the body comes
+!> to the wall.
+!>
+!> Paslay & Cernocky 1991 (SPE 22547): joints 2 L apart hold the pipe in a hole of curvature 1/R. By symmetry the pipe has the
+!> hole's direction at joint and mid-span, so that the mean of its curvature is 1/R. Between, M'' = T M/(EI): with
+!> k = sqrt(|T|/EI) the moment is EI/R times kL cosh(kx)/sinh(kL) in tension, kL cos(kx)/sin(kL) in compression, x from
+!> mid-span: largest at the joint, kL/tanh(kL), or at mid-span, kL/sin(kL).
+module dg_test_tool_joints
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type
+   use dg_component, only: bending_stiffness, component_type
+   use dg_constants, only: degree
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_static
+   use dg_model, only: model_type
+   use dg_profile, only: state_free
+   use dg_test_wells, only: new_well, note, pipe, solve
+   implicit none
+   private
+   public :: tool_joints_suite
+
+   real(wp), parameter :: half = 4.75_wp              !< L, half the distance between joints [m]
+   real(wp), parameter :: radius = 600.0_wp           !< R of the hole [m]
+   real(wp), parameter :: depth = 24.0_wp*2.0_wp*half  !< of the bit [m]
+   real(wp), parameter :: spans_below = 12.0_wp       !< between the bit and the joint looked at
+   !> The closed form is that of joints of no length; these are 1/95 of the span.
+   real(wp), parameter :: joint = 0.1_wp
+   real(wp), parameter :: one_percent = 0.01_wp
+
+contains
+
+   function tool_joints_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('tool_joints')
+      call suite%addTest(TestMethod('magnification_in_tension', test_tension))
+      call suite%addTest(TestMethod('magnification_in_compression', test_compression))
+      call suite%addTest(TestMethod('body_touches_between', test_body))
+   end function tool_joints_suite
+
+   !> Weightless pipe of 127 mm with joints of 168.3 mm in an arc; ends free.
+   subroutine build(model, arc_radius)
+      type(model_type), intent(out) :: model
+      real(wp), intent(in) :: arc_radius   !< [m]
+      type(component_type) :: component
+      component = pipe(0.0_wp, 0.127_wp, 0.1086_wp)
+      component%joint_od = 0.1683_wp
+      component%joint_length = joint
+      component%joint_spacing = 2.0_wp*half
+      call new_well(model, [0.0_wp, depth], [0.0_wp, depth/arc_radius/degree], [0.0_wp, 0.0_wp], 0.2159_wp, 0.0_wp, component)
+      model%numerics%discrete_joints = .true.
+      model%numerics%element_length = 0.475_wp   ! an even number to a span: a node at mid-span
+   end subroutine build
+
+   !> Row of the profile nearest to a place in spans from the bit.
+   pure function row(result, spans) result(i)
+      type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: spans
+      integer :: i
+      i = minloc(abs(result%profile%md - (depth - spans*2.0_wp*half)), dim=1)
+   end function row
+
+   !> Pipe under an axial force [N]: moments over EI/R at the joint in the middle of the string and at mid-span beside it. What the
+   !> free ends disturb goes over from span to span, in compression of kL = 1.4 by a factor of 0.54: 7e-4 is left.
+   subroutine solve_jointed(axial, at_joint, at_middle)
+      real(wp), intent(in) :: axial
+      real(wp), intent(out) :: at_joint, at_middle
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp) :: unit
+      call build(model, radius)
+      unit = bending_stiffness(model%strings(1)%components(1))/radius
+      call solve(model, operation_static, -axial, 0.0_wp, result, 'jointed pipe')
+      ! A joint has a node at either end, its one gap between: the pipe is held, and bent most, at the end next to it.
+      at_joint = maxval(result%profile%bending, mask=abs(result%profile%md - (depth - spans_below*2.0_wp*half)) < joint)/unit
+      at_middle = result%profile%bending(row(result, spans_below - 0.5_wp))/unit
+      call assertEqual(state_free, result%profile%gap_state(row(result, spans_below - 0.5_wp)), message='the body is free')
+      call assertGreaterThan(result%profile%gap_state(row(result, spans_below)), state_free, message='the joint touches')
+   end subroutine solve_jointed
+
+   subroutine test_tension()
+      real(wp), parameter :: kl(3) = [1.0_wp, 2.0_wp, 3.0_wp]
+      real(wp) :: at_joint, at_middle
+      integer :: i
+      do i = 1, size(kl)
+         call solve_jointed(stiffness()*(kl(i)/half)**2, at_joint, at_middle)
+         call note('kL', kl(i))
+         call note('at the joint, over kL/tanh(kL)', at_joint*tanh(kl(i))/kl(i))
+         call note('at mid-span, over kL/sinh(kL)', at_middle*sinh(kl(i))/kl(i))
+         call assertRelativelyEqual(kl(i)/tanh(kl(i)), at_joint, one_percent, message='at the joint')
+         call assertRelativelyEqual(kl(i)/sinh(kl(i)), at_middle, one_percent, message='at mid-span')
+      end do
+   end subroutine test_tension
+
+   subroutine test_compression()
+      real(wp), parameter :: kl(2) = [0.8_wp, 1.4_wp]
+      real(wp) :: at_joint, at_middle
+      integer :: i
+      do i = 1, size(kl)
+         call solve_jointed(-stiffness()*(kl(i)/half)**2, at_joint, at_middle)
+         call note('kL', kl(i))
+         call note('at mid-span, over kL/sin(kL)', at_middle*sin(kl(i))/kl(i))
+         call assertRelativelyEqual(kl(i)/sin(kl(i)), at_middle, one_percent, message='at mid-span')
+         call assertLessThan(at_joint, at_middle, message='less at the joint')
+      end do
+   end subroutine test_compression
+
+   pure function stiffness() result(ei)
+      real(wp) :: ei
+      ei = bending_stiffness(pipe(0.0_wp, 0.127_wp, 0.1086_wp))
+   end function stiffness
+
+   !> In a bend of 200 m, pulled straight between joints, the body would lie L^2/(2 R) = 56 mm nearer to the inside than they
+   !> do; it stands off by 21 mm only. So it touches at mid-span, and its moment at the joint is below the closed form's.
+   subroutine test_body()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: tight = 200.0_wp, kl = 3.0_wp
+      real(wp) :: ei
+      call build(model, tight)
+      ei = bending_stiffness(model%strings(1)%components(1))
+      call solve(model, operation_static, -ei*(kl/half)**2, 0.0_wp, result, 'body on the wall')
+      call assertGreaterThan(result%profile%gap_state(row(result, spans_below - 0.5_wp)), state_free, message='the body touches')
+      call assertGreaterThan(result%profile%gap_state(row(result, spans_below)), state_free, message='the joint touches')
+      call assertEqual(state_free, result%profile%gap_state(row(result, spans_below - 0.25_wp)), message='free between')
+      call note('at the joint, over that of a body that does not touch', &
+                result%profile%bending(row(result, spans_below))/(ei/tight*kl/tanh(kl)))
+      call assertLessThan(result%profile%bending(row(result, spans_below)), ei/tight*kl/tanh(kl), message='less at the joint')
+   end subroutine test_body
+end module dg_test_tool_joints
