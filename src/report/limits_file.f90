@@ -2,8 +2,8 @@
 module dg_limits_file
    use dg_buckling_limits, only: buckling_name
    use dg_case_result, only: case_result_type, result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
-                        quantity_line_load, quantity_moment, quantity_none, quantity_text, quantity_turns
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_angle, quantity_force, &
+                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_text, quantity_turns
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
@@ -15,7 +15,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(32) = [ &
+   type(column_type), parameter :: limits_columns(36) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -53,7 +53,12 @@ module dg_limits_file
       column_type('coiled_length', quantity_length, 'of string found to coil'), &
       column_type('coil_turns', quantity_none, 'turns of its coils'), &
       column_type('stability_margin', quantity_none, 'part by which compression could still grow before the string leaves its '// &
-         'shape, read off the tangent; 1 stands for more, empty where it is not compressed enough')]
+         'shape, read off the tangent; 1 stands for more, empty where it is not compressed enough'), &
+      column_type('bit_side_force', quantity_force, 'across the hole, of the bit on the formation; mcge with the bit centred, '// &
+         'else empty'), &
+      column_type('bit_side_clock', quantity_angle, 'where to, as clock in the profiles'), &
+      column_type('bit_tilt', quantity_angle, 'between bit and hole axis; mcge only'), &
+      column_type('bit_tilt_clock', quantity_angle, 'where the bit points')]
 
 contains
 
@@ -126,5 +131,9 @@ contains
       call put(row, whole%coiled_length)
       call put(row, whole%coil_turns)
       call put(row, whole%stability_margin)
+      call put(row, whole%bit_side_force)
+      call put(row, whole%bit_side_clock)
+      call put(row, whole%bit_tilt)
+      call put(row, whole%bit_tilt_clock)
    end subroutine limits_fields
 end module dg_limits_file

@@ -67,6 +67,13 @@ module dg_case_result
       !> Part by which compression could still grow before the equilibrium is lost, read off the tangent there (as that of a
       !> string on the low side, sqrt(1 + nu) - 1); 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
+      !> The bit held on the axis by the formation: force of the bit on it across the hole [N] and its clock angle [rad]; missing
+      !> where nothing holds it, and without elements.
+      real(wp) :: bit_side_force = missing
+      real(wp) :: bit_side_clock = missing
+      !> Angle between bit and hole axis, and the clock angle to which it points [rad]; missing without elements.
+      real(wp) :: bit_tilt = missing
+      real(wp) :: bit_tilt_clock = missing
       !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp

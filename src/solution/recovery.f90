@@ -13,7 +13,7 @@ module dg_recovery
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: recover_profile, recover_gaps, check_equilibrium, buoyed_axial_weight
+   public :: recover_profile, recover_gaps, recover_bit, check_equilibrium, buoyed_axial_weight
 
 contains
 
@@ -91,6 +91,25 @@ contains
       rows%flips = gaps%flips
       rows%moves = gaps%moves
    end subroutine recover_gaps
+
+   !> The bit against the hole axis where it now is: what it presses with across the hole, and where it points. A string that is
+   !> free at the bit presses with nothing there.
+   pure subroutine recover_bit(trajectory, mesh, work, side_force, side_clock, tilt, tilt_clock)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: side_force    !< on the formation [N]
+      real(wp), intent(out) :: side_clock    !< its direction [rad]
+      real(wp), intent(out) :: tilt          !< angle between bit and hole axis [rad]
+      real(wp), intent(out) :: tilt_clock    !< to which the bit points [rad]
+      real(wp) :: gap(3), tangent(3), across(3)
+      call node_offset(trajectory, mesh, work, mesh%nodes, gap, tangent)
+      side_force = norm2(work%bit_reaction)
+      side_clock = clock_angle(tangent, -work%bit_reaction)
+      across = work%d(:, mesh%nodes) - dot_product(work%d(:, mesh%nodes), tangent)*tangent
+      tilt = asin(min(norm2(across), 1.0_wp))
+      tilt_clock = clock_angle(tangent, across)
+   end subroutine recover_bit
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
    !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.

@@ -9,7 +9,7 @@ module dg_static_result
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_newton, only: newton_converged, newton_exhausted, newton_type
-   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_gaps, recover_profile
+   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
@@ -41,7 +41,7 @@ contains
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(out) :: result
       type(iteration_type) :: last
-      real(wp) :: position(3), tangent(3), worst
+      real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
       character(200) :: text
       result%case_index = case_index
@@ -90,6 +90,11 @@ contains
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
       call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
       call recover_gaps(mesh, gaps, work, result%gaps)
+      call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
+      if (model%boundary%bit_centred) then
+         result%bit_side_force = side_force
+         result%bit_side_clock = side_clock
+      end if
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
 

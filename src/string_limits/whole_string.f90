@@ -42,6 +42,10 @@ module dg_whole_string
       real(wp) :: coiled_length = 0.0_wp            !< of string found to coil [m]
       real(wp) :: coil_turns = 0.0_wp               !< turns of the coils [-]
       type(optional_real) :: stability_margin       !< as the result has it [-]
+      type(optional_real) :: bit_side_force         !< of the bit on the formation, gap elements with the bit held only [N]
+      type(optional_real) :: bit_side_clock         !< where to [rad]
+      type(optional_real) :: bit_tilt               !< angle between bit and hole, gap elements only [rad]
+      type(optional_real) :: bit_tilt_clock         !< where it points [rad]
       type(optional_real) :: rig_limit              !< hook load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -90,10 +94,21 @@ contains
          whole%side_force_md = profile%md(i)
       end associate
       if (result%model == model_mcge) call add_shape(model, result, along, whole)
-      if (.not. is_missing(result%stability_margin)) whole%stability_margin = given(result%stability_margin)
+      call take(result%stability_margin, whole%stability_margin)
+      call take(result%bit_side_force, whole%bit_side_force)
+      call take(result%bit_side_clock, whole%bit_side_clock)
+      call take(result%bit_tilt, whole%bit_tilt)
+      call take(result%bit_tilt_clock, whole%bit_tilt_clock)
       call add_margins(model, result, rig_limit, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
+
+   !> A number that may be missing as one that may be absent.
+   elemental subroutine take(number, optional)
+      real(wp), intent(in) :: number
+      type(optional_real), intent(out) :: optional
+      if (.not. is_missing(number)) optional = given(number)
+   end subroutine take
 
    !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressure p on all sides,
    !> -(1 - 2 nu) p/E (Hooke's law with axial, hoop and radial stress). Trapezoids between rows; no component
