@@ -26,7 +26,7 @@ module dg_case_pictures
 
 contains
 
-   !> Vertical section and plan, to one scale, with the state of contact along the string. `result` has a profile.
+   !> Vertical section and plan, neither distorted, with the state of contact along the string. `result` has a profile.
    subroutine path_script(name, job, load_case, result, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
@@ -36,7 +36,10 @@ contains
       type(series_type), allocatable :: series(:)
       real(wp), allocatable :: section(:)
       real(wp) :: azimuth, scale
-      real(wp), parameter :: left(2) = [0.075_wp, 0.575_wp], wide = 0.41_wp
+      !> Panels side by side, or one above the other for wells much wider than deep: places in parts of the picture.
+      real(wp), parameter :: wide_well = 2.0_wp
+      real(wp) :: left(2), bottom(2), wide, tall, legend_bottom, title
+      integer :: pixels
       character(:), allocatable :: data, across, unit
       integer :: n
       associate (profile => result%profile)
@@ -48,24 +51,41 @@ contains
          unit = ' ['//trim(job%units%length_label)//']'
          across = '(('//to_text(cos(azimuth), digits)//')*'//value('north')//'+('//to_text(sin(azimuth), digits)//')*'// &
             value('east')//')'
-         call start_script(lines, name, width, height)
+         if (maxval(section) - minval(section) > wide_well*(maxval(profile%tvd) - minval(profile%tvd))) then
+            pixels = 760
+            left = 0.075_wp
+            wide = 0.91_wp
+            bottom = [0.55_wp, 0.09_wp]
+            tall = 0.34_wp
+            legend_bottom = 0.895_wp
+            title = 0.945_wp
+         else
+            pixels = height
+            left = [0.075_wp, 0.575_wp]
+            wide = 0.41_wp
+            bottom = panel_bottom
+            tall = panel_top - panel_bottom
+            legend_bottom = panel_top
+            title = legend_top
+         end if
+         call start_script(lines, name, width, pixels)
          call append_text(lines, "touches(state, value) = stringcolumn('gap_state') eq state ? value : NaN")
          call add_curves(across, value('tvd'))
-         call legend(lines, case_title(job%units, load_case)//', model '//trim(model_name(result%model)), series, panel_top, &
-                     legend_top)
-         ! the plan of a vertical hole is a point: a hundredth of its depth shows that
-         scale = max(per_pixel(section, profile%tvd), per_pixel(profile%north, profile%east), &
-                     0.01_wp*profile%md(n)/(wide*width))
-         call panel(lines, left(1), left(1) + wide, panel_bottom, panel_top, 'vertical section along azimuth '// &
+         call legend(lines, case_title(job%units, load_case)//', model '//trim(model_name(result%model)), series, &
+                     legend_bottom, title)
+         scale = per_pixel(section, profile%tvd)
+         call panel(lines, left(1), left(1) + wide, bottom(1), bottom(1) + tall, 'vertical section along azimuth '// &
                     to_text(real(nint(modulo(azimuth/job%units%angle, 360.0_wp)), wp))//' deg'//unit, &
                     'true vertical depth'//unit)
          call append_text(lines, 'set xrange ['//window(section, wide*width, .false.)//']; set yrange ['// &
-                          window(profile%tvd, (panel_top - panel_bottom)*height, .true.)//']')
+                          window(profile%tvd, tall*pixels, .true.)//']')
          call plot(lines, series)
          call add_curves(value('east'), value('north'))
-         call panel(lines, left(2), left(2) + wide, panel_bottom, panel_top, 'east'//unit, 'north'//unit)
+         ! the plan of a vertical hole is a point: a hundredth of its depth shows that
+         scale = max(per_pixel(profile%east, profile%north), 0.01_wp*profile%md(n)/(wide*width))
+         call panel(lines, left(2), left(2) + wide, bottom(2), bottom(2) + tall, 'east'//unit, 'north'//unit)
          call append_text(lines, 'set xrange ['//window(profile%east, wide*width, .false.)//']; set yrange ['// &
-                          window(profile%north, (panel_top - panel_bottom)*height, .false.)//']')
+                          window(profile%north, tall*pixels, .false.)//']')
          call plot(lines, series)
          call end_script(lines)
       end associate
@@ -98,38 +118,47 @@ contains
          real(wp) :: metres
          real(wp), parameter :: air = 1.1_wp
          metres = air*max((maxval(x) - minval(x))/(wide*width), &
-                          (maxval(y) - minval(y))/((panel_top - panel_bottom)*height))
+                          (maxval(y) - minval(y))/(tall*pixels))
       end function per_pixel
 
-      !> Range of an axis of that many pixels around the values, in the deck's units.
-      pure function window(values, pixels, downwards) result(text)
-         real(wp), intent(in) :: values(:), pixels
-         logical, intent(in) :: downwards
+      !> Range of an axis of so many pixels, in the deck's units: values in its middle, a depth from a little above the first on.
+      pure function window(values, pixels_there, is_depth) result(text)
+         real(wp), intent(in) :: values(:), pixels_there
+         logical, intent(in) :: is_depth
          character(:), allocatable :: text
-         real(wp) :: middle, half
-         middle = 0.5_wp*(minval(values) + maxval(values))
-         half = 0.5_wp*scale*pixels
-         if (downwards) half = -half
-         text = to_text((middle - half)/job%units%length, digits)//':'//to_text((middle + half)/job%units%length, digits)
+         real(wp) :: first, last
+         real(wp), parameter :: little = 0.05_wp
+         first = 0.5_wp*(minval(values) + maxval(values)) - 0.5_wp*scale*pixels_there
+         if (is_depth) first = minval(values) - little*scale*pixels_there
+         last = first + scale*pixels_there
+         if (is_depth) then
+            text = to_text(last/job%units%length, digits)//':'//to_text(first/job%units%length, digits)
+         else
+            text = to_text(first/job%units%length, digits)//':'//to_text(last/job%units%length, digits)
+         end if
       end function window
    end subroutine path_script
 
    !> Axial force with buckling limits, torque (bending moment where there is no torque), side force and clock angle of
    !> all models of a case, against depth. All `results` have profiles.
-   subroutine forces_script(name, job, load_case, results, alongs, lines)
+   subroutine forces_script(name, job, load_case, results, alongs, left_out, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: results(:)      !< of the case, one a model
       type(along_string_type), intent(in) :: alongs(:)      !< as many
+      character(*), intent(in) :: left_out                  !< models without a solution; '': none
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
+      character(:), allocatable :: title
       real(wp), parameter :: left(4) = [0.075_wp, 0.315_wp, 0.545_wp, 0.775_wp], wide = 0.21_wp
       !> Steps between tics: their labels have four letters' room each.
       integer, parameter :: intervals = 5
       call start_script(lines, name, width, height)
       call add_axial()
-      call legend(lines, case_title(job%units, load_case), series, panel_top, legend_top)
+      title = case_title(job%units, load_case)
+      if (left_out /= '') title = title//'; no solution:'//left_out
+      call legend(lines, title, series, panel_top, legend_top)
       call append_text(lines, 'set yrange ['//to_text(load_case%bit_depth/job%units%length, digits)//':0]')
       call panel(lines, left(1), left(1) + wide, panel_bottom, panel_top, axis('effective axial force', 'axial'), &
                  axis('measured depth', 'md'))

@@ -3,7 +3,7 @@
 module dg_picture_files
    use dg_along_string, only: along_string_type
    use dg_case_pictures, only: forces_script, path_script
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type, raise, status_failure
    use dg_file_system, only: delete_file, write_text_file
    use dg_folder, only: make_folder
@@ -51,7 +51,7 @@ contains
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name
+      character(:), allocatable :: name, left_out
       integer, allocatable :: rows(:)
       integer :: i, k
       allocate (list%pictures(0))
@@ -92,13 +92,17 @@ contains
       end if
       do i = 1, size(model%cases)
          if (.not. job%profiles) exit       ! the files that these draw from
-         rows = pack([(k, k=1, size(results))], results%case_index == i)
+         rows = pack([(k, k=1, size(results))], results%case_index == i .and. results%status == result_converged)
          rows = pack(rows, [(allocated(results(rows(k))%profile%md), k=1, size(rows))])
-         if (size(rows) == 0) cycle
+         if (size(rows) == 0) cycle         ! numbers that are no solution are not drawn
+         left_out = ''
+         do k = 1, size(results)
+            if (results(k)%case_index == i .and. .not. any(rows == k)) left_out = left_out//' '//trim(model_name(results(k)%model))
+         end do
          name = model%cases(i)%name
          call path_script('path_'//name, job, model%cases(i), results(rows(1)), lines)
          call add('path_'//name, 'Well path with contact of the string', i)
-         call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), lines)
+         call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
          call add('forces_'//name, 'Along the string', i)
       end do
       if (.not. allocated(error)) call draw(job, list, error)

@@ -126,7 +126,8 @@ contains
       type(model_type) :: model
       model = sample_model()
       allocate (results, source=sample_results())
-      call forces_script('forces_i_up', sample_job(), model%cases(1), results(:1), [new_along_string(2)], lines)
+      call forces_script('forces_i_up', sample_job(), model%cases(1), results(:1), [new_along_string(2)], ' rigid', lines)
+      call assertTrue(has_text(lines, 'up at 2075 m; no solution: rigid'))
       call assertTrue(has_line(lines, "set output 'forces_i_up.svg'"))
       call assertTrue(has_line(lines, "set xlabel 'effective axial force [kN]'"))
       call assertTrue(has_line(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
