@@ -26,9 +26,11 @@ MAY_USE = {
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
+    "calibration": {"base", "linear_algebra", "model"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "string_limits": {"base", "trajectory", "string", "hole", "model", "results", "soft_string"},
-    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study"},
+    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",
+               "calibration"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)

@@ -26,6 +26,8 @@ COLUMNS = {
     "history_columns": "history_<case>_<model>.csv",
     "legacy_columns": "legacy_<label>.csv",
     "sweep_columns": "sweep_<name>.csv",
+    "factor_columns": "calibration.csv",
+    "datum_columns": "calibration_data.csv",
     "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",
 }

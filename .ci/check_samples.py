@@ -3,7 +3,8 @@
 
 Each deck begins with two lines or more on what it shows, ends with status 0 and nothing on standard error, every row of its
 summary.csv converged, and its page and pictures are there. Beams and soft string, independent of each other, must agree on
-the hook load within the limit below: what a slip in a deck (a diameter, a unit) would break.
+the hook load within the limit below: what a slip in a deck (a diameter, a unit) would break. What a comment '! prints: ...'
+promises must stand in the output.
 
 Usage: check_samples.py PROGRAM RESULTS_FOLDER
 """
@@ -19,13 +20,15 @@ MODELS_APART = 5.0      # % of the largest hook load of the deck
 
 
 def faults_of(program, deck, folder):
-    comments = deck.read_text(encoding="utf-8").splitlines()[:2]
+    lines = deck.read_text(encoding="utf-8").splitlines()
+    comments, promises = lines[:2], [line.split(": ", 1)[1] for line in lines if line.startswith("! prints: ")]
     faults = [] if all(line.startswith("! ") for line in comments) else ["does not begin with two lines on what it shows"]
     start = time.time()
     run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, timeout=300, check=False)
     print(f"{deck.name:28s} {time.time() - start:6.1f} s")
     if run.returncode != 0 or run.stderr:
         return faults + [f"ended with status {run.returncode}: {run.stderr.strip()}"]
+    faults += [f"does not print '{promise}'" for promise in promises if promise not in run.stdout]
     rows = list(csv.DictReader(open(folder / "summary.csv", newline="", encoding="utf-8")))
     faults += [f"{row['case']}, {row['model']}: {row['status']}" for row in rows if row["status"] != "converged"]
     column = next(name for name in rows[0] if name.startswith("hookload_"))

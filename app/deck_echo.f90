@@ -1,6 +1,7 @@
 !> Prints what a deck asks for as the program understood it, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
+   use dg_calibration_echo, only: add_calibrations
    use dg_component, only: component_type
    use dg_deck_schema, only: unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
       unit_wall
@@ -68,6 +69,7 @@ contains
       do i = 1, size(model%cases)
          call add_case(lines, job%units, model%cases(i))
       end do
+      call add_calibrations(lines, job)
       call add_sweeps(lines, job)
       call add_numerics(lines, job%units, model%numerics)
       if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &

@@ -16,6 +16,7 @@ module dg_run_deck
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
+   use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
    use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
@@ -64,6 +65,11 @@ contains
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(job, model, results, alongs, wholes, status)
+      if (job%parts == 0 .and. job%merge == 0 .and. .not. is_interrupted()) then
+         call run_calibrations(output_unit, job, model, lost, error)
+         call note_failure(error, status)
+         if (lost > 0) status = graver(status, status_not_converged)
+      end if
       do i = 1, size(sweeps)
          if (is_interrupted()) exit
          call run_sweep(job, model, i, sweeps(i), lost, error)

@@ -7,7 +7,7 @@ module dg_run_sweeps
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name
-   use dg_model, only: model_type
+   use dg_model, only: copy_without_cases, model_type
    use dg_model_text, only: sweep_lines
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_solve_case, only: solve_case
@@ -154,20 +154,6 @@ contains
          !$omp end do
       end subroutine share_points
    end subroutine solve_points
-
-   !> The model with room for one load case.
-   subroutine copy_without_cases(model, copy)
-      type(model_type), intent(in) :: model
-      type(model_type), intent(out) :: copy
-      copy%trajectory = model%trajectory
-      copy%holes = model%holes
-      copy%strings = model%strings
-      copy%boundary = model%boundary
-      copy%numerics = model%numerics
-      copy%mud_density = model%mud_density
-      copy%gravity = model%gravity
-      allocate (copy%cases(1))
-   end subroutine copy_without_cases
 
    !> Solves one point.
    subroutine solve_point(model, sweep, point, found)

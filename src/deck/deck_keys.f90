@@ -23,7 +23,7 @@ module dg_deck_keys
          meaning='what is done to the string, at which depth, with which loads'), &
       group_rule_type('solver', meaning='numbers that steer the solution'), &
       group_rule_type('sweep', repeatable=.true., meaning='hook load and torque against depth'), &
-      group_rule_type('calibrate', repeatable=.true., available=.false., meaning='friction from measured hook load and torque'), &
+      group_rule_type('calibrate', repeatable=.true., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
       group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
 
@@ -249,6 +249,27 @@ module dg_deck_keys
       key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
          meaning='measured torque of each; 0: none')]
 
+   type(key_rule_type), parameter :: calibrate_keys(10) = [ &
+      key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
+      key_rule_type('calibrate', 'cases', kind_text, array=.true., &
+         meaning='names of load cases; default all with measured_hookload or measured_torque'), &
+      key_rule_type('calibrate', 'parameter', kind_text, default='friction', &
+         choices='friction friction_axial friction_rotary', later='sticking', meaning='what is looked for'), &
+      key_rule_type('calibrate', 'holes', kind_text, array=.true., &
+         meaning='names of hole sections whose friction is looked for; default all'), &
+      key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
+         meaning='what has a factor of its own; default holes'), &
+      key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
+         meaning='what the gauge shows beyond the string is looked for too: one for all, or one a bit depth'), &
+      key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
+         meaning='one or several; default soft'), &
+      key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='standard deviation of a measured hook load; default: from the residuals'), &
+      key_rule_type('calibrate', 'torque_deviation', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
+         meaning='standard deviation of a measured torque; default: from the residuals'), &
+      key_rule_type('calibrate', 'sticking_depth', unit=unit_length, later='*', &
+         meaning='measured depth of a stuck point or key seat')]
+
 contains
 
    !> Rules of the keys of a group; none for a group that this version does not have.
@@ -265,6 +286,7 @@ contains
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
       case ('sweep'); rules = sweep_keys
+      case ('calibrate'); rules = calibrate_keys
       case ('legacy'); rules = legacy_keys
       case ('study'); rules = study_keys
       case default; allocate (rules(0))

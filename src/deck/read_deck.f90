@@ -5,6 +5,7 @@ module dg_read_deck
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
    use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_check, only: close_holes, check_draft
+   use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
    use dg_deck_study, only: take_study
@@ -75,6 +76,7 @@ contains
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)
       call take_study(draft, checked, job%models, job%study, faults)
+      call take_calibrations(draft, checked, job%calibrations, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck

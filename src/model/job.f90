@@ -1,5 +1,6 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
+   use dg_calibration, only: calibration_type
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
    use dg_study_plan, only: study_plan_type
@@ -26,6 +27,7 @@ module dg_job
       type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
       type(study_plan_type), allocatable :: study       !< accuracy and cost to compare; not allocated: nothing
       type(sweep_type), allocatable :: sweeps(:) !< over bit depth
+      type(calibration_type), allocatable :: calibrations(:) !< of friction, from measurements
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       character(:), allocatable :: deck_text   !< the deck itself, for the record
       logical :: profiles = .true.             !< write profiles along the string

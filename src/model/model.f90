@@ -9,7 +9,7 @@ module dg_model
    use dg_trajectory, only: trajectory_type
    implicit none
    private
-   public :: model_type, boundary_type, string_index
+   public :: model_type, boundary_type, string_index, copy_without_cases
 
    !> Lateral supports of the string's ends; rotations are free at both. The top is held axially and
    !> against twist, the bit is loaded.
@@ -41,4 +41,18 @@ contains
       end do
       index = 0
    end function string_index
+
+   !> The model with room for one load case of somebody's own.
+   subroutine copy_without_cases(model, copy)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(out) :: copy
+      copy%trajectory = model%trajectory
+      copy%holes = model%holes
+      copy%strings = model%strings
+      copy%boundary = model%boundary
+      copy%numerics = model%numerics
+      copy%mud_density = model%mud_density
+      copy%gravity = model%gravity
+      allocate (copy%cases(1))
+   end subroutine copy_without_cases
 end module dg_model

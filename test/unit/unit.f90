@@ -44,6 +44,7 @@ contains
       use dg_test_paraview, only: paraview_suite
       use dg_test_study, only: study_suite
       use dg_test_sweep, only: sweep_suite
+      use dg_test_calibration, only: calibration_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -82,5 +83,6 @@ contains
       call suite%addTest(paraview_suite())
       call suite%addTest(study_suite())
       call suite%addTest(sweep_suite())
+      call suite%addTest(calibration_suite())
    end function load_tests
 end program unit

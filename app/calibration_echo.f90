@@ -1,0 +1,25 @@
+!> Tells what a deck's calibrations ask for as the program understood it.
+module dg_calibration_echo
+   use dg_calibration, only: parameter_name
+   use dg_job, only: job_type, model_name
+   use dg_text, only: append_text, joined, text_type, to_text
+   implicit none
+   private
+   public :: add_calibrations
+
+contains
+
+   !> One line a calibration.
+   pure subroutine add_calibrations(lines, job)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(job_type), intent(in) :: job
+      integer :: i
+      do i = 1, size(job%calibrations)
+         associate (calibration => job%calibrations(i))
+            call append_text(lines, 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases')
+         end associate
+      end do
+   end subroutine add_calibrations
+end module dg_calibration_echo

@@ -1,0 +1,117 @@
+!> Runs the calibrations of a deck, prints and writes what they find.
+module dg_run_calibrations
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64
+   use dg_kinds, only: wp
+   use dg_calibration, only: calibration_type, factors_of_deck, hookload_datum
+   use dg_calibration_file, only: write_calibrations
+   use dg_calibration_result, only: calibration_result_type, judge_fit
+   use dg_calibration_table, only: calibration_table
+   use dg_error, only: error_type
+   use dg_interruption, only: is_interrupted
+   use dg_job, only: job_type, model_name
+   use dg_least_squares, only: fit_done, fit_least_squares, fit_without_values
+   use dg_model, only: model_type
+   use dg_progress, only: seconds_between
+   use dg_string_function, only: new_string_function, string_function_type
+   use dg_text, only: quoted, text_type
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: run_calibrations
+
+   !> Bounds of a friction factor, as those of the deck [-].
+   real(wp), parameter :: least_friction = 0.0_wp, greatest_friction = 2.0_wp
+   !> A friction factor that is a large one [-].
+   real(wp), parameter :: friction_scale = 1.0_wp
+
+contains
+
+   !> Each calibration with each of its models. `lost` counts those without a fit; `error` tells that a file could not be
+   !> written.
+   subroutine run_calibrations(unit, job, model, lost, error)
+      integer, intent(in) :: unit
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(out) :: lost
+      type(error_type), allocatable, intent(out) :: error
+      type(calibration_result_type), allocatable :: results(:)
+      integer, allocatable :: owner(:)     !< number of the calibration of each result
+      type(text_type), allocatable :: lines(:)
+      integer :: i, j, k, n, status
+      lost = 0
+      n = 0
+      do i = 1, size(job%calibrations)
+         n = n + size(job%calibrations(i)%models)
+      end do
+      if (n == 0) return
+      allocate (results(n), owner(n))
+      n = 0
+      do i = 1, size(job%calibrations)
+         do j = 1, size(job%calibrations(i)%models)
+            call calibrate(model, job%calibrations(i), j, job%threads, results(n + 1))
+            if (is_interrupted()) exit
+            n = n + 1
+            owner(n) = i
+            if (results(n)%fit%status /= fit_done) then
+               lost = lost + 1
+               write (error_unit, '(a)') program_name//': calibration '//quoted(job%calibrations(i)%name)//', model '// &
+                  trim(model_name(results(n)%model))//': no fit; '//results(n)%message
+            end if
+            allocate (lines, source=calibration_table(job%units, model, job%calibrations(i), results(n)))
+            do k = 1, size(lines)
+               write (unit, '(a)', iostat=status) lines(k)%text
+               if (status /= 0) exit       ! nobody reads on: the files hold the results
+            end do
+            deallocate (lines)
+         end do
+      end do
+      call write_calibrations(job, model, owner(:n), results(:n), error)
+   end subroutine run_calibrations
+
+   !> One calibration with one model.
+   subroutine calibrate(model, calibration, place, threads, result)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      integer, intent(in) :: place             !< of the model in the calibration's
+      integer, intent(in) :: threads
+      type(calibration_result_type), intent(out) :: result
+      type(string_function_type) :: function
+      real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
+      real(wp), dimension(size(calibration%data)) :: measured, deviation
+      logical :: known, is_hookload(size(calibration%data))
+      integer(int64) :: start, finish
+      call system_clock(start)
+      call new_string_function(function, model, calibration, calibration%models(place), threads)
+      result%model = calibration%models(place)
+      result%message = ''
+      result%start = factors_of_deck(calibration, model%holes, model%cases)
+      allocate (result%before(size(calibration%data)))
+      call function%as_given(result%before)
+      measured = calibration%data%measured
+      deviation = calibration%data%deviation
+      is_hookload = calibration%data%kind == hookload_datum
+      lower = least_friction
+      upper = greatest_friction
+      scale = friction_scale
+      where (calibration%unknowns%is_offset)
+         scale = maxval(measured, mask=is_hookload)     ! a gauge that shows nothing but its offset
+         lower = -scale
+         upper = scale
+      end where
+      call fit_least_squares(function, result%start, lower, upper, scale, measured, deviation, result%fit)
+      known = all(is_hookload .and. calibration%hookload_deviation%present .or. &
+                  .not. is_hookload .and. calibration%torque_deviation%present)
+      call judge_fit(result, measured, deviation, known)
+      if (result%fit%status == fit_without_values) then
+         associate (datum => calibration%data(result%fit%lost))
+            result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &
+                             function%message//'; leave it out, or begin with other factors in the deck'
+         end associate
+      else if (result%fit%status /= fit_done) then
+         result%message = 'the sum of squares still falls after all its iterations; separate less'
+      end if
+      result%solutions = function%solutions
+      call system_clock(finish)
+      result%seconds = seconds_between(start, finish)
+   end subroutine calibrate
+end module dg_run_calibrations

@@ -1,0 +1,179 @@
+!> What a fit is worth: confidence intervals, and which unknowns the data cannot tell apart. LAPACK's dgesvd takes the
+!> Jacobian to pieces.
+module dg_fit_statistics
+   use dg_kinds, only: wp
+   use dg_constants, only: pi
+   use dg_lapack, only: dgesvd
+   use dg_missing, only: missing
+   implicit none
+   private
+   public :: statistics_type, mixture_type, find_statistics, student_quantile
+
+   !> Unknowns of which the data tell only a combination.
+   type :: mixture_type
+      integer, allocatable :: unknowns(:)    !< numbers, the heaviest first
+      real(wp) :: ratio = 0.0_wp             !< singular value over the largest [-]: how little the data feel of it
+   end type mixture_type
+
+   type :: statistics_type
+      integer :: freedom = 0                        !< data less unknowns found
+      real(wp) :: scatter = missing                 !< of the residuals over the deviations given, about 1 where these are right [-]
+      real(wp), allocatable :: deviation(:)         !< standard deviation of each unknown; missing where it cannot be told
+      real(wp), allocatable :: half_width(:)        !< of its 95 % confidence interval; missing where it cannot be told
+      real(wp), allocatable :: correlation(:, :)    !< of unknowns with each other [-]; 0 with those not found
+      real(wp), allocatable :: singular_values(:)   !< of the Jacobian with columns of length 1, falling
+      type(mixture_type), allocatable :: mixtures(:)
+   end type statistics_type
+
+   real(wp), parameter :: confidence = 0.95_wp
+   !> Degrees of freedom with which Student's distribution is the normal one for all purposes.
+   integer, parameter :: as_normal = 100000
+   !> Singular values under this part of the largest: two columns then make an angle of less than 0.2 rad, so that their
+   !> factors correlate by more than 0.98.
+   real(wp), parameter :: separable = 0.1_wp
+   !> Unknowns with at least this share in such a combination are named.
+   real(wp), parameter :: sharing = 0.25_wp
+   !> Part of the largest singular value under which nothing at all is known of a combination: that of round-off in a
+   !> difference quotient.
+   real(wp), parameter :: nothing_known = 1.0e-6_wp
+
+contains
+
+   !> Statistics of a fit. Where deviations of the data are known they set the intervals, else the residuals do; then there
+   !> must be more data than unknowns.
+   subroutine find_statistics(jacobian, residual, found, deviations_known, statistics)
+      real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns), over the deviations
+      real(wp), intent(in) :: residual(:)        !< over the deviations
+      logical, intent(in) :: found(:)            !< which unknowns the fit was free to choose
+      logical, intent(in) :: deviations_known
+      type(statistics_type), intent(out) :: statistics
+      real(wp) :: factor
+      integer :: columns(count(found)), k, n
+      n = size(columns)
+      columns = pack([(k, k=1, size(found))], found)
+      statistics%freedom = size(residual) - n
+      if (statistics%freedom > 0) statistics%scatter = norm2(residual)/sqrt(real(statistics%freedom, wp))
+      allocate (statistics%deviation(size(found)), statistics%half_width(size(found)), source=missing)
+      allocate (statistics%correlation(size(found), size(found)), source=0.0_wp)
+      allocate (statistics%mixtures(0), statistics%singular_values(n))
+      if (n == 0 .or. n > size(residual)) return
+      call decompose(jacobian(:, columns), columns, statistics)
+      if (deviations_known) then
+         factor = student_quantile(0.5_wp + 0.5_wp*confidence, as_normal)
+      else if (statistics%freedom > 0) then
+         where (statistics%deviation > missing) statistics%deviation = statistics%deviation*statistics%scatter
+         factor = student_quantile(0.5_wp + 0.5_wp*confidence, statistics%freedom)
+      else
+         statistics%deviation = missing
+         return
+      end if
+      where (statistics%deviation > missing) statistics%half_width = factor*statistics%deviation
+   end subroutine find_statistics
+
+   !> Covariances for data of deviation 1, from the singular values of the Jacobian with columns of length 1.
+   subroutine decompose(jacobian, columns, statistics)
+      real(wp), intent(in) :: jacobian(:, :)
+      integer, intent(in) :: columns(:)
+      type(statistics_type), intent(inout) :: statistics
+      real(wp) :: scaled(size(jacobian, 1), size(jacobian, 2)), length(size(columns)), values(size(columns))
+      real(wp) :: right(size(columns), size(columns)), none(1, 1), covariance(size(columns), size(columns))
+      real(wp), allocatable :: work(:)
+      integer :: k, j, m, n, info, weak
+      m = size(jacobian, 1)
+      n = size(columns)
+      do k = 1, n
+         length(k) = norm2(jacobian(:, k))
+         scaled(:, k) = jacobian(:, k)/length(k)
+      end do
+      allocate (work(3*m + 6*n))
+      call dgesvd('N', 'S', m, n, scaled, m, values, none, 1, right, n, work, size(work), info)
+      statistics%singular_values = values
+      if (info /= 0) return
+      weak = count(values < separable*values(1))
+      deallocate (statistics%mixtures)
+      allocate (statistics%mixtures(weak))
+      do k = 1, weak      ! singular values fall
+         associate (mixture => statistics%mixtures(k))
+            mixture%unknowns = columns(descending(abs(right(n - weak + k, :)), sharing))
+            mixture%ratio = values(n - weak + k)/values(1)
+         end associate
+      end do
+      if (values(n) <= nothing_known*values(1)) return
+      do j = 1, n
+         do k = 1, n
+            covariance(k, j) = sum(right(:, k)*right(:, j)/values**2)/(length(k)*length(j))
+         end do
+      end do
+      do k = 1, n
+         statistics%deviation(columns(k)) = sqrt(covariance(k, k))
+         do j = 1, n
+            statistics%correlation(columns(k), columns(j)) = covariance(k, j)/sqrt(covariance(k, k)*covariance(j, j))
+         end do
+      end do
+   end subroutine decompose
+
+   !> Places of the numbers above a limit, the greatest first.
+   pure function descending(numbers, limit) result(places)
+      real(wp), intent(in) :: numbers(:), limit
+      integer, allocatable :: places(:)
+      real(wp) :: left(size(numbers))
+      integer :: i, one
+      allocate (places(0))
+      left = numbers
+      do i = 1, size(numbers)
+         one = maxloc(left, dim=1)
+         if (left(one) < limit) exit
+         places = [places, one]
+         left(one) = 0.0_wp
+      end do
+   end function descending
+
+   !> Quantile of Student's distribution at a probability from 0.5 to below 1, by halving the interval of its distribution
+   !> function (Abramowitz & Stegun 1964, 26.7.3 and 26.7.4).
+   pure function student_quantile(probability, freedom) result(quantile)
+      real(wp), intent(in) :: probability
+      integer, intent(in) :: freedom              !< >= 1
+      real(wp) :: quantile
+      real(wp) :: low, high, angle
+      integer :: i
+      low = 0.0_wp
+      high = 0.5_wp*pi
+      do i = 1, digits(low)
+         angle = 0.5_wp*(low + high)
+         if (0.5_wp + 0.5_wp*student_middle(angle, freedom) < probability) then
+            low = angle
+         else
+            high = angle
+         end if
+      end do
+      quantile = tan(low)*sqrt(real(freedom, wp))
+   end function student_quantile
+
+   !> Probability that |t| < sqrt(freedom) tan(angle).
+   pure function student_middle(angle, freedom) result(probability)
+      real(wp), intent(in) :: angle               !< [rad], 0 to pi/2
+      integer, intent(in) :: freedom
+      real(wp) :: probability
+      real(wp) :: term, series, square
+      integer :: k
+      square = cos(angle)**2
+      series = 0.0_wp
+      if (modulo(freedom, 2) == 1) then
+         term = cos(angle)
+         do k = 1, freedom - 2, 2
+            series = series + term
+            term = term*square*real(k + 1, wp)/real(k + 2, wp)
+            if (term <= epsilon(term)*series) exit
+         end do
+         probability = 2.0_wp/pi*(angle + sin(angle)*series)
+      else
+         term = 1.0_wp
+         do k = 0, freedom - 2, 2
+            series = series + term
+            term = term*square*real(k + 1, wp)/real(k + 2, wp)
+            if (term <= epsilon(term)*series) exit
+         end do
+         probability = sin(angle)*series
+      end if
+   end function student_middle
+end module dg_fit_statistics

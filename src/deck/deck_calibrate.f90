@@ -1,0 +1,229 @@
+!> The groups &calibrate of a deck: which factors are looked for, and whether its measurements can tell them.
+module dg_deck_calibrate
+   use dg_kinds, only: wp
+   use dg_calibration, only: calibration_type, offset_name, parameter_name, set_data, set_unknowns, tells, unknown_type
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of, texts_of
+   use dg_deck_draft, only: draft_type
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_hole_section, only: hole_section_type
+   use dg_job, only: model_name, model_soft
+   use dg_load_case, only: given, load_case_type, operation_name
+   use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
+   implicit none
+   private
+   public :: take_calibrations
+
+   !> Letters of a name that a suggestion repeats.
+   integer, parameter :: name_shown = 64
+   !> Digits of a depth in a message.
+   integer, parameter :: depth_digits = 7
+
+contains
+
+   !> All calibrations of a deck, in its order, and the faults of each.
+   subroutine take_calibrations(draft, groups, calibrations, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: groups(:)
+      type(calibration_type), allocatable, intent(out) :: calibrations(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, j, n
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name == 'calibrate') n = n + 1
+      end do
+      allocate (calibrations(n))
+      n = 0
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'calibrate') cycle
+         n = n + 1
+         call take_one(draft, groups(i), n, calibrations(n), faults)
+         do j = 1, n - 1
+            if (lower_case(calibrations(j)%name) /= lower_case(calibrations(n)%name)) cycle
+            call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &calibrate: name '// &
+                           quoted(calibrations(n)%name)//' is taken; names must be unique, letter case aside')
+         end do
+      end do
+   end subroutine take_calibrations
+
+   subroutine take_one(draft, group, number, calibration, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, intent(in) :: number            !< of the calibration in the deck
+      type(calibration_type), intent(out) :: calibration
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: texts(:)
+      integer :: i, before
+      before = faults%count
+      allocate (texts(0))   ! the compiler's flow analysis takes it for undefined otherwise
+      calibration%name = text_of(group, 'name', to_text(number))
+      do i = 1, size(parameter_name)
+         if (text_of(group, 'parameter', '') == parameter_name(i)) calibration%parameter = i
+      end do
+      do i = 1, size(offset_name)
+         if (text_of(group, 'offset', '') == offset_name(i)) calibration%offset = i
+      end do
+      if (is_given(group, 'separate')) then
+         texts = texts_of(group, 'separate')
+         calibration%by_hole = .false.
+         do i = 1, size(texts)
+            if (texts(i)%text == 'holes') calibration%by_hole = .true.
+            if (texts(i)%text == 'operations') calibration%by_operation = .true.
+            if (texts(i)%text == 'depths') calibration%by_depth = .true.
+            if (texts(i)%text == 'none' .and. size(texts) > 1) &
+               call add_fault(faults, draft%path, line_of(group, 'separate'), &
+                              "group &calibrate: separate holds 'none' and something else; keep one")
+         end do
+      end if
+      call take_models(group, calibration%models)
+      if (is_sound(group, 'hookload_deviation')) &
+         calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
+      if (is_sound(group, 'torque_deviation')) &
+         calibration%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
+      call take_cases(draft, group, calibration%cases, faults)
+      call take_holes(draft, group, calibration%holes, faults)
+      if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
+      if (.not. (all(draft%cases(calibration%cases)%sound) .and. all(draft%holes%sound))) return
+      call lay_out(draft, group, calibration, faults)
+   end subroutine take_one
+
+   !> Models, each once; the soft string where none is named.
+   subroutine take_models(group, models)
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: models(:)
+      type(text_type), allocatable :: texts(:)
+      integer :: i, m
+      allocate (texts, source=texts_of(group, 'model'))
+      allocate (models(0))
+      do i = 1, size(texts)
+         do m = 1, size(model_name)
+            if (texts(i)%text == model_name(m) .and. .not. any(models == m)) models = [models, m]
+         end do
+      end do
+      if (size(models) == 0) models = [model_soft]
+   end subroutine take_models
+
+   !> Numbers of the load cases named; all with measurements where none is.
+   subroutine take_cases(draft, group, cases, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: cases(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: wanted(:)
+      character(name_shown) :: names(size(draft%cases))
+      logical :: measured(size(draft%cases))
+      integer :: i, k, found
+      allocate (wanted, source=texts_of(group, 'cases'))
+      do k = 1, size(names)
+         names(k) = draft%cases(k)%load_case%name
+         measured(k) = draft%cases(k)%load_case%measured_hookload%present .or. draft%cases(k)%load_case%measured_torque%present
+      end do
+      allocate (cases(0))
+      if (.not. is_given(group, 'cases')) then
+         cases = pack([(k, k=1, size(names))], measured)
+         if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
+      end if
+      do i = 1, size(wanted)
+         found = 0
+         do k = 1, size(names)
+            if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
+         end do
+         if (found == 0) then
+            call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
+         else if (.not. measured(found)) then
+            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
+                       ') has neither measured_hookload nor measured_torque; give one or leave it out')
+         else if (.not. any(cases == found)) then
+            cases = [cases, found]
+         end if
+      end do
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine take_cases
+
+   !> Numbers of the hole sections named; all where none is.
+   subroutine take_holes(draft, group, holes, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: holes(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: wanted(:)
+      character(name_shown) :: names(size(draft%holes))
+      integer :: i, k
+      allocate (wanted, source=texts_of(group, 'holes'))
+      do k = 1, size(names)
+         names(k) = draft%holes(k)%section%name
+      end do
+      allocate (holes(0))
+      if (.not. is_given(group, 'holes')) holes = [(k, k=1, size(names))]
+      do i = 1, size(wanted)
+         do k = 1, size(names)
+            if (draft%holes(k)%section%name == wanted(i)%text .and. .not. any(holes == k)) holes = [holes, k]
+         end do
+         if (.not. any([(draft%holes(k)%section%name == wanted(i)%text, k=1, size(names))])) &
+            call add_fault(faults, draft%path, line_of(group, 'holes'), 'group &calibrate: there is no hole section '// &
+                           quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
+      end do
+   end subroutine take_holes
+
+   !> Lists unknowns and data; refuses what these data cannot tell.
+   subroutine lay_out(draft, group, calibration, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(calibration_type), intent(inout) :: calibration
+      type(fault_list_type), intent(inout) :: faults
+      type(load_case_type) :: load_cases(size(draft%cases))
+      type(hole_section_type) :: holes(size(draft%holes))
+      logical, allocatable :: telling(:, :)
+      integer :: d, i, u
+      do i = 1, size(load_cases)
+         load_cases(i) = draft%cases(i)%load_case
+      end do
+      do i = 1, size(holes)
+         holes(i) = draft%holes(i)%section
+      end do
+      call set_unknowns(calibration, load_cases, holes)
+      call set_data(calibration, load_cases)
+      do i = 1, size(calibration%holes)
+         if (any(calibration%unknown_of(:, i) > 0)) cycle
+         if (.not. (calibration%by_hole .or. is_given(group, 'holes'))) cycle
+         call fault('holes', 'no bit of its cases reaches hole section '//quoted(holes(calibration%holes(i))%name)// &
+                    '; leave it out of holes')
+      end do
+      if (size(calibration%unknowns) == 0) return
+      allocate (telling(size(calibration%data), size(calibration%unknowns)))
+      do u = 1, size(calibration%unknowns)
+         do d = 1, size(calibration%data)
+            telling(d, u) = tells(calibration, load_cases, d, u)
+         end do
+         if (any(telling(:, u))) cycle
+         call fault('cases', 'nothing measured tells '//unknown_words(draft, calibration%unknowns(u))// &
+                    ': hook loads tell friction along the hole, torques friction around it, where the string moves so; '// &
+                    'add such a case or leave out those that ask for it')
+      end do
+      if (count(any(telling, dim=2)) < size(calibration%unknowns)) &
+         call fault('cases', 'fewer data than unknowns: '//to_text(count(any(telling, dim=2)))// &
+                    ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
+                    ' unknowns; add measurements or separate less')
+   contains
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine lay_out
+
+   !> What an unknown is, for messages.
+   function unknown_words(draft, unknown) result(words)
+      type(draft_type), intent(in) :: draft
+      type(unknown_type), intent(in) :: unknown
+      character(:), allocatable :: words
+      words = 'the factor'
+      if (unknown%is_offset) words = 'the offset of the hook load'
+      if (unknown%hole > 0) words = words//' of hole section '//quoted(draft%holes(unknown%hole)%section%name)
+      if (unknown%operation > 0) words = words//' of '//trim(operation_name(unknown%operation))
+      if (unknown%bit_depth%present) words = words//' at bit_depth = '// &
+         to_text(unknown%bit_depth%value/draft%units%length, depth_digits)
+   end function unknown_words
+end module dg_deck_calibrate

@@ -1,0 +1,192 @@
+!> calibration.csv: one row a factor; calibration_data.csv: one row a measured number, calculated before and after.
+module dg_calibration_file
+   use dg_kinds, only: wp
+   use dg_calibration, only: calibration_type, hookload_datum, parameter_name
+   use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+                        quantity_moment, quantity_none, quantity_percent, quantity_text
+   use dg_comparison, only: percent_error
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: given, operation_name, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: factor_columns, datum_columns, write_calibrations
+
+   !> New ones are added at the end only: others rely on the names and the order.
+   type(column_type), parameter :: factor_columns(17) = [ &
+      column_type('calibration', quantity_text, 'its name'), &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('parameter', quantity_text, 'friction, friction_axial, friction_rotary or hookload_offset'), &
+      column_type('hole', quantity_text, 'hole section that it is for; empty: all named'), &
+      column_type('operation', quantity_text, 'operation that it is for; empty: all'), &
+      column_type('bit_depth', quantity_length, 'depth of the bit that it is for; empty: all'), &
+      column_type('start', quantity_none, 'the factor as the deck has it (mean over cases and sections)'), &
+      column_type('value', quantity_none, 'the factor that fits best'), &
+      column_type('lower', quantity_none, 'lower end of its 95 % confidence interval; empty: not known'), &
+      column_type('upper', quantity_none, 'upper end'), &
+      column_type('deviation', quantity_none, 'standard deviation'), &
+      column_type('verdict', quantity_text, &
+         'found, at_bound (0 or 2), not_felt (data do not depend on it), not_separated (data tell only a mixture), no_fit'), &
+      column_type('scatter', quantity_none, &
+         'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these are right'), &
+      column_type('message', quantity_text, 'why there is no fit'), &
+      column_type('offset', quantity_force, 'what the gauge shows beyond the string, in rows of a hookload_offset'), &
+      column_type('offset_lower', quantity_force, 'lower end of its 95 % confidence interval'), &
+      column_type('offset_upper', quantity_force, 'upper end')]
+
+   type(column_type), parameter :: datum_columns(14) = [ &
+      column_type('calibration', quantity_text, 'its name'), &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('case', quantity_text, 'load case that was measured'), &
+      column_type('operation', quantity_text, 'long name of the operation'), &
+      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
+      column_type('measured_hookload', quantity_force, 'empty in rows of a torque'), &
+      column_type('before_hookload', quantity_force, 'calculated with the friction of the deck'), &
+      column_type('after_hookload', quantity_force, 'calculated with the factors found'), &
+      column_type('measured_torque', quantity_moment, 'empty in rows of a hook load'), &
+      column_type('before_torque', quantity_moment, 'calculated with the friction of the deck'), &
+      column_type('after_torque', quantity_moment, 'calculated with the factors found'), &
+      column_type('before_error', quantity_percent, '100 |before - measured| / measured'), &
+      column_type('after_error', quantity_percent, '100 |after - measured| / measured'), &
+      column_type('residual', quantity_none, '(after - measured) / standard deviation')]
+
+contains
+
+   !> Writes both files.
+   subroutine write_calibrations(job, model, owner, results, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: owner(:)               !< number of the calibration of each result
+      type(calibration_result_type), intent(in) :: results(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: factors(:), data(:)
+      type(field_list_type) :: row
+      integer :: i, k
+      call append_text(factors, csv_header(factor_columns, job%units))
+      call append_text(data, csv_header(datum_columns, job%units))
+      do i = 1, size(results)
+         associate (calibration => job%calibrations(owner(i)))
+            do k = 1, size(calibration%unknowns)
+               call factor_fields(model, calibration, results(i), k, row)
+               call append_text(factors, csv_row(factor_columns, job%units, row%fields))
+            end do
+            do k = 1, size(calibration%data)
+               call datum_fields(model, calibration, results(i), k, row)
+               call append_text(data, csv_row(datum_columns, job%units, row%fields))
+            end do
+         end associate
+      end do
+      call write_text_file(job%output_dir//'/calibration.csv', factors, error)
+      if (.not. allocated(error)) call write_text_file(job%output_dir//'/calibration_data.csv', data, error)
+   end subroutine write_calibrations
+
+   subroutine factor_fields(model, calibration, result, unknown, row)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: unknown
+      type(field_list_type), intent(inout) :: row
+      integer :: i
+      row%count = 0
+      call put(row, calibration%name)
+      call put(row, trim(model_name(result%model)))
+      if (calibration%unknowns(unknown)%is_offset) then
+         call put(row, 'hookload_offset')
+      else
+         call put(row, trim(parameter_name(calibration%parameter)))
+      end if
+      associate (one => calibration%unknowns(unknown), value => result%fit%unknowns(unknown), &
+                 half => result%statistics%half_width(unknown))
+         if (one%hole > 0) then
+            call put(row, model%holes(one%hole)%name)
+         else
+            call put_none(row)
+         end if
+         if (one%operation > 0) then
+            call put(row, trim(operation_name(one%operation)))
+         else
+            call put_none(row)
+         end if
+         call put(row, one%bit_depth)
+         if (one%is_offset) then
+            do i = 1, 5
+               call put_none(row)
+            end do
+         else
+            call put(row, result%start(unknown))
+            call put_interval(row, value, half)
+            call put(row, value_or_none(result%statistics%deviation(unknown), is_missing(half)))
+         end if
+         call put(row, trim(verdict_name(verdict_of(result, unknown))))
+         call put(row, value_or_none(result%statistics%scatter, is_missing(result%statistics%scatter)))
+         call put(row, result%message)
+         if (one%is_offset) then
+            call put_interval(row, value, half)
+         else
+            do i = 1, 3
+               call put_none(row)
+            end do
+         end if
+      end associate
+   end subroutine factor_fields
+
+   !> A value and the ends of its interval.
+   pure subroutine put_interval(row, value, half)
+      type(field_list_type), intent(inout) :: row
+      real(wp), intent(in) :: value, half      !< `half` may be missing
+      call put(row, value)
+      call put(row, value_or_none(value - max(half, 0.0_wp), is_missing(half)))
+      call put(row, value_or_none(value + max(half, 0.0_wp), is_missing(half)))
+   end subroutine put_interval
+
+   subroutine datum_fields(model, calibration, result, number, row)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: number
+      type(field_list_type), intent(inout) :: row
+      integer :: i
+      row%count = 0
+      associate (datum => calibration%data(number), after => result%fit%values(number), before => result%before(number))
+         associate (case => model%cases(calibration%cases(datum%case)))
+            call put(row, calibration%name)
+            call put(row, trim(model_name(result%model)))
+            call put(row, case%name)
+            call put(row, trim(operation_name(case%operation)))
+            call put(row, case%bit_depth)
+         end associate
+         if (datum%kind /= hookload_datum) then
+            do i = 1, 3
+               call put_none(row)
+            end do
+         end if
+         call put(row, datum%measured)
+         call put(row, before)
+         call put(row, after)
+         if (datum%kind == hookload_datum) then
+            do i = 1, 3
+               call put_none(row)
+            end do
+         end if
+         if (is_missing(before)) then
+            call put_none(row)
+         else
+            call put(row, percent_error(before, given(datum%measured)))
+         end if
+         call put(row, percent_error(after, given(datum%measured)))
+         call put(row, (after - datum%measured)/datum%deviation)
+      end associate
+   end subroutine datum_fields
+
+   pure function value_or_none(value, none) result(number)
+      real(wp), intent(in) :: value
+      logical, intent(in) :: none
+      type(optional_real) :: number
+      if (.not. none) number = given(value)
+   end function value_or_none
+end module dg_calibration_file

@@ -1,0 +1,214 @@
+!> A calibration in print: the factors found with their intervals, what was measured against what is calculated before and
+!> after, and in plain words what the data cannot tell. Every line fits 120 columns.
+module dg_calibration_table
+   use dg_kinds, only: wp
+   use dg_calibration, only: calibration_type, hookload_datum, parameter_name, unknown_type
+   use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
+      verdict_not_separated, verdict_of
+   use dg_comparison, only: percent_error
+   use dg_job, only: model_name
+   use dg_least_squares, only: fit_done
+   use dg_load_case, only: given, operation_label, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: calibration_table
+
+   integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, interval_width = 20
+   real(wp), parameter :: one = 1.0_wp
+   integer, parameter :: depth_digits = 7, factor_digits = 4
+
+contains
+
+   function calibration_table(units, model, calibration, result) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      type(text_type), allocatable :: lines(:)
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Calibration '//calibration%name//', model '//trim(model_name(result%model))//': '// &
+                       trim(parameter_name(calibration%parameter))//' from '//to_text(size(calibration%data))// &
+                       ' measured values of '//to_text(size(calibration%cases))//' load cases')
+      if (result%fit%status /= fit_done) then
+         call append_text(lines, 'No fit: '//result%message)
+         return
+      end if
+      call append_factors(lines, units, model, calibration, result)
+      call append_data(lines, units, model, calibration, result)
+      call append_warnings(lines, units, model, calibration, result)
+      call append_text(lines, to_text(result%fit%iterations)//' iterations, '//to_text(result%solutions)//' solutions, '// &
+                       to_text(result%seconds, 3)//' s')
+   end function calibration_table
+
+   !> The factors.
+   subroutine append_factors(lines, units, model, calibration, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      character(:), allocatable :: head, rule, interval, remark
+      real(wp) :: unit
+      integer :: k, decimals
+      head = left_aligned('Friction factor', label_width)//right_aligned('In deck', cell_width)// &
+             right_aligned('Found', cell_width)//right_aligned('95 % interval', interval_width)//'  Remark'
+      rule = repeat('-', label_width + 2*cell_width + interval_width + 20)
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      do k = 1, size(calibration%unknowns)
+         associate (value => result%fit%unknowns(k), half => result%statistics%half_width(k))
+            unit = merge(units%force, one, calibration%unknowns(k)%is_offset)
+            decimals = merge(1, factor_digits, calibration%unknowns(k)%is_offset)
+            interval = '-'
+            if (.not. is_missing(half)) interval = shown(value - half)//' to '//shown(value + half)
+            remark = ''
+            select case (verdict_of(result, k))
+            case (verdict_at_bound); remark = 'at its bound'
+            case (verdict_not_felt); remark = 'not felt by data'
+            case (verdict_not_separated); remark = 'not told apart'
+            case (verdict_found)
+               if (is_missing(half)) then
+                  remark = 'no spare data'
+               else if (half >= abs(value)) then
+                  remark = 'could be none'
+               end if
+            case default
+            end select
+            call append_text(lines, trim(left_aligned(unknown_text(units, model, calibration%unknowns(k)), label_width)// &
+               fixed_cell(result%start(k)/unit, cell_width, decimals)//right_aligned(shown(value), cell_width)// &
+               right_aligned(interval, interval_width)//'  '//remark))
+         end associate
+      end do
+      call append_text(lines, rule)
+   contains
+      function shown(value) result(text)
+         real(wp), intent(in) :: value
+         character(:), allocatable :: text
+         text = trim(adjustl(fixed_cell(value/unit, cell_width, decimals)))
+      end function shown
+   end subroutine append_factors
+
+   !> What was measured, and calculated before and after.
+   subroutine append_data(lines, units, model, calibration, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      character(:), allocatable :: head, rule
+      type(optional_real) :: before, errors(2)
+      real(wp) :: unit, sums(2), worst(2)
+      integer :: d, counted(2), decimals
+      head = left_aligned('Load case', name_width)//left_aligned('Quantity', 18)//right_aligned('Measured', cell_width)// &
+             right_aligned('Before', cell_width)//right_aligned('Error %', cell_width)//right_aligned('After', cell_width)// &
+             right_aligned('Error %', cell_width)//right_aligned('Residual', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      sums = 0.0_wp
+      worst = 0.0_wp
+      counted = 0
+      do d = 1, size(calibration%data)
+         associate (datum => calibration%data(d))
+            unit = merge(units%force, units%moment, datum%kind == hookload_datum)
+            decimals = merge(1, 2, datum%kind == hookload_datum)
+            before = optional_real()
+            errors(1) = optional_real()
+            if (.not. is_missing(result%before(d))) then
+               before = given(result%before(d))
+               errors(1) = percent_error(result%before(d), given(datum%measured))
+            end if
+            errors(2) = percent_error(result%fit%values(d), given(datum%measured))
+            where (errors%present)
+               sums = sums + errors%value
+               worst = max(worst, errors%value)
+               counted = counted + 1
+            end where
+            call append_text(lines, left_aligned(model%cases(calibration%cases(datum%case))%name, name_width)// &
+               left_aligned(quantity_text(units, datum%kind), 18)//fixed_cell(given(datum%measured), unit, cell_width, decimals)// &
+               fixed_cell(before, unit, cell_width, decimals)//fixed_cell(errors(1), one, cell_width, 2)// &
+               fixed_cell(given(result%fit%values(d)), unit, cell_width, decimals)// &
+               fixed_cell(errors(2), one, cell_width, 2)// &
+               fixed_cell(given(result%fit%values(d) - datum%measured), unit, cell_width, decimals))
+         end associate
+      end do
+      call append_text(lines, rule)
+      if (all(counted > 0)) then
+         sums = sums/real(counted, wp)
+         call append_text(lines, 'Error of '//to_text(counted(2))//' values before: mean '//two(sums(1))//' %, worst '// &
+            two(worst(1))//' %; after: mean '//two(sums(2))//' %, worst '//two(worst(2))//' %')
+      end if
+   contains
+      function two(number) result(text)
+         real(wp), intent(in) :: number
+         character(:), allocatable :: text
+         text = trim(adjustl(fixed_cell(number, cell_width, 2)))
+      end function two
+   end subroutine append_data
+
+   !> What the data cannot tell, and how far they are from what the model can be.
+   subroutine append_warnings(lines, units, model, calibration, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      real(wp), parameter :: misfit = 2.0_wp
+      integer :: k, j
+      do k = 1, size(calibration%unknowns)
+         if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
+            'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
+         if (verdict_of(result, k) == verdict_at_bound) call append_text(lines, 'Warning: '// &
+            unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction beyond '// &
+            to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause')
+      end do
+      do k = 1, size(result%statistics%mixtures)
+         associate (mixture => result%statistics%mixtures(k))
+            call append_text(lines, 'Warning: the measurements cannot tell these factors apart, only a mixture of them '// &
+               '(singular value '//to_text(mixture%ratio, 2)//' of the largest):')
+            do j = 1, size(mixture%unknowns)
+               call append_text(lines, '         '//unknown_text(units, model, calibration%unknowns(mixture%unknowns(j))))
+            end do
+            call append_text(lines, '         measure at other depths or in other operations, or separate less')
+         end associate
+      end do
+      if (result%statistics%freedom == 0) call append_text(lines, 'Note: as many factors as measured values: they fit as they '// &
+         'must, which shows nothing')
+      if (result%statistics%scatter > misfit .and. (calibration%hookload_deviation%present .or. &
+          calibration%torque_deviation%present)) call append_text(lines, 'Warning: residuals are '// &
+         to_text(result%statistics%scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
+         'what was measured')
+   end subroutine append_warnings
+
+   !> What a factor is for.
+   function unknown_text(units, model, unknown) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(unknown_type), intent(in) :: unknown
+      character(:), allocatable :: text
+      text = ''
+      if (unknown%is_offset) text = ', hook load offset, '//trim(units%force_label)
+      if (unknown%hole > 0) text = text//', '//model%holes(unknown%hole)%name
+      if (unknown%operation > 0) text = text//', '//trim(operation_label(unknown%operation))
+      if (unknown%bit_depth%present) text = text//', bit at '//to_text(unknown%bit_depth%value/units%length, depth_digits)// &
+                                            ' '//trim(units%length_label)
+      if (text == '') text = ', all'
+      text = text(len(', ') + 1:)
+   end function unknown_text
+
+   pure function quantity_text(units, kind) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: kind
+      character(:), allocatable :: text
+      text = 'hook load, '//trim(units%force_label)
+      if (kind /= hookload_datum) text = 'torque, kN.m'
+      if (kind /= hookload_datum .and. units%name == 'field') text = 'torque, kft.lbf'
+   end function quantity_text
+end module dg_calibration_table

@@ -1,0 +1,201 @@
+!> Calibrations as a user runs them: friction that is known comes back, by every model; what the data cannot tell is said or
+!> refused.
+module dg_test_calibration_runs
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_file_lines, only: read_lines
+   use dg_kinds, only: wp
+   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: calibration_runs_suite
+
+   character(*), parameter :: newline = achar(10)
+   !> Straight hole of 1000 m at 60 deg, pipe of 20 kg/m without mud: weight along the hole and across it [kN].
+   real(wp), parameter :: along = 20.0_wp*9.80665_wp*0.5_wp, across = 20.0_wp*9.80665_wp*0.8660254037844386_wp
+   !> Fits end at steps of 1e-7.
+   real(wp), parameter :: at_rest = 1.0e-6_wp
+
+contains
+
+   function calibration_runs_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('calibration_runs')
+      call suite%addTest(TestMethod('known_friction', test_known))
+      call suite%addTest(TestMethod('all_models_and_torque', test_models))
+      call suite%addTest(TestMethod('threads', test_threads))
+      call suite%addTest(TestMethod('not_separated', test_not_separated))
+      call suite%addTest(TestMethod('bad_groups', test_bad_groups))
+   end function calibration_runs_suite
+
+   !> A straight inclined hole in two sections of 400 m and 600 m; hook loads [kN] of tripping out and in at two depths.
+   function straight_deck(up_half, up_full, down_full, calibrate) result(text)
+      real(wp), intent(in) :: up_half, up_full, down_full
+      character(*), intent(in) :: calibrate
+      character(:), allocatable :: text
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory md = 0, 1000, inc = 60, 60, azi = 0, 0 /"//newline// &
+         "&hole name = 'upper', md_bottom = 400, diameter = 220, friction = 0.1 /"//newline// &
+         "&hole name = 'lower', md_bottom = 1000, diameter = 215.9, friction = 0.1 /"//newline// &
+         "&fluid density = 0 /"//newline//"&component od = 127, id = 108.6, mass = 20 /"//newline// &
+         "&load_case name = 'a', operation = 'up', bit_depth = 500, measured_hookload = "//to_text(up_half)//" /"//newline// &
+         "&load_case name = 'b', operation = 'up', bit_depth = 1000, measured_hookload = "//to_text(up_full)//" /"//newline// &
+         "&load_case name = 'c', operation = 'down', bit_depth = 1000, measured_hookload = "//to_text(down_full)//" /"//newline// &
+         calibrate//newline
+   end function straight_deck
+
+   !> Hook load = weight along + mu weight across, mu 0.2 in the upper 400 m and 0.3 below, and a gauge that shows 5 kN more.
+   subroutine test_known()
+      real(wp), parameter :: upper = 0.2_wp, lower = 0.3_wp, gauge = 5.0_wp
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      real(wp) :: half, full
+      half = across*(0.4_wp*upper + 0.1_wp*lower)
+      full = across*(0.4_wp*upper + 0.6_wp*lower)
+      run = run_deck_text(straight_deck(0.5_wp*along + half + gauge, along + full + gauge, along - full + gauge, &
+                                        "&calibrate name = 'k', parameter = 'friction_axial', offset = 'one' /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Calibration k, model soft: friction_axial from 3 measured values') > 0, &
+                      message=run%output)
+      call assertTrue(index(run%output, 'they fit as they must') > 0, message=run%output)
+      allocate (lines, source=lines_of('calibration.csv'))
+      call assertEqual(4, size(lines))
+      if (size(lines) /= 4) return
+      call assertEqual('upper', field(lines(2)%text, 4))
+      call assertEqual(upper, number(lines(2)%text, 8), at_rest)
+      call assertEqual(lower, number(lines(3)%text, 8), at_rest)
+      call assertEqual(gauge, number(lines(4)%text, 15), at_rest*along)
+      deallocate (lines)
+      allocate (lines, source=lines_of('calibration_data.csv'))
+      call assertEqual(4, size(lines))
+      if (size(lines) /= 4) return
+      ! before: friction 0.1, no offset
+      call assertEqual(along + 0.1_wp*across, number(lines(3)%text, 7), at_rest*along)
+      call assertEqual(along + full + gauge, number(lines(3)%text, 8), at_rest*along)
+   end subroutine test_known
+
+   !> Every model finds the friction 0.3 with which it calculated what was "measured" in the good deck, along by hook load and
+   !> around by torque. Its upper section is vertical: there nothing is felt, and the factor stays.
+   subroutine test_models()
+      character(*), parameter :: models(4) = [character(5) :: 'soft', 'rigid', 'mixed', 'mcge']
+      character(:), allocatable :: deck
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:), found(:)
+      integer :: m
+      do m = 1, size(models)
+         deck = replaced(good_deck(), "&load_case name = 's', operation = 'sliding', bit_depth = 800.0", &
+                         "&load_case name = 's', operation = 'rotate_off_bottom', bit_depth = 880.0")
+         deck = replaced(replaced(deck, "'soft'", "'"//trim(models(m))//"'"), 'wob = 20.0', 'wob = 0')
+         run = run_deck_text(deck)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         allocate (lines, source=lines_of('summary.csv'))
+         deck = replaced(replaced(deck, 'bit_depth = 900.0', 'bit_depth = 900, measured_hookload = '//field(lines(2)%text, 8)), &
+                         'wob = 0', 'measured_torque = '//field(lines(3)%text, 14))
+         deck = replaced(replaced(deck, 'friction = 0.25', 'friction = 0.2'), 'friction = 0.3', 'friction = 0.2')
+         run = run_deck_text(deck//"&calibrate model = '"//trim(models(m))//"' /"//newline)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         allocate (found, source=lines_of('calibration_data.csv'))
+         call assertEqual(3, size(found))
+         call assertTrue(number(found(2)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(2)%text)
+         call assertTrue(number(found(3)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(3)%text)
+         deallocate (found)
+         allocate (found, source=lines_of('calibration.csv'))
+         call assertEqual('not_felt', field(found(2)%text, 12), message=found(2)%text)
+         call assertEqual(0.2_wp, number(found(2)%text, 8))
+         call assertEqual(0.3_wp, number(found(3)%text, 8), at_rest, message=found(3)%text)
+         deallocate (lines, found)
+      end do
+   end subroutine test_models
+
+   !> The files of one thread and of two are the same.
+   subroutine test_threads()
+      character(*), parameter :: group = "&calibrate separate = 'depths', model = 'soft', 'mcge' /"
+      type(run_type) :: run
+      type(text_type), allocatable :: one(:), two(:)
+      integer :: i
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 1')
+      allocate (one, source=lines_of('calibration.csv'))
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 2')
+      allocate (two, source=lines_of('calibration.csv'))
+      call assertEqual(5, size(one), message=run%diagnostics)
+      do i = 1, min(size(one), size(two))
+         call assertEqual(one(i)%text, two(i)%text)
+      end do
+   end subroutine test_threads
+
+   !> One depth, out and in: both tell the same mixture of two sections.
+   subroutine test_not_separated()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, "&calibrate cases = 'b', 'c' /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'cannot tell these factors apart') > 0, message=run%output)
+      allocate (lines, source=lines_of('calibration.csv'))
+      call assertEqual('not_separated', field(lines(2)%text, 12), message=lines(2)%text)
+      call assertEqual('', field(lines(2)%text, 9), message='no interval')
+   end subroutine test_not_separated
+
+   !> What the data of the straight deck (group in line 10) cannot answer.
+   subroutine test_bad_groups()
+      call refuse("separate = 'holes', 'operations'", 'fewer data than unknowns: 3 measured values tell of them, for 4')
+      call refuse("cases = 'b'", 'fewer data than unknowns: 1 measured values')
+      call refuse("parameter = 'friction_rotary'", 'nothing measured tells the factor of hole section ''upper''')
+      call refuse("cases = 'd'", 'there is no load case ''d''')
+      call refuse("holes = 'lowe'", 'there is no hole section ''lowe''; did you mean ''lower''?')
+      call refuse("cases = 'a', holes = 'lower', separate = 'hole'", 'did you mean ''holes''?')
+      call refuse("separate = 'none', 'holes'", 'keep one')
+      call refuse("parameter = 'fricton'", 'did you mean ''friction''?')
+      call refuse("hookload_deviation = 0", 'hookload_deviation = 0 is out of range')
+      call refuse("/ &load_case name = 'deep', operation = 'up', bit_depth = 1200, measured_hookload = 1", &
+                  'bit_depth = 1200 m lies below the survey, which ends at 1000 m', 'load_case')
+      call refuse("/ &load_case name = 'n', operation = 'up', bit_depth = 900 / &calibrate cases = 'n', 'b'", &
+                  'load case ''n'' (line 10) has neither measured_hookload nor measured_torque')
+   end subroutine test_bad_groups
+
+   subroutine refuse(keys, expected, group)
+      character(*), intent(in) :: keys, expected
+      character(*), intent(in), optional :: group
+      type(run_type) :: run
+      character(:), allocatable :: place
+      place = deck_path//':10: group &calibrate: '
+      if (present(group)) place = deck_path//':10: group &'//group//': '
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, '&calibrate '//keys//' /'))
+      call assertEqual(2, run%status, message=expected)
+      call assertTrue(index(run%diagnostics, place) > 0 .and. index(run%diagnostics, expected) > 0, &
+                      message='wanted '//expected//'; got: '//run%diagnostics)
+      call assertFalse(run%has_results, message='no folder of results: '//expected)
+   end subroutine refuse
+
+   function lines_of(name) result(lines)
+      character(*), intent(in) :: name
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: failure
+      call read_lines(results_path//'/'//name, lines, failure)
+      call assertEqual('', failure, message=name)
+   end function lines_of
+
+   function number(line, place) result(value)
+      character(*), intent(in) :: line
+      integer, intent(in) :: place
+      real(wp) :: value
+      character(:), allocatable :: text
+      integer :: status
+      value = 0.0_wp
+      text = field(line, place)
+      read (text, *, iostat=status) value
+      call assertEqual(0, status, message='a number in '//line)
+   end function number
+
+   !> One field of a row.
+   pure function field(line, number) result(text)
+      character(*), intent(in) :: line
+      integer, intent(in) :: number
+      character(:), allocatable :: text
+      integer :: i, first
+      first = 1
+      do i = 1, number - 1
+         first = first + index(line(first:), ',')
+      end do
+      text = line(first:first + index(line(first:)//',', ',') - 2)
+   end function field
+end module dg_test_calibration_runs
