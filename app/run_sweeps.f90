@@ -5,7 +5,7 @@ module dg_run_sweeps
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type, model_mcge, model_name
    use dg_load_case, only: load_case_type, operation_name
    use dg_model, only: copy_without_cases, model_type
    use dg_model_text, only: sweep_lines
@@ -29,6 +29,9 @@ module dg_run_sweeps
       type(keeper_type) :: keeper
       type(sweep_result_type), allocatable :: points(:)
    end type sweep_run_type
+
+   !> Most points that a thread solves before it hands over their results.
+   integer, parameter :: block_size = 16
 
 contains
 
@@ -112,20 +115,21 @@ contains
       type(sweep_run_type), intent(inout) :: run
       real(wp), intent(out) :: seconds
       type(progress_type) :: progress
-      integer, allocatable :: left(:)
+      integer, allocatable :: left(:), blocks(:)
       real(wp) :: work, done, before
       integer(int64) :: start, finish
       integer :: i, solved
       call system_clock(start)
       left = pack([(i, i=1, size(run%points))], .not. is_solved(run%points) .and. &
                   in_part([(i, i=1, size(run%points))], job%part, max(job%parts, 1)))
+      blocks = starts_of_blocks(sweep, left)
       ! a deep string costs more than a shallow one, about in proportion
       work = sum_of_depths(sweep, job)
       done = work - sum([(depth_of(sweep, left(i)), i=1, size(left))])
       before = done/work
       solved = count(is_solved(run%points))
       call start_progress(progress, 'sweep '//sweep%name, job%quiet)
-      !$omp parallel num_threads(thread_count(job%threads, size(left))) default(shared)
+      !$omp parallel num_threads(thread_count(job%threads, size(blocks) - 1)) default(shared)
       call share_points()
       !$omp end parallel
       call end_progress(progress)
@@ -138,22 +142,53 @@ contains
       !> What one thread does: with a model of its own, whose one load case becomes point after point.
       subroutine share_points()
          type(model_type) :: mine
-         integer :: k
+         type(sweep_result_type) :: found(block_size)
+         integer :: block, k, first, last
          call copy_without_cases(model, mine)
          !$omp do schedule(dynamic, 1)
-         do k = 1, size(left)
-            call solve_point(mine, sweep, point_at(sweep, left(k)), run%points(left(k)))
-            if (.not. is_solved(run%points(left(k)))) cycle
+         do block = 1, size(blocks) - 1
+            first = blocks(block)
+            last = blocks(block + 1) - 1
+            do k = first, last
+               call solve_point(mine, sweep, point_at(sweep, left(k)), found(k - first + 1))
+            end do
+            ! the list of all points is touched here only: its record is written from it
             !$omp critical (sweep_results)
-            done = done + depth_of(sweep, left(k))
-            call keep(run%keeper, left(k:k), run%points)
-            solved = solved + 1
+            do k = first, last
+               if (.not. is_solved(found(k - first + 1))) cycle      ! a signal came
+               run%points(left(k)) = found(k - first + 1)
+               done = done + depth_of(sweep, left(k))
+               solved = solved + 1
+               call keep(run%keeper, left(k), run%points)
+            end do
             call show_progress(progress, done/work, before, to_text(solved)//' of '//to_text(size(run%points))//' points')
             !$omp end critical (sweep_results)
          end do
          !$omp end do
       end subroutine share_points
    end subroutine solve_points
+
+   !> Where blocks of points begin that a thread solves before it hands over the results, and the end of the last + 1. Beams
+   !> go one by one; the other models take microseconds, less than the threads would wait for each other.
+   pure function starts_of_blocks(sweep, left) result(starts)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: left(:)       !< numbers of points, ascending
+      integer, allocatable :: starts(:)
+      type(point_type) :: point
+      integer :: k, n
+      allocate (starts(size(left) + 1))
+      n = 0
+      k = 1
+      do while (k <= size(left))
+         n = n + 1
+         starts(n) = k
+         point = point_at(sweep, left(k))
+         k = k + merge(1, block_size, sweep%models(point%model) == model_mcge)
+      end do
+      n = n + 1
+      starts(n) = size(left) + 1
+      starts = starts(:n)
+   end function starts_of_blocks
 
    !> Solves one point.
    subroutine solve_point(model, sweep, point, found)

@@ -116,17 +116,17 @@ contains
       call take_record(record, part, parts, settings, points, failure)
    end subroutine take_file
 
-   !> Notes that points are solved and puts them to disk when some time has gone by. A file that cannot be written is noted in
+   !> Notes that a point is solved and puts what waits to disk when some time has gone by. A file that cannot be written is noted in
    !> the keeper; the work goes on without.
-   subroutine keep(keeper, numbers, points)
+   subroutine keep(keeper, number, points)
       type(keeper_type), intent(inout) :: keeper
-      integer, intent(in) :: numbers(:)                   !< of points that are solved now
+      integer, intent(in) :: number                       !< of a point that is solved now
       type(sweep_result_type), intent(in) :: points(:)    !< all of the sweep
       type(error_type), allocatable :: error
       integer(int64) :: now
       if (allocated(keeper%failure)) return
-      keeper%waiting(keeper%count + 1:keeper%count + size(numbers)) = numbers
-      keeper%count = keeper%count + size(numbers)
+      keeper%count = keeper%count + 1
+      keeper%waiting(keeper%count) = number
       call system_clock(now)
       if (seconds_between(keeper%last, now) < patience) return
       keeper%last = now

@@ -38,12 +38,16 @@ contains
       integer(int64) :: start, finish, rate
       character(120) :: text
       real(wp) :: position(3), tangent(3)
+      logical :: with_profile
       call system_clock(start, rate)
+      with_profile = .true.
+      if (present(totals_only)) with_profile = .not. totals_only
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
       associate (load_case => model%cases(case_index))
          md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
+         allocate (axial(size(md)), torque(size(md)))
+         if (with_profile) allocate (contact(3, size(md)))   ! else absent below
          call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
          call position_at(model%trajectory, load_case%bit_depth, position, tangent)
          result%case_index = case_index
@@ -64,9 +68,7 @@ contains
          end if
       end associate
       allocate (result%history(0))
-      if (present(totals_only)) then
-         if (totals_only) return
-      end if
+      if (.not. with_profile) return
       call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
       result%states = 0
       result%states(state_elastic) = count(result%profile%gap_state == state_elastic)

@@ -86,7 +86,8 @@ contains
       real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
-      real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole, coils left out [N/m]
+      !> (3, :) force of the string on the wall, across the hole, coils left out [N/m]
+      real(wp), intent(out), optional :: contact(:, :)
       real(wp), intent(in), optional :: friction_scale !< on every friction coefficient [-]
       real(wp), intent(in), optional :: load_scale     !< on weight and torque on bit [-]
       type(soft_totals_type), intent(out), optional :: totals
@@ -114,7 +115,7 @@ contains
          end do
          axial(i) = force
          torque(i) = moment
-         contact(:, i) = contact_force(piece, md(i), force)
+         if (present(contact)) contact(:, i) = contact_force(piece, md(i), force)
          ! The next depth up starts in the piece above.
          if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, friction, coiled)
       end do
