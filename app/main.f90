@@ -10,6 +10,7 @@ program main
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_process, only: end_process
+   use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
    use dg_run_action, only: run_action
    use dg_run_deck, only: run_deck
@@ -20,6 +21,7 @@ program main
    type(error_type), allocatable :: error
    integer :: status
 
+   call keep_freed_memory()
    call read_arguments(arguments, error)
    if (allocated(error)) then
       write (error_unit, '(a)') program_name//': '//error%message

@@ -3,8 +3,8 @@
 module dg_linear_solver
    use dg_kinds, only: wp
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
-   use dg_block_matrix, only: block_matrix_type
-   use dg_block_solver, only: block_factor, block_solve, block_solver_type, new_block_solver
+   use dg_block_matrix, only: block_matrix_type, block_product
+   use dg_block_solver, only: block_back, block_factor, block_solve, block_solver_type, new_block_solver
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    implicit none
    private
@@ -28,7 +28,6 @@ module dg_linear_solver
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
       real(wp), allocatable :: rhs(:, :)        !< (6,nodes)
-      real(wp), allocatable :: correction(:, :) !< (6,nodes)
       integer :: refinements = 0                !< so far
       integer :: fallbacks = 0                  !< so far
    end type linear_solver_type
@@ -42,7 +41,7 @@ contains
       type(linear_solver_type), intent(out) :: solver
       solver%kind = kind
       if (kind == solver_block) call new_block_solver(nodes, solver%block)
-      allocate (solver%rhs(6, nodes), solver%correction(6, nodes), source=0.0_wp)
+      allocate (solver%rhs(6, nodes), source=0.0_wp)
    end subroutine new_linear_solver
 
    !> Solves matrix x = x(6,nodes). info = 0: done; > 0: singular.
@@ -55,20 +54,16 @@ contains
       solver%rhs = x
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block) then
-            call block_factor(solver%block, matrix, info)
+            call block_factor(solver%block, matrix, info, x)
+            if (info == 0) call block_back(solver%block, x)
          else
             call sparse_factor(solver%sparse, matrix, info)
+            if (info == 0) call sparse_solve(solver%sparse, x)
          end if
          good = info == 0
          if (good) then
-            call substitute(solver, matrix, x)
-            call check(solver, matrix, x, good)
-            if (.not. good) then
-               solver%refinements = solver%refinements + 1
-               call substitute(solver, matrix, solver%correction)
-               x = x + solver%correction
-               call check(solver, matrix, x, good)
-            end if
+            call check(solver%rhs, matrix, x, good)
+            if (.not. good) call refine(solver, matrix, x, good)
          end if
          if (solver%kind == solver_sparse) call sparse_release(solver%sparse)
          if (good) return
@@ -80,21 +75,27 @@ contains
       if (info == 0) call band_solve(solver%band, x)
    end subroutine solve_linear
 
-   !> Solves with the factors that the solver's kind has made.
-   subroutine substitute(solver, matrix, x)
+   !> One step of iterative refinement with the factors that there are; good: it was enough.
+   subroutine refine(solver, matrix, x, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(inout) :: x(:, :)
+      logical, intent(out) :: good
+      real(wp), allocatable :: correction(:, :)
+      solver%refinements = solver%refinements + 1
+      allocate (correction, source=solver%rhs - block_product(matrix, x))
       if (solver%kind == solver_block) then
-         call block_solve(solver%block, matrix, x)
+         call block_solve(solver%block, matrix, correction)
       else
-         call sparse_solve(solver%sparse, x)
+         call sparse_solve(solver%sparse, correction)
       end if
-   end subroutine substitute
+      x = x + correction
+      call check(solver%rhs, matrix, x, good)
+   end subroutine refine
 
-   !> Puts rhs - matrix x into the solver's correction; good: it is small.
-   pure subroutine check(solver, matrix, x, good)
-      type(linear_solver_type), intent(inout) :: solver
+   !> Whether rhs - matrix x is small.
+   pure subroutine check(rhs, matrix, x, good)
+      real(wp), intent(in) :: rhs(:, :)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: x(:, :)
       logical, intent(out) :: good
@@ -103,7 +104,7 @@ contains
       largest = 0.0_wp
       scale = 0.0_wp
       do n = 1, size(x, 2)
-         r = solver%rhs(:, n)
+         r = rhs(:, n)
          scale = max(scale, maxval(abs(r)))
          do j = 1, 6
             r = r - matrix%diagonal(:, j, n)*x(j, n)
@@ -120,7 +121,6 @@ contains
             end do
          end if
          largest = max(largest, maxval(abs(r)))
-         solver%correction(:, n) = r
       end do
       good = largest <= refine_above*scale
    end subroutine check

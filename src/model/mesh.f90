@@ -5,7 +5,7 @@
 !> hole where the string rests on it unstretched.
 module dg_mesh
    use dg_kinds, only: wp
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter, &
                            effective_joint_length, has_joints, torsional_stiffness
    use dg_drillstring, only: at_joint, component_at, component_tops, joint_ends
    use dg_hole_section, only: hole_section_at
@@ -56,7 +56,6 @@ contains
       type(mesh_type), intent(out) :: mesh
       real(wp) :: tangent(3), curvature(3), end_point(3), middle, top, distance
       real(wp), allocatable :: tops(:)
-      type(component_type) :: component
       integer :: e, n, index, part
       index = string_index(model%strings, load_case%string)
       mesh%md = depths
@@ -86,27 +85,28 @@ contains
          mesh%chord(:, e) = end_point - mesh%base(:, e)
          middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
          part = component_at(tops, load_case%bit_depth - middle)
-         component = model%strings(index)%components(part)
-         mesh%ea(e) = axial_stiffness(component)
-         mesh%ei(e) = bending_stiffness(component)
-         mesh%gj(e) = torsional_stiffness(component)
-         mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
-         mesh%radius(e) = 0.5_wp*contact_diameter(component)
-         call put_in_hole(model, load_case, middle, e, mesh)
-         mesh%lying(e) = mesh%clearance(e)
-         mesh%gathered(e) = 1.0_wp
-         mesh%spacing(e) = 0.0_wp
-         if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
-         mesh%spacing(e) = component%joint_spacing
-         distance = load_case%bit_depth - middle
-         if (part > 1) distance = distance - tops(part - 1)
-         if (at_joint(component, distance)) then
-            mesh%gathered(e) = component%joint_spacing/effective_joint_length(component)
-         else
-            mesh%gathered(e) = 0.0_wp
-            mesh%radius(e) = 0.5_wp*component%od
+         associate (component => model%strings(index)%components(part))
+            mesh%ea(e) = axial_stiffness(component)
+            mesh%ei(e) = bending_stiffness(component)
+            mesh%gj(e) = torsional_stiffness(component)
+            mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
+            mesh%radius(e) = 0.5_wp*contact_diameter(component)
             call put_in_hole(model, load_case, middle, e, mesh)
-         end if
+            mesh%lying(e) = mesh%clearance(e)
+            mesh%gathered(e) = 1.0_wp
+            mesh%spacing(e) = 0.0_wp
+            if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
+            mesh%spacing(e) = component%joint_spacing
+            distance = load_case%bit_depth - middle
+            if (part > 1) distance = distance - tops(part - 1)
+            if (at_joint(component, distance)) then
+               mesh%gathered(e) = component%joint_spacing/effective_joint_length(component)
+            else
+               mesh%gathered(e) = 0.0_wp
+               mesh%radius(e) = 0.5_wp*component%od
+               call put_in_hole(model, load_case, middle, e, mesh)
+            end if
+         end associate
       end do
    end subroutine new_mesh
 

@@ -3,7 +3,7 @@ module dg_test_block_matrix
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
-   use dg_block_solver, only: block_factor, block_positive_definite, block_solve, block_solver_type, new_block_solver
+   use dg_block_solver, only: block_back, block_factor, block_positive_definite, block_solve, block_solver_type, new_block_solver
    use dg_kinds, only: wp
    use dg_sparse_matrix, only: set_sparse_matrix, sparse_matrix_type
    use dg_sparse_solver, only: sparse_condition, sparse_factor, sparse_release, sparse_solve, sparse_solver_type
@@ -115,6 +115,11 @@ contains
       x = reshape(b, [6, nodes])
       call block_solve(solver, matrix, x)
       ! no exchange between blocks: a few digits less than the band's
+      call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-11_wp)
+      ! the right-hand side eliminated along with the matrix
+      x = reshape(b, [6, nodes])
+      call block_factor(solver, matrix, info, x)
+      call block_back(solver, x)
       call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-11_wp)
    end subroutine test_block_solution
 
