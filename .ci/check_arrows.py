@@ -18,7 +18,8 @@ MAY_USE = {
     "gap_element": {"base", "beam"},
     "model": {"base", "linear_algebra", "trajectory", "string", "hole"},
     "results": {"base", "gap_element"},
-    "soft_string": {"base", "trajectory", "string", "hole", "model", "gap_element", "results"},
+    "buckling": {"base"},
+    "soft_string": {"base", "buckling", "trajectory", "string", "hole", "model", "gap_element", "results"},
     "solution": {"base", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
@@ -28,8 +29,8 @@ MAY_USE = {
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
     "calibration": {"base", "linear_algebra", "model"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
-    "string_limits": {"base", "trajectory", "string", "hole", "model", "results", "soft_string"},
-    "report": {"base", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",
+    "string_limits": {"base", "buckling", "trajectory", "string", "hole", "model", "results", "soft_string"},
+    "report": {"base", "buckling", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",
                "calibration"},
 }
 # The main program may use everything; nothing may use it.

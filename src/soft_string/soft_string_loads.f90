@@ -14,6 +14,7 @@
 !> top can bring down (Wu & Juvkam-Wold 1993).
 module dg_soft_string_loads
    use dg_kinds, only: wp
+   use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_at
@@ -122,16 +123,17 @@ contains
       if (present(totals)) totals = sums
    end subroutine soft_string_at
 
-   !> Axial compression [N] beyond which a string under a side load n per metre in a clearance c coils: 2 sqrt(2 EI n/c)
-   !> (Chen, Lin & Cheatham 1990), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
-   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around.
+   !> Axial compression [N] beyond which a string under a known side load n per metre is taken to coil: the lower helical limit of
+   !> dg_buckling_limits, 2 sqrt(2 EI n/c), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
+   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around: earlier than the published helical limit there, so
+   !> that a start of the beams and a lock-up are not late.
    elemental function coiling_load(ei, side_load, weight, clearance) result(load)
       real(wp), intent(in) :: ei         !< [N.m2]
       real(wp), intent(in) :: side_load  !< [N/m]
       real(wp), intent(in) :: weight     !< [N/m]
       real(wp), intent(in) :: clearance  !< > 0 [m]
       real(wp) :: load
-      load = max(2.0_wp*sqrt(2.0_wp*ei*side_load/clearance), 2.0_wp*1.94_wp*(ei*weight**2)**(1.0_wp/3.0_wp))
+      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), 2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)))
    end function coiling_load
 
    !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].

@@ -1,12 +1,14 @@
 !> Where the models that lay the string on the hole axis (soft, rigid, mixed) leave their range.
 module dg_string_range
    use dg_kinds, only: wp
+   use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, piece_above, piece_type
+   use dg_soft_string_loads, only: piece_above, piece_type
    use dg_text, only: to_text
+   use dg_trajectory, only: point_on_arc
    implicit none
    private
-   public :: range_warning, helical_load
+   public :: range_warning
 
    !> Digits of depths and loads in a warning.
    integer, parameter :: shown = 4
@@ -21,7 +23,6 @@ contains
       real(wp), intent(in) :: axial(:)    !< tension > 0 [N]
       character(:), allocatable :: warning
       type(piece_type) :: piece
-      real(wp), dimension(3) :: position, across, bend
       real(wp) :: share, worst, worst_md
       integer :: i
       warning = ''
@@ -30,8 +31,7 @@ contains
       do i = 2, size(md)
          if (axial(i) >= 0.0_wp) cycle
          piece = piece_above(model, case_index, md(i), 1.0_wp)
-         call at_offset(piece, md(i) - piece%arc%md, position, across, bend)
-         share = -axial(i)/helical_load(piece, norm2(axial(i)*bend + across))
+         share = share_of_helical(piece, md(i), -axial(i))
          if (share <= worst) cycle
          worst = share
          worst_md = md(i)
@@ -45,16 +45,24 @@ contains
       end if
    end function range_warning
 
-   !> Axial load at which a string lies as a helix [N]: 2 sqrt(2) sqrt(E I q/c) on the wall (Chen, Lin & Cheatham
-   !> 1990, q the side load of weight and bend), 5.55 (E I w^2)^(1/3) in a vertical hole (Wu, Juvkam-Wold & Lu 1993);
-   !> the greater of the two.
-   pure function helical_load(piece, side) result(load)
+   !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 where it is below it, or where nothing
+   !> limits it.
+   pure function share_of_helical(piece, md, compression) result(share)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: side      !< q [N/m]
-      real(wp) :: load
-      real(wp), parameter :: least_clearance = 1.0e-6_wp   ! [m] none at all never buckles
-      real(wp), parameter :: vertical_factor = 5.55_wp
-      load = 2.0_wp*sqrt(2.0_wp*piece%stiffness*side/max(piece%clearance, least_clearance))
-      load = max(load, vertical_factor*(piece%stiffness*piece%weight**2)**(1.0_wp/3.0_wp), tiny(1.0_wp))
-   end function helical_load
+      real(wp), intent(in) :: md           !< [m]
+      real(wp), intent(in) :: compression  !< > 0 [N]
+      real(wp) :: share
+      real(wp), dimension(3) :: position, tangent, bend, across
+      real(wp) :: vertical, limit
+      share = 0.0_wp
+      if (.not. piece%clearance > 0.0_wp) return   ! nowhere to go
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, bend)
+      across = -piece%weight*tangent(3)*tangent
+      across(3) = across(3) + piece%weight
+      vertical = vertical_unit(piece%stiffness, piece%weight*tangent(3))
+      limit = helical_limit(least_curved_limit(piece%stiffness, across, bend, piece%clearance), vertical, helical_low)
+      if (compression <= limit) return
+      limit = helical_limit(curved_limit(piece%stiffness, across, bend, piece%clearance), vertical, helical_low)
+      if (limit > 0.0_wp .and. compression > limit) share = compression/limit
+   end function share_of_helical
 end module dg_string_range

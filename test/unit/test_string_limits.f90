@@ -43,6 +43,7 @@ contains
       call suite%addTest(TestMethod('margins', test_margins))
       call suite%addTest(TestMethod('weights_on_bit', test_weights))
       call suite%addTest(TestMethod('no_weight_on_a_pulled_bit', test_pulled))
+      call suite%addTest(TestMethod('one_helical_limit_in_files_and_warnings', test_one_limit))
    end function string_limits_suite
 
    !> A straight hole of 200 mm, a collar of 50 m and pipe above it with yield; profile of three rows, nothing on it.
@@ -295,4 +296,34 @@ contains
       call find_whole_string(model, result, along, optional_real(), whole)
       call assertFalse(whole%wob_buckling%present .or. whole%wob_no_hookload%present)
    end subroutine test_pulled
+
+   !> A model on the axis warns by the very limit that the files show: in a straight inclined hole, in a vertical one, in a bend.
+   subroutine test_one_limit()
+      call warn_by_limit([60.0_wp, 60.0_wp])
+      call warn_by_limit([0.0_wp, 0.0_wp])
+      call warn_by_limit([0.0_wp, 60.0_wp])
+   end subroutine test_one_limit
+
+   subroutine warn_by_limit(inclinations)
+      real(wp), intent(in) :: inclinations(2)   !< of the hole's ends [deg]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(error_type), allocatable :: error
+      character(:), allocatable :: rest
+      real(wp) :: told
+      integer :: at
+      call build(model, result, 60.0_wp, operation_sliding_drilling)
+      call new_trajectory(model%trajectory, [0.0_wp, depth], inclinations*degree, [0.0_wp, 0.0_wp], &
+                          interpolation_minimum_curvature, error)
+      model%cases(1)%wob = 4.0e5_wp
+      call solve_soft_string(model, 1, result, error)
+      call find_along_string(model, result, along)
+      at = index(result%message, 'compression is ')
+      call assertTrue(at > 0, message='warned: '//result%message)
+      if (at == 0) return
+      rest = result%message(at + len('compression is '):)
+      read (rest(:index(rest, ' ')), *) told
+      call assertRelativelyEqual(maxval(-result%profile%axial/along%helical), told, 1.0e-3_wp, message='four digits')
+   end subroutine warn_by_limit
 end module dg_test_string_limits

@@ -15,7 +15,7 @@ module dg_buckling_limits
    use dg_kinds, only: wp
    implicit none
    private
-   public :: sinusoidal_limit, curved_limit, vertical_unit, helical_limit, buckled_state
+   public :: sinusoidal_limit, curved_limit, least_curved_limit, vertical_unit, helical_limit, buckled_state
    public :: helical_low, helical_high, lubinski_first, vertical_helical
    public :: buckling_none, buckling_sinusoidal, buckling_helical, buckling_name
 
@@ -65,7 +65,7 @@ contains
       highest = 0.5_wp*(bend + root)/share
       force = highest
       if (bend <= 0.0_wp .or. weight <= 0.0_wp) return
-      lowest = 2.0_wp*weight/(bend + root)
+      lowest = least_curved_limit(ei, across, curvature, clearance)
       low = lowest
       do i = 1, search_steps
          high = lowest + (highest - lowest)*i/search_steps
@@ -90,6 +90,18 @@ contains
          value = share*f**2 - norm2(across - f*curvature)
       end function excess
    end function curved_limit
+
+   !> A bound that curved_limit is never below [N], for who only asks whether it is far away: that of a string lifted off by all
+   !> of the curvature; in a straight hole the limit itself.
+   pure function least_curved_limit(ei, across, curvature, clearance) result(force)
+      real(wp), intent(in) :: ei, across(3), curvature(3), clearance   !< as for curved_limit
+      real(wp) :: force
+      real(wp) :: weight, bend
+      weight = norm2(across)
+      bend = norm2(curvature)
+      force = 0.0_wp
+      if (weight > 0.0_wp) force = 2.0_wp*weight/(bend + sqrt(bend**2 + clearance/ei*weight))
+   end function least_curved_limit
 
    !> Unit of force of a heavy vertical string [N], (EI w^2)^(1/3); 0 where its weight does not hang from above.
    elemental function vertical_unit(ei, weight) result(force)
