@@ -12,7 +12,7 @@ module dg_profile_columns
    private
    public :: profile_columns, profile_values, profile_codes, code_names
 
-   type(column_type), parameter :: profile_columns(32) = [ &
+   type(column_type), parameter :: profile_columns(35) = [ &
       column_type('md', quantity_length, 'measured depth, of the point before loading'), &
       column_type('tvd', quantity_length, 'true vertical depth of the hole axis, from the first station'), &
       column_type('north', quantity_length, 'of the hole axis, from the first station'), &
@@ -29,7 +29,7 @@ module dg_profile_columns
          'is vertical), clockwise looking down the hole'), &
       column_type('gap_state', quantity_text, 'free, elastic or rigid: the hardest of the adjoining elements'), &
       column_type('true_axial', quantity_force, 'axial force in the wall of the pipe: effective - (p_o A_o - p_i A_i)'), &
-      column_type('shear', quantity_force, 'resultant shear force; empty for models other than mcge'), &
+      column_type('shear', quantity_force, 'resultant shear force; empty for soft, which has none'), &
       column_type('axial_stress', quantity_stress, 'of the true axial force, in the body of the pipe'), &
       column_type('bending_stress', quantity_stress, 'amplitude at the outer surface'), &
       column_type('torsional_stress', quantity_stress, 'shear stress at the outer surface'), &
@@ -49,7 +49,13 @@ module dg_profile_columns
       column_type('pressure', quantity_stress, 'of the standing mud, inside and outside'), &
       column_type('dogleg', quantity_curvature, 'curvature of the hole; where two bends meet the sharper one'), &
       column_type('od', quantity_width, 'outside diameter of the body'), &
-      column_type('hole', quantity_width, 'diameter of the hole')]
+      column_type('hole', quantity_width, 'diameter of the hole'), &
+      column_type('joint_magnification', quantity_none, 'largest bending between tool joints that touch alone, over the '// &
+         'column bending; 1 where joints were solved one by one; empty without joints, and in compression beyond the '// &
+         'closed form'), &
+      column_type('jointed_bending_stress', quantity_stress, 'joint_magnification times bending_stress, in the body of the pipe'), &
+      column_type('joint_von_mises', quantity_stress, 'equivalent stress in a tool joint, if one stands here; empty '// &
+         'without joints')]
 
 contains
 
@@ -91,6 +97,9 @@ contains
       case ('dogleg'); values = along%curvature
       case ('od'); values = along%od
       case ('hole'); values = along%hole_diameter
+      case ('joint_magnification'); values = along%magnification
+      case ('jointed_bending_stress'); values = along%jointed_bending
+      case ('joint_von_mises'); values = along%joint_von_mises
       case default
       end select
    end subroutine profile_values

@@ -46,14 +46,15 @@ contains
       integer, intent(in) :: case_index
       type(change_type), intent(in) :: changes(:)
       type(case_result_type), intent(out) :: result
-      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), bending(:)
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), bending(:), shear(:)
       type(soft_totals_type) :: totals
       character(120) :: text
       real(wp) :: position(3), tangent(3)
       associate (load_case => model%cases(case_index))
          md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)))
-         call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, totals)
+         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)), &
+                   shear(size(md)))
+         call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
          call position_at(model%trajectory, load_case%bit_depth, position, tangent)
          result%case_index = case_index
          result%inclination = inclination_of(tangent)
@@ -73,6 +74,7 @@ contains
       end associate
       call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
       result%profile%bending = bending
+      result%profile%shear = shear
       result%states = 0
       result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
       result%states(state_free) = count(result%profile%gap_state == state_free)

@@ -32,7 +32,7 @@ contains
 
    !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths; where they
    !> jump `contact` is the one just below.
-   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, totals)
+   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(change_type), intent(in) :: changes(:)  !< at which the string is stiff
@@ -41,6 +41,7 @@ contains
       real(wp), intent(out) :: torque(:)           !< [N.m]
       real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
       real(wp), intent(out) :: bending(:)          !< resultant moment [N.m]
+      real(wp), intent(out) :: shear(:)            !< resultant shear force |V| [N]
       type(soft_totals_type), intent(out) :: totals
       type(piece_type) :: piece
       real(wp) :: position, force, moment
@@ -58,7 +59,7 @@ contains
          end do
          axial(i) = force
          torque(i) = moment
-         call contact_and_bending(piece, changes, md(i), force, moment, contact(:, i), bending(i))
+         call forces_across(piece, changes, md(i), force, moment, contact(:, i), bending(i), shear(i))
          if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, 1.0_wp)
       end do
    end subroutine rigid_string_at
@@ -154,17 +155,19 @@ contains
       contact = force*bend + across + shear_slope - moment*cross(tangent, more_slope)
    end subroutine balance
 
-   !> Contact force [N/m] and resultant moment [N.m] just below a depth.
-   pure subroutine contact_and_bending(piece, changes, md, force, moment, contact, resultant)
+   !> Contact force [N/m], resultant moment [N.m] and resultant shear force [N] just below a depth.
+   pure subroutine forces_across(piece, changes, md, force, moment, contact, resultant, across)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md, force, moment
-      real(wp), intent(out) :: contact(3), resultant
-      real(wp) :: bend(3), shear(3), bending(3)
+      real(wp), intent(out) :: contact(3), resultant, across
+      real(wp) :: bend(3), shear(3), bending(3), position(3), tangent(3), curvature(3)
       call balance(piece, changes, md, md + spacing(md), force, moment, contact, bend, shear, bending)
       contact = climbed(piece, md, contact)
       resultant = norm2(bending)
-   end subroutine contact_and_bending
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, curvature)
+      across = norm2(shear - moment*cross(tangent, bend))
+   end subroutine forces_across
 
    !> True vertical depth from the start of the piece's arc [m].
    pure function depth_at(piece, md) result(z)

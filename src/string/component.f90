@@ -3,11 +3,14 @@
 module dg_component
    use dg_kinds, only: wp
    use dg_constants, only: pi, steel_density
+   use dg_text, only: lower_case
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: contact_diameter, buoyed_weight, has_joints, effective_joint_length
 
+   !> How the kind of a stabiliser begins, in either spelling.
+   character(*), parameter :: stabiliser = 'stabili'
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 
@@ -78,7 +81,8 @@ contains
    elemental function has_joints(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
-      has = component%joint_od > component%od .and. component%kind /= 'stabilizer'
+      has = component%joint_od > component%od
+      if (has .and. allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) /= 1
    end function has_joints
 
    !> Length of one tool joint [m].

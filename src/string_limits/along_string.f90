@@ -9,10 +9,12 @@ module dg_along_string
    use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
                                  lubinski_first, vertical_unit
    use dg_case_result, only: case_result_type
-   use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter
+   use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
+                           tube_inertia
    use dg_drillstring, only: component_at, component_tops
    use dg_hole_section, only: hole_section_at
-   use dg_job, only: model_soft
+   use dg_job, only: model_mcge, model_soft
+   use dg_joint_bending, only: joint_magnification
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
@@ -23,7 +25,8 @@ module dg_along_string
    public :: along_string_type, find_along_string, new_along_string, mud_pressure
 
    !> One value a row of the profile. `missing` where there is none: safety factors without a yield strength, buckling
-   !> limits of a weightless string in a straight hole.
+   !> limits of a weightless string in a straight hole, what belongs to tool joints
+   !> without them.
    type :: along_string_type
       real(wp), allocatable :: pressure(:)          !< of the mud, inside and outside [Pa]
       real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
@@ -36,6 +39,9 @@ module dg_along_string
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left [-]
       real(wp), allocatable :: overpull(:)          !< tension that may be added here [N]
       real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
+      real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
+      real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
+      real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling [N]
       real(wp), allocatable :: helical(:)           !< at helical buckling, the lower published limit [N]
       real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
@@ -59,6 +65,8 @@ contains
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, depth, moment
       integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
+      logical :: apart
+      apart = model%numerics%discrete_joints .and. result%model == model_mcge
       n = size(result%profile%md)
       along = new_along_string(n)
       string = string_index(model%strings, model%cases(result%case_index)%string)
@@ -83,6 +91,8 @@ contains
                   if (result%model == model_soft) moment = moment*bending_stiffness(components(part(side)))/ &
                      bending_stiffness(components(owner))
                   call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment, along)
+                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment, &
+                                 curvature_at(model, profile%md(i), arc(side)), apart, along)
                end if
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1)) &
                   call put_limits(model, i, profile%md(i), components(part(side)), model%holes(hole(side))%diameter, &
@@ -141,6 +151,43 @@ contains
       call keep_least(along%overpull(i), tension_capacity(part%od, part%id, torque, part%yield) - axial)
    end subroutine put_stress
 
+   !> Bending between tool joints and stress in them at row `i`, for a component that has some; kept where larger than on the other
+   !> side. A model that solved joint by joint has its magnification in its moments. The joint's bore is taken to be the
+   !> pipe's, which is on the safe side. In compression bending is largest between joints, so that a joint has the mean one.
+   pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
+      integer, intent(in) :: i
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
+      real(wp), intent(in) :: curvature               !< of the hole [1/m]
+      logical, intent(in) :: apart                    !< whether joints were solved one by one
+      type(along_string_type), intent(inout) :: along
+      type(pipe_stress_type) :: stress
+      real(wp) :: factor, force
+      if (.not. has_joints(part)) return
+      factor = 1.0_wp
+      if (.not. apart) factor = joint_magnification(axial, bending_stiffness(part), 0.5_wp*part%joint_spacing, curvature, &
+                                                    0.5_wp*(part%joint_od - part%od))
+      if (.not. is_missing(factor)) then
+         call keep_most(along%magnification(i), factor)
+         call keep_most(along%jointed_bending(i), factor*abs(moment)*0.5_wp*part%od/tube_inertia(part%od, part%id))
+      end if
+      if (axial < 0.0_wp) factor = 1.0_wp
+      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%pressure(i))
+      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%pressure(i))
+      call keep_most(along%joint_von_mises(i), stress%von_mises)
+   end subroutine put_joint
+
+   !> Curvature of one arc [1/m]; the depth serves a spline, whose curvature varies.
+   pure function curvature_at(model, md, arc) result(curvature)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: md     !< [m]
+      integer, intent(in) :: arc
+      real(wp) :: curvature
+      real(wp) :: position(3), tangent(3), bend(3)
+      call point_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, position, tangent, bend)
+      curvature = norm2(bend)
+   end function curvature_at
+
    !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
    pure subroutine put_limits(model, i, md, part, diameter, arc, along)
       type(model_type), intent(in) :: model
@@ -177,6 +224,17 @@ contains
       end if
    end subroutine keep_least
 
+   !> The larger of a number that may be missing and one that is there.
+   pure subroutine keep_most(number, candidate)
+      real(wp), intent(inout) :: number
+      real(wp), intent(in) :: candidate
+      if (is_missing(number)) then
+         number = candidate
+      else
+         number = max(number, candidate)
+      end if
+   end subroutine keep_most
+
    !> Columns of `n` rows, all zero or missing.
    pure function new_along_string(n) result(along)
       integer, intent(in) :: n
@@ -185,7 +243,8 @@ contains
                 along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &
-                along%helical(n), along%helical_upper(n), along%buckling_margin(n), source=missing)
+                along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
+                along%jointed_bending(n), along%joint_von_mises(n), source=missing)
       allocate (along%buckling(n), source=buckling_none)
    end function new_along_string
 end module dg_along_string

@@ -43,6 +43,7 @@ contains
       call suite%addTest(TestMethod('margins', test_margins))
       call suite%addTest(TestMethod('weights_on_bit', test_weights))
       call suite%addTest(TestMethod('no_weight_on_a_pulled_bit', test_pulled))
+      call suite%addTest(TestMethod('tool_joints', test_tool_joints))
       call suite%addTest(TestMethod('one_helical_limit_in_files_and_warnings', test_one_limit))
    end function string_limits_suite
 
@@ -296,6 +297,38 @@ contains
       call find_whole_string(model, result, along, optional_real(), whole)
       call assertFalse(whole%wob_buckling%present .or. whole%wob_no_hookload%present)
    end subroutine test_pulled
+
+   !> Pipe with joints 8 m apart at kL = 2: its body is bent 2/tanh(2) times as much, its joint by the same moment. Solved joint by
+   !> joint the moment has it already; the collar has no joints.
+   subroutine test_tool_joints()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp), parameter :: moment = 5.0e3_wp, joint = 0.168_wp, factor = 2.0746294414550963_wp
+      real(wp) :: tension
+      call build(model, result, 60.0_wp, operation_trip_out)
+      model%mud_density = 0.0_wp
+      model%strings(1)%components(2)%joint_od = joint
+      model%strings(1)%components(2)%joint_spacing = 8.0_wp
+      tension = 0.25_wp*bending_stiffness(model%strings(1)%components(2))
+      result%profile%axial = tension
+      result%profile%bending = moment
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(factor, along%magnification(1), rounding)
+      call assertRelativelyEqual(factor*along%bending_stress(1), along%jointed_bending(1), rounding)
+      call assertRelativelyEqual(tension/tube_area(joint, 0.1086_wp) + factor*moment*0.5_wp*joint/tube_inertia(joint, 0.1086_wp), &
+                                 along%joint_von_mises(1), rounding)
+      call assertTrue(is_missing(along%magnification(3)) .and. is_missing(along%joint_von_mises(3)), message='collar')
+      model%numerics%discrete_joints = .true.
+      call find_along_string(model, result, along)
+      call assertEqual(1.0_wp, along%magnification(1), message='solved joint by joint')
+      result%model = model_soft
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(factor, along%magnification(1), rounding, message='a soft string never is')
+      result%profile%axial = -100.0_wp*tension
+      call find_along_string(model, result, along)
+      call assertTrue(is_missing(along%magnification(1)), message='beyond the closed form')
+   end subroutine test_tool_joints
 
    !> A model on the axis warns by the very limit that the files show: in a straight inclined hole, in a vertical one, in a bend.
    subroutine test_one_limit()

@@ -41,6 +41,7 @@ contains
       use dg_test_buckled_shape, only: buckled_shape_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_string_limits, only: string_limits_suite
+      use dg_test_joint_bending, only: joint_bending_suite
       use dg_test_paraview, only: paraview_suite
       use dg_test_study, only: study_suite
       use dg_test_sweep, only: sweep_suite
@@ -80,6 +81,7 @@ contains
       call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(string_limits_suite())
+      call suite%addTest(joint_bending_suite())
       call suite%addTest(paraview_suite())
       call suite%addTest(study_suite())
       call suite%addTest(sweep_suite())

@@ -2,7 +2,7 @@
 !> does, and the same friction in every operation of every model.
 module dg_test_stiff_wells
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, &
-      TestMethod, TestSuite
+      assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: degree, pi
@@ -11,12 +11,13 @@ module dg_test_stiff_wells
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, &
       operation_sliding_drilling, operation_static, operation_trip_in, operation_trip_out
+   use dg_missing, only: is_missing
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, pipe
+   use dg_test_wells, only: new_well, note, pipe
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, true_vertical_depth
    implicit none
    private
@@ -45,6 +46,7 @@ contains
       call suite%addTest(TestMethod('energy_of_bending', test_energy))
       call suite%addTest(TestMethod('pair_of_forces', test_pair))
       call suite%addTest(TestMethod('moment_follows_the_hole', test_moment))
+      call suite%addTest(TestMethod('shear_force', test_shear))
       call suite%addTest(TestMethod('reaming_between_tripping_and_rotating', test_reaming))
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('static', test_static))
@@ -232,6 +234,32 @@ contains
          moment = result%profile%bending(minloc(abs(result%profile%md - md), 1))
       end function at
    end subroutine test_moment
+
+   !> Shear force: |d|/(2 l) where the wall bends a slack pipe, and M k for a torque M in a bend, which beams have too. A soft
+   !> string has none.
+   subroutine test_shear()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: curvature = 2.0e-3_wp, clearance = 0.03_wp, torque = 2.0e4_wp
+      integer :: which, i
+      call new_well(model, [0.0_wp, 200.0_wp, 400.0_wp], [0.0_wp, 0.0_wp, 0.4_wp/degree], [0.0_wp, 0.0_wp, 0.0_wp], &
+                    0.127_wp + 2.0_wp*clearance, 0.0_wp, pipe(0.0_wp, 0.127_wp, 0.07_wp))
+      call set_case(model, operation_static, -1.0_wp, 0.0_wp)
+      call solve(rigid, model, result)
+      i = minloc(abs(result%profile%md - 200.0_wp), dim=1)
+      call assertRelativelyEqual(0.5_wp*bending_stiffness(model%strings(1)%components(1))*curvature/sqrt(clearance/curvature), &
+                                 result%profile%shear(i), 1.0e-6_wp, message='at the change of curvature')
+      call set_case(model, operation_rotary_drilling, -1.0e3_wp, torque)
+      do which = rigid, mcge
+         call solve(which, model, result)
+         i = minloc(abs(result%profile%md - 300.0_wp), dim=1)
+         call note('shear in the bend over M k, '//names(which), result%profile%shear(i)/(torque*curvature))
+         call assertRelativelyEqual(torque*curvature, result%profile%shear(i), merge(0.01_wp, 1.0e-6_wp, which == mcge), &
+                                    message='in the bend, '//names(which))
+      end do
+      call solve(soft, model, result)
+      call assertTrue(all(is_missing(result%profile%shear)), message='soft')
+   end subroutine test_shear
 
    !> A bend and a tangent in which every model solves fast; friction 0.3.
    subroutine small_well(model)
