@@ -27,7 +27,7 @@ MAY_USE = {
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
-    "calibration": {"base", "linear_algebra", "model"},
+    "calibration": {"base", "linear_algebra", "string", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "string_limits": {"base", "buckling", "trajectory", "string", "hole", "model", "results", "soft_string"},
     "report": {"base", "buckling", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",

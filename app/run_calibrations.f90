@@ -12,6 +12,7 @@ module dg_run_calibrations
    use dg_least_squares, only: fit_done, fit_least_squares, fit_without_values
    use dg_model, only: model_type
    use dg_progress, only: seconds_between
+   use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
    use dg_text, only: quoted, text_type
    use dg_version, only: program_name
@@ -37,12 +38,13 @@ contains
       type(calibration_result_type), allocatable :: results(:)
       integer, allocatable :: owner(:)     !< number of the calibration of each result
       type(text_type), allocatable :: lines(:)
-      integer :: i, j, k, n, status
-      lost = 0
-      n = 0
+      type(text_type), allocatable :: others(:)
+      integer :: i, j, k, n, n_lost, status
+      n = size(job%stickings)
       do i = 1, size(job%calibrations)
          n = n + size(job%calibrations(i)%models)
       end do
+      lost = 0
       if (n == 0) return
       allocate (results(n), owner(n))
       n = 0
@@ -65,7 +67,10 @@ contains
             deallocate (lines)
          end do
       end do
-      call write_calibrations(job, model, owner(:n), results(:n), error)
+      n_lost = lost
+      call run_stickings(unit, job, model, others, lost)
+      lost = lost + n_lost
+      call write_calibrations(job, model, owner(:n), results(:n), others, error)
    end subroutine run_calibrations
 
    !> One calibration with one model.

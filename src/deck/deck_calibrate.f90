@@ -8,15 +8,17 @@ module dg_deck_calibrate
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name, model_soft
    use dg_load_case, only: given, load_case_type, operation_name
+   use dg_sticking, only: sticking_name
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    implicit none
    private
-   public :: take_calibrations
+   public :: take_calibrations, take_cases, take_models
 
    !> Letters of a name that a suggestion repeats.
    integer, parameter :: name_shown = 64
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
+   character(*), parameter :: not_for_friction(2) = [character(14) :: 'sticking_depth', 'stretch']
 
 contains
 
@@ -29,12 +31,12 @@ contains
       integer :: i, j, n
       n = 0
       do i = 1, size(groups)
-         if (groups(i)%name == 'calibrate') n = n + 1
+         if (is_calibration(groups(i))) n = n + 1
       end do
       allocate (calibrations(n))
       n = 0
       do i = 1, size(groups)
-         if (groups(i)%name /= 'calibrate') cycle
+         if (.not. is_calibration(groups(i))) cycle
          n = n + 1
          call take_one(draft, groups(i), n, calibrations(n), faults)
          do j = 1, n - 1
@@ -44,6 +46,14 @@ contains
          end do
       end do
    end subroutine take_calibrations
+
+   !> Whether a group looks for friction.
+   pure function is_calibration(group) result(yes)
+      type(checked_group_type), intent(in) :: group
+      logical :: yes
+      yes = group%name == 'calibrate'
+      if (yes) yes = .not. any(text_of(group, 'parameter', '') == sticking_name)
+   end function is_calibration
 
    subroutine take_one(draft, group, number, calibration, faults)
       type(draft_type), intent(in) :: draft
@@ -74,6 +84,12 @@ contains
                               "group &calibrate: separate holds 'none' and something else; keep one")
          end do
       end if
+      do i = 1, size(not_for_friction)
+         if (.not. is_given(group, trim(not_for_friction(i)))) cycle
+         call add_fault(faults, draft%path, line_of(group, trim(not_for_friction(i))), 'group &calibrate: '// &
+                        trim(not_for_friction(i))//' has no meaning with parameter = '// &
+                        quoted(trim(parameter_name(calibration%parameter)))//'; leave it out')
+      end do
       call take_models(group, calibration%models)
       if (is_sound(group, 'hookload_deviation')) &
          calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))

@@ -249,12 +249,12 @@ module dg_deck_keys
       key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
          meaning='measured torque of each; 0: none')]
 
-   type(key_rule_type), parameter :: calibrate_keys(10) = [ &
+   type(key_rule_type), parameter :: calibrate_keys(11) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
       key_rule_type('calibrate', 'cases', kind_text, array=.true., &
          meaning='names of load cases; default all with measured_hookload or measured_torque'), &
       key_rule_type('calibrate', 'parameter', kind_text, default='friction', &
-         choices='friction friction_axial friction_rotary', later='sticking', meaning='what is looked for'), &
+         choices='friction friction_axial friction_rotary sticking free_point', meaning='what is looked for'), &
       key_rule_type('calibrate', 'holes', kind_text, array=.true., &
          meaning='names of hole sections whose friction is looked for; default all'), &
       key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
@@ -267,8 +267,10 @@ module dg_deck_keys
          meaning='standard deviation of a measured hook load; default: from the residuals'), &
       key_rule_type('calibrate', 'torque_deviation', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='standard deviation of a measured torque; default: from the residuals'), &
-      key_rule_type('calibrate', 'sticking_depth', unit=unit_length, later='*', &
-         meaning='measured depth of a stuck point or key seat')]
+      key_rule_type('calibrate', 'sticking_depth', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='measured depth of a stuck point or key seat; needed by sticking'), &
+      key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
+         meaning='of the string at surface from one pull to the other; needed by free_point')]
 
 contains
 

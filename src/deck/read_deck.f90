@@ -8,6 +8,7 @@ module dg_read_deck
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
+   use dg_deck_sticking, only: take_stickings
    use dg_deck_study, only: take_study
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
@@ -77,6 +78,7 @@ contains
       call take_legacy(draft, checked, job%legacy, faults)
       call take_study(draft, checked, job%models, job%study, faults)
       call take_calibrations(draft, checked, job%calibrations, faults)
+      call take_stickings(draft, checked, job%stickings, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck

@@ -5,11 +5,11 @@ module dg_calibration_file
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: difference, known, percent_error
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given, operation_name, optional_real
+   use dg_load_case, only: given, operation_name
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type
@@ -18,10 +18,11 @@ module dg_calibration_file
    public :: factor_columns, datum_columns, write_calibrations
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: factor_columns(17) = [ &
+   type(column_type), parameter :: factor_columns(27) = [ &
       column_type('calibration', quantity_text, 'its name'), &
       column_type('model', quantity_text, 'as in summary.csv'), &
-      column_type('parameter', quantity_text, 'friction, friction_axial, friction_rotary or hookload_offset'), &
+      column_type('parameter', quantity_text, &
+         'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point'), &
       column_type('hole', quantity_text, 'hole section that it is for; empty: all named'), &
       column_type('operation', quantity_text, 'operation that it is for; empty: all'), &
       column_type('bit_depth', quantity_length, 'depth of the bit that it is for; empty: all'), &
@@ -31,13 +32,24 @@ module dg_calibration_file
       column_type('upper', quantity_none, 'upper end'), &
       column_type('deviation', quantity_none, 'standard deviation'), &
       column_type('verdict', quantity_text, &
-         'found, at_bound (0 or 2), not_felt (data do not depend on it), not_separated (data tell only a mixture), no_fit'), &
+         'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), not_separated '// &
+         '(data tell only a mixture), no_fit, no_solution; below_bit: the string is free'), &
       column_type('scatter', quantity_none, &
          'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these are right'), &
       column_type('message', quantity_text, 'why there is no fit'), &
       column_type('offset', quantity_force, 'what the gauge shows beyond the string, in rows of a hookload_offset'), &
       column_type('offset_lower', quantity_force, 'lower end of its 95 % confidence interval'), &
-      column_type('offset_upper', quantity_force, 'upper end')]
+      column_type('offset_upper', quantity_force, 'upper end'), &
+      column_type('case', quantity_text, 'load case, in rows of sticking and free_point (its second pull)'), &
+      column_type('depth', quantity_length, 'of the stuck point, as given (sticking) or found with friction (free_point)'), &
+      column_type('depth_frictionless', quantity_length, 'free point by the usual formula, without friction'), &
+      column_type('tension_above', quantity_force, 'in the string just above the stuck point'), &
+      column_type('tension_below', quantity_force, 'there if nothing stuck'), &
+      column_type('resistance', quantity_force, 'above less below: > 0 holds the string down, < 0 up'), &
+      column_type('resistance_interval', quantity_force, 'half its 95 % interval, from hookload_deviation alone'), &
+      column_type('torque_above', quantity_moment, 'in the string just above the stuck point'), &
+      column_type('torque_below', quantity_moment, 'there if nothing stuck'), &
+      column_type('torque_resistance', quantity_moment, 'above less below')]
 
    type(column_type), parameter :: datum_columns(14) = [ &
       column_type('calibration', quantity_text, 'its name'), &
@@ -58,11 +70,12 @@ module dg_calibration_file
 contains
 
    !> Writes both files.
-   subroutine write_calibrations(job, model, owner, results, error)
+   subroutine write_calibrations(job, model, owner, results, others, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: owner(:)               !< number of the calibration of each result
       type(calibration_result_type), intent(in) :: results(:)
+      type(text_type), intent(in) :: others(:)      !< rows of calibration.csv that follow
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: factors(:), data(:)
       type(field_list_type) :: row
@@ -81,8 +94,11 @@ contains
             end do
          end associate
       end do
+      do i = 1, size(others)
+         call append_text(factors, others(i)%text)
+      end do
       call write_text_file(job%output_dir//'/calibration.csv', factors, error)
-      if (.not. allocated(error)) call write_text_file(job%output_dir//'/calibration_data.csv', data, error)
+      if (.not. allocated(error) .and. size(results) > 0) call write_text_file(job%output_dir//'/calibration_data.csv', data, error)
    end subroutine write_calibrations
 
    subroutine factor_fields(model, calibration, result, unknown, row)
@@ -120,10 +136,10 @@ contains
          else
             call put(row, result%start(unknown))
             call put_interval(row, value, half)
-            call put(row, value_or_none(result%statistics%deviation(unknown), is_missing(half)))
+            call put(row, known(result%statistics%deviation(unknown)))
          end if
          call put(row, trim(verdict_name(verdict_of(result, unknown))))
-         call put(row, value_or_none(result%statistics%scatter, is_missing(result%statistics%scatter)))
+         call put(row, known(result%statistics%scatter))
          call put(row, result%message)
          if (one%is_offset) then
             call put_interval(row, value, half)
@@ -132,6 +148,9 @@ contains
                call put_none(row)
             end do
          end if
+         do i = row%count + 1, size(factor_columns)
+            call put_none(row)
+         end do
       end associate
    end subroutine factor_fields
 
@@ -140,8 +159,8 @@ contains
       type(field_list_type), intent(inout) :: row
       real(wp), intent(in) :: value, half      !< `half` may be missing
       call put(row, value)
-      call put(row, value_or_none(value - max(half, 0.0_wp), is_missing(half)))
-      call put(row, value_or_none(value + max(half, 0.0_wp), is_missing(half)))
+      call put(row, known(difference(value, half)))
+      call put(row, known(difference(value, difference(0.0_wp, half))))
    end subroutine put_interval
 
    subroutine datum_fields(model, calibration, result, number, row)
@@ -182,11 +201,4 @@ contains
          call put(row, (after - datum%measured)/datum%deviation)
       end associate
    end subroutine datum_fields
-
-   pure function value_or_none(value, none) result(number)
-      real(wp), intent(in) :: value
-      logical, intent(in) :: none
-      type(optional_real) :: number
-      if (.not. none) number = given(value)
-   end function value_or_none
 end module dg_calibration_file

@@ -2,9 +2,10 @@
 module dg_comparison
    use dg_kinds, only: wp
    use dg_load_case, only: given, optional_real
+   use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: percent_error
+   public :: percent_error, known, difference
 
 contains
 
@@ -17,4 +18,19 @@ contains
       if (abs(other%value) <= 0.0_wp) return
       error = given(100.0_wp*abs(calculated - other%value)/abs(other%value))
    end function percent_error
+
+   !> A number that may be missing as one that may be absent.
+   elemental function known(value) result(number)
+      real(wp), intent(in) :: value
+      type(optional_real) :: number
+      if (.not. is_missing(value)) number = given(value)
+   end function known
+
+   !> One number less another; missing where either is.
+   elemental function difference(one, other) result(value)
+      real(wp), intent(in) :: one, other
+      real(wp) :: value
+      value = missing
+      if (.not. (is_missing(one) .or. is_missing(other))) value = one - other
+   end function difference
 end module dg_comparison

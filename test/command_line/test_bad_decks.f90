@@ -139,7 +139,6 @@ contains
 
    subroutine test_later()
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
-      call refuse("&boundary top_lateral = 'centred' /", "&calibrate sticking_depth = 5 /", 15, 'sticking_depth is not available')
    end subroutine test_later
 
    subroutine test_survey()

@@ -1,0 +1,72 @@
+!> Rows of calibration.csv that tell of strings that are held.
+module dg_sticking_rows
+   use dg_calibration_file, only: factor_columns
+   use dg_column, only: csv_row, field_list_type, put, put_none
+   use dg_comparison, only: difference, known
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: operation_name
+   use dg_model, only: model_type
+   use dg_sticking, only: sticking_name, sticking_type
+   use dg_sticking_result, only: sticking_result_type, sticking_status_name
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: sticking_rows
+
+contains
+
+   !> One row a result.
+   function sticking_rows(job, model, sticking, results) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      type(field_list_type) :: row
+      integer :: i
+      allocate (lines(size(results)))
+      do i = 1, size(results)
+         call sticking_fields(model, sticking, results(i), row)
+         lines(i)%text = csv_row(factor_columns, job%units, row%fields)
+      end do
+   end function sticking_rows
+
+   subroutine sticking_fields(model, sticking, result, row)
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: result
+      type(field_list_type), intent(inout) :: row
+      row%count = 0
+      associate (case => model%cases(result%case_index))
+         call put(row, sticking%name)
+         call put(row, trim(model_name(result%model)))
+         call put(row, trim(sticking_name(sticking%kind)))
+         call put_none(row)
+         call put(row, trim(operation_name(case%operation)))
+         call put(row, case%bit_depth)
+         call put_nones(5)
+         call put(row, trim(sticking_status_name(result%status)))
+         call put_none(row)
+         call put(row, result%message)
+         call put_nones(3)
+         call put(row, case%name)
+         call put(row, known(result%depth))
+         call put(row, known(result%depth_without_friction))
+         call put(row, known(result%tension_above))
+         call put(row, known(result%tension_below))
+         call put(row, known(difference(result%tension_above, result%tension_below)))
+         call put(row, known(result%half_width))
+         call put(row, known(result%torque_above))
+         call put(row, known(result%torque_below))
+         call put(row, known(difference(result%torque_above, result%torque_below)))
+      end associate
+   contains
+      subroutine put_nones(number)
+         integer, intent(in) :: number
+         integer :: i
+         do i = 1, number
+            call put_none(row)
+         end do
+      end subroutine put_nones
+   end subroutine sticking_fields
+end module dg_sticking_rows

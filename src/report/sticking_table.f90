@@ -1,0 +1,139 @@
+!> Strings that are held, in print: resistances at a stuck point, free points. Every line fits 120 columns.
+module dg_sticking_table
+   use dg_kinds, only: wp
+   use dg_comparison, only: difference, known
+   use dg_job, only: model_name
+   use dg_load_case, only: operation_label
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_sticking, only: find_free_point, sticking_type
+   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_no_solution, sticking_result_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: sticking_table
+
+   integer, parameter :: name_width = 20, model_width = 7, label_width = 18, cell_width = 10
+   integer, parameter :: depth_digits = 7, stretch_digits = 4
+
+contains
+
+   function sticking_table(units, model, sticking, results) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      allocate (lines(0))
+      call append_text(lines, '')
+      if (sticking%kind == find_free_point) then
+         call append_free_points(lines, units, model, sticking, results)
+      else
+         call append_resistances(lines, units, model, sticking, results)
+      end if
+   end function sticking_table
+
+   subroutine append_resistances(lines, units, model, sticking, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: results(:)
+      character(:), allocatable :: head, rule, row
+      integer :: i
+      call append_text(lines, 'Sticking '//sticking%name//': resistance at '// &
+                       to_text(sticking%depth/units%length, depth_digits)//' '//trim(units%length_label)// &
+                       ', from measured hook load and torque; in '//trim(units%force_label)//' and '//moment_unit(units))
+      head = left_aligned('Load case', name_width)//left_aligned('Model', model_width)// &
+             left_aligned('Operation', label_width)//right_aligned('Measured', cell_width)//right_aligned('Free', cell_width)// &
+             right_aligned('Above', cell_width)//right_aligned('Below', cell_width)//right_aligned('Resists', cell_width)// &
+             right_aligned('+-', 8)//right_aligned('Torque', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      do i = 1, size(results)
+         associate (found => results(i), case => model%cases(results(i)%case_index))
+            row = left_aligned(case%name, name_width)//left_aligned(trim(model_name(found%model)), model_width)// &
+                  left_aligned(trim(operation_label(case%operation)), label_width)
+            if (found%status == sticking_no_solution) then
+               call append_text(lines, row//'no solution')
+               cycle
+            end if
+            row = row//fixed_cell(case%measured_hookload, units%force, cell_width, 1)// &
+                  force(found%free_hookload, cell_width)//force(found%tension_above, cell_width)// &
+                  force(found%tension_below, cell_width)// &
+                  force(difference(found%tension_above, found%tension_below), cell_width)//force(found%half_width, 8)// &
+                  fixed_cell(known(difference(found%torque_above, found%torque_below)), units%moment, cell_width, 2)
+            if (found%status == sticking_at_bound) row = row//' !'
+            call append_text(lines, row)
+         end associate
+      end do
+      call append_text(lines, rule)
+      call append_text(lines, 'Free: hook load if nothing stuck. Above: tension in the string just above the point; below: '// &
+                       'there if nothing stuck.')
+      call append_text(lines, 'Resists > 0: the point holds the string down, < 0: up. +-: 95 % of the gauge alone, '// &
+                       'friction being as in the deck.')
+      if (any(results%status == sticking_at_bound)) call append_text(lines, &
+         '! less torque was measured than friction above the point takes: lower the friction around the hole')
+   contains
+      function force(value, width) result(cell)
+         real(wp), intent(in) :: value
+         integer, intent(in) :: width
+         character(width) :: cell
+         cell = fixed_cell(known(value), units%force, width, 1)
+      end function force
+   end subroutine append_resistances
+
+   subroutine append_free_points(lines, units, model, sticking, results)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: results(:)
+      character(:), allocatable :: text
+      integer :: i
+      associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
+         call append_text(lines, 'Free point '//sticking%name//': stretch '// &
+            to_text(sticking%stretch/units%length, stretch_digits)//' '//trim(units%length_label)//' from '// &
+            shown(first%measured_hookload%value)//' to '//shown(second%measured_hookload%value)//' '// &
+            trim(units%force_label)//', string of '//to_text(second%bit_depth/units%length, depth_digits)//' '// &
+            trim(units%length_label))
+         call append_text(lines, '  without friction, by sections:  '//point(results(1)%depth_without_friction))
+         do i = 1, size(results)
+            text = 'no solution'
+            if (results(i)%status == sticking_below_bit) text = below_bit()
+            if (.not. is_missing(results(i)%depth)) text = point(results(i)%depth)//', pulled there by '// &
+               shown(results(i)%tension_above)//' '//trim(units%force_label)//' at last'
+            call append_text(lines, '  with friction, model '//left_aligned(trim(model_name(results(i)%model))//':', 10)//' '//text)
+         end do
+      end associate
+   contains
+      function point(depth) result(words)
+         real(wp), intent(in) :: depth
+         character(:), allocatable :: words
+         words = to_text(anint(10.0_wp*depth/units%length)/10.0_wp, depth_digits)//' '//trim(units%length_label)
+         if (depth > model%cases(sticking%cases(2))%bit_depth) words = below_bit()
+      end function point
+
+      function below_bit() result(words)
+         character(:), allocatable :: words
+         words = 'below the bit: the whole string stretches less than measured'
+      end function below_bit
+
+      function shown(value) result(words)
+         real(wp), intent(in) :: value
+         character(:), allocatable :: words
+         words = trim(adjustl(fixed_cell(value/units%force, cell_width, 1)))
+      end function shown
+   end subroutine append_free_points
+
+   pure function moment_unit(units) result(text)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = 'kN.m'
+      if (units%name == 'field') text = 'kft.lbf'
+   end function moment_unit
+end module dg_sticking_table
