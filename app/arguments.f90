@@ -22,8 +22,8 @@ module dg_arguments
       logical :: version = .false.
    end type arguments_type
 
-   character(*), parameter :: options(10) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', &
-                                             '--quiet', '--help', '--version', '--template', '--list-catalogue']
+   character(*), parameter :: options(11) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', &
+                                             '--quiet', '--help', '--version', '--template', '--list-catalogue', '--convert']
    !> Most digits of a number of threads.
    integer, parameter :: longest_count = 4
 
@@ -90,7 +90,7 @@ contains
             if (option == '--quiet') arguments%quiet = .true.
             if (option == '--help' .or. option == '-h') arguments%help = .true.
             if (option == '--version') arguments%version = .true.
-         case ('--template', '--list-catalogue')
+         case ('--template', '--list-catalogue', '--convert')
             if (equals > 0) call refuse(option//' takes no value')
             if (arguments%action /= '') call refuse(option//' and --'//arguments%action//' go one at a time')
             arguments%action = option(3:)
@@ -99,7 +99,8 @@ contains
          end select
          if (allocated(error)) return
       end do
-      if (arguments%deck == '' .and. arguments%action == '' .and. .not. (arguments%help .or. arguments%version)) &
+      if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
+          .not. (arguments%help .or. arguments%version)) &
          call refuse('no deck given')
       if (arguments%deck /= '' .and. arguments%action == 'template') call refuse('--template takes no deck')
 
@@ -172,6 +173,7 @@ contains
          '  --version      name and version', &
          'or: '//program_name//' --template                    prints a commented deck to start from', &
          '    '//program_name//' --list-catalogue [PATTERN]    prints the catalogue of pipe, or what has PATTERN in its name', &
+         '    '//program_name//' --convert DECK.nml            prints the deck in the other system of units, SI or field', &
          'exit status: 0 all cases solved, 2 bad command line, deck or data file, 3 a case did not converge, 1 else'
    end subroutine print_usage
 end module dg_arguments

@@ -1,8 +1,9 @@
-!> What the program does without solving anything: a deck to start from, the catalogue of pipe.
+!> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units.
 module dg_run_action
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, entry_type, find_catalogue, numeric_keys, &
                            read_catalogue
+   use dg_deck_convert, only: convert_deck
    use dg_deck_template, only: deck_template
    use dg_error, only: status_bad_input, status_failure, status_ok
    use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
@@ -23,6 +24,7 @@ contains
       character(*), intent(in) :: operand     !< '': none
       integer, intent(out) :: status          !< of the program
       type(text_type), allocatable :: lines(:)
+      type(fault_list_type) :: faults
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
       select case (action)
       case ('template')
@@ -31,6 +33,15 @@ contains
          status = status_ok
       case ('list-catalogue')
          call list_catalogue(operand, status)
+      case ('convert')
+         call convert_deck(operand, lines, faults)
+         if (faults%count > 0) then
+            call print_faults(faults)
+            status = status_bad_input
+         else
+            call print_lines(lines)
+            status = status_ok
+         end if
       case default
          status = status_failure
       end select

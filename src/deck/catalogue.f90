@@ -7,7 +7,7 @@ module dg_catalogue
    use dg_deck_schema, only: key_rule_type, unit_factor, unit_label, unit_none
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_file_lines, only: beside, read_lines
-   use dg_survey_file, only: split_fields, without_comment
+   use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none

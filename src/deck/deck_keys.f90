@@ -58,9 +58,11 @@ module dg_deck_keys
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
-   type(key_rule_type), parameter :: trajectory_keys(5) = [ &
+   type(key_rule_type), parameter :: trajectory_keys(6) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
+      key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
+         meaning='units of a survey file whose headings name none; default the deck''s'), &
       key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
          meaning='measured depths of the stations'), &
       key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &

@@ -7,7 +7,7 @@ module dg_deck_survey
    use dg_file_lines, only: beside
    use dg_survey_file, only: station_list_type, read_survey_file
    use dg_text, only: to_text
-   use dg_units, only: unit_system_type
+   use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
    public :: read_stations
@@ -30,6 +30,7 @@ contains
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
+      type(unit_system_type) :: file_units
       logical :: from_file
 
       sound = .false.
@@ -44,7 +45,10 @@ contains
             call fault(line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck')
             return
          end if
-         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), units, stations, sound, faults)
+         file_units = units
+         if (text_of(group, 'survey_units', '') == 'SI') file_units = si_units()
+         if (text_of(group, 'survey_units', '') == 'field') file_units = field_units()
+         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), file_units, stations, sound, faults)
       else
          call take_arrays(sound)
       end if

@@ -20,6 +20,8 @@ module dg_deck_token
    type :: token_type
       integer :: kind = 0
       integer :: line = 0
+      integer :: first = 0                   !< place in its line, from ...
+      integer :: last = 0                    !< ... to, count and quotes included
       integer :: repeat = 1                  !< 3 in 3*0.1; negative where the count is too large to be read
       character(:), allocatable :: text
    end type token_type
@@ -61,7 +63,7 @@ contains
       integer, intent(in) :: line
       logical, intent(inout) :: inside
       type(token_list_type), intent(inout) :: list
-      integer :: at, length, repeats
+      integer :: at, length, repeats, first
       character(:), allocatable :: content
       logical :: closed
 
@@ -70,6 +72,7 @@ contains
       do
          at = at + span(text(at:), blanks)
          if (at > len(text)) return
+         first = at
          select case (text(at:at))
          case ('!')
             return
@@ -81,7 +84,7 @@ contains
                call append(list, token_end, line, '&'//content)
                inside = .false.
             else
-               call append(list, token_group, line, content)
+               call append(list, token_group, line, content, first=first, last=at - 1)
                inside = .true.
             end if
             cycle
@@ -107,7 +110,7 @@ contains
             at = at + 1
          case ('''', '"')
             call take_quoted(text, at, content, closed)
-            call append(list, merge(token_text, token_open_text, closed), line, content, repeats)
+            call append(list, merge(token_text, token_open_text, closed), line, content, repeats, first, at - 1)
             repeats = 1
          case default
             call take_word(text, at, content)
@@ -116,7 +119,7 @@ contains
             if (content == '' .and. at <= len(text)) then
                if (text(at:at) == '''' .or. text(at:at) == '"') cycle
             end if
-            call append(list, token_word, line, content, repeats)
+            call append(list, token_word, line, content, repeats, first, at - 1)
             repeats = 1
          end select
       end do
@@ -213,12 +216,12 @@ contains
    end function is_end
 
    !> Puts one token at the end of the list.
-   pure subroutine append(list, kind, line, text, repeats)
+   pure subroutine append(list, kind, line, text, repeats, first, last)
       type(token_list_type), intent(inout) :: list
       integer, intent(in) :: kind
       integer, intent(in) :: line
       character(*), intent(in) :: text
-      integer, intent(in), optional :: repeats
+      integer, intent(in), optional :: repeats, first, last
       type(token_type), allocatable :: longer(:)
       if (list%count == size(list%items)) then
          allocate (longer(2*list%count))
@@ -230,5 +233,7 @@ contains
       list%items(list%count)%line = line
       list%items(list%count)%text = text
       if (present(repeats)) list%items(list%count)%repeat = repeats
+      if (present(first)) list%items(list%count)%first = first
+      if (present(last)) list%items(list%count)%last = last
    end subroutine append
 end module dg_deck_token

@@ -4,7 +4,7 @@ module dg_legacy_file
    use dg_deck_number, only: read_real
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: read_lines
-   use dg_survey_file, only: blank_brackets, close_brackets, split_fields, split_unit, without_comment
+   use dg_table_text, only: blank_brackets, close_brackets, split_fields, split_unit, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none

@@ -1,18 +1,18 @@
-!> Reads stations from a table: CSV (comma or semicolon) or blanks, with a header that names md, inc, azi in
-!> any order and letter case. Other columns are ignored, # starts a comment.
+!> Reads stations from a table as other programs export it: CSV (comma or semicolon), tabs or blanks, decimal comma, headings in
+!> any order with or without units, lines above the header, a row of units below it; or a LAS file.
 module dg_survey_file
    use dg_kinds, only: wp
    use dg_deck_number, only: read_real
-   use dg_deck_schema, only: unit_length, unit_angle, unit_label
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: read_lines
-   use dg_text, only: text_type, append_text, lower_case, quoted, to_text
+   use dg_las_file, only: is_las, las_table
+   use dg_table_text, only: angle_unit, close_brackets, find_separator, length_unit, split_fields, split_heading, split_unit, &
+                            without_comment
+   use dg_text, only: text_type, lower_case, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: station_list_type, read_survey_file
-   ! Rows and headings, which other tables share.
-   public :: blank_brackets, close_brackets, split_fields, split_unit, without_comment
 
    !> Stations as read, with the place of each for messages. SI units.
    type :: station_list_type
@@ -26,73 +26,84 @@ module dg_survey_file
 
    integer, parameter :: column_md = 1, column_inc = 2, column_azi = 3
    character(*), parameter :: column_name(3) = ['md ', 'inc', 'azi']
-   !> Other headings for the same, as surveys use them.
-   character(*), parameter :: column_alias(3) = [character(14) :: 'measured_depth', 'inclination', 'azimuth']
-   character(*), parameter :: tab = achar(9)
+   !> Other headings for the same, without blanks and marks, as programs write them.
+   character(*), parameter :: md_names(7) = [character(13) :: 'md', 'measureddepth', 'measdepth', 'mdepth', 'mdrkb', 'mdrt', 'mdkb']
+   character(*), parameter :: inc_names(6) = [character(13) :: 'inc', 'inclination', 'incl', 'inclin', 'deviation', 'devi']
+   character(*), parameter :: azi_names(7) = [character(13) :: 'azi', 'azimuth', 'azim', 'hazi', 'azimuthtn', 'azimuthgn', 'az']
+   !> Curves of LAS files that have other names there: the index curve is the measured depth.
+   character(*), parameter :: las_md_names(2) = [character(13) :: 'dept', 'depth']
+   character(*), parameter :: las_inc_names(1) = [character(13) :: 'dev']
+   !> Lines among which the header is looked for: titles above it are few.
+   integer, parameter :: header_lines = 200
+
+   !> Columns of a table and the SI values of their units.
+   type :: layout_type
+      character :: separator = ' '
+      integer :: place(3) = 0                    !< column of md, inc, azi; 0: none
+      real(wp) :: factor(3) = 1.0_wp
+      integer :: first_row = 0                   !< line below the header
+      character(:), allocatable :: null          !< what stands for no value; '': nothing
+   end type layout_type
 
 contains
 
    !> Reads the table `path`; stations without fault only where `sound`.
    subroutine read_survey_file(path, units, stations, sound, faults)
       character(*), intent(in) :: path
-      type(unit_system_type), intent(in) :: units     !< of the numbers
+      type(unit_system_type), intent(in) :: units     !< of numbers whose heading names no unit
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
       type(text_type), allocatable :: lines(:), fields(:)
+      type(layout_type) :: layout
       character(:), allocatable :: failure, text
-      character :: separator
-      integer :: place(3), line, n, column
+      integer :: line, n, column
       real(wp) :: numbers(3)
-      logical :: has_header, legal
+      logical :: legal
 
       stations%file = path
       sound = .false.
       call read_lines(path, lines, failure)
-      if (failure /= '') then
-         call add_fault(faults, path, 0, 'survey file '//failure)
-         return
-      end if
       allocate (stations%md(size(lines)), stations%inclination(size(lines)), stations%azimuth(size(lines)), &
                 stations%lines(size(lines)))
-      has_header = .false.
-      sound = .true.
       n = 0
-      do line = 1, size(lines)
-         text = without_comment(lines(line)%text)
-         if (text == '') cycle
-         if (.not. has_header) then
-            has_header = .true.
-            call read_header(path, line, text, units, separator, place, legal, faults)
-            if (.not. legal) then
-               sound = .false.
-               return
+      if (failure == '') then
+         call find_layout(path, lines, units, layout, sound, faults)
+      else
+         call add_fault(faults, path, 0, 'survey file '//failure)
+      end if
+      if (sound) then
+         do line = layout%first_row, size(lines)
+            text = without_comment(lines(line)%text)
+            if (text == '') cycle
+            call split_fields(text, layout%separator, fields)
+            if (line == layout%first_row .or. n == 0) then
+               if (is_unit_row(fields, layout)) then
+                  call take_units(layout, fields)
+                  cycle
+               end if
             end if
-            cycle
-         end if
-         call split_fields(text, separator, fields)
-         numbers = 0.0_wp
-         do column = 1, 3
-            if (place(column) == 0) cycle
-            if (place(column) > size(fields)) then
-               call fault('no value for '//trim(column_name(column))//': the row has '//to_text(size(fields))// &
-                          ' columns, the header puts it in column '//to_text(place(column)))
-            else
-               call read_real(fields(place(column))%text, numbers(column), legal)
-               if (.not. legal) call fault(trim(column_name(column))//' = '//quoted(fields(place(column))%text)// &
-                                           ' is no number')
-            end if
+            numbers = 0.0_wp
+            if (is_null(fields, layout)) cycle
+            do column = 1, 3
+               if (layout%place(column) == 0) cycle
+               if (layout%place(column) > size(fields)) then
+                  call fault('no value for '//trim(column_name(column))//': the row has '//to_text(size(fields))// &
+                             ' columns, the header puts it in column '//to_text(layout%place(column)))
+               else
+                  call read_real(fields(layout%place(column))%text, numbers(column), legal)
+                  if (.not. legal) call fault(trim(column_name(column))//' = '// &
+                                              quoted(fields(layout%place(column))%text)//' is no number')
+               end if
+            end do
+            n = n + 1
+            stations%md(n) = numbers(column_md)*layout%factor(column_md)
+            stations%inclination(n) = numbers(column_inc)*layout%factor(column_inc)
+            stations%azimuth(n) = numbers(column_azi)*layout%factor(column_azi)
+            stations%lines(n) = line
          end do
-         n = n + 1
-         stations%md(n) = numbers(column_md)*units%length
-         stations%inclination(n) = numbers(column_inc)*units%angle
-         stations%azimuth(n) = numbers(column_azi)*units%angle
-         stations%lines(n) = line
-      end do
-      if (.not. has_header) call add_fault(faults, path, 0, 'survey file is empty; it needs a header naming md, inc, azi')
-      sound = sound .and. has_header
-      stations%has_azimuth = has_header
-      if (has_header) stations%has_azimuth = place(column_azi) > 0
+         stations%has_azimuth = layout%place(column_azi) > 0
+      end if
       stations%md = stations%md(:n)
       stations%inclination = stations%inclination(:n)
       stations%azimuth = stations%azimuth(:n)
@@ -107,159 +118,200 @@ contains
       end subroutine fault
    end subroutine read_survey_file
 
-   !> Finds the separator and the columns of a header. Units in brackets that contradict the deck's are a
-   !> fault, others are ignored.
-   subroutine read_header(path, line, text, units, separator, place, legal, faults)
+   !> Finds header and columns. The header is the first line that names md and inc; where none does the first line is told to be
+   !> a bad one.
+   subroutine find_layout(path, lines, units, layout, sound, faults)
       character(*), intent(in) :: path
-      integer, intent(in) :: line
-      character(*), intent(in) :: text
+      type(text_type), intent(in) :: lines(:)
       type(unit_system_type), intent(in) :: units
-      character, intent(out) :: separator
-      integer, intent(out) :: place(3)       !< column of md, inc, azi; 0: none
-      logical, intent(out) :: legal
+      type(layout_type), intent(out) :: layout
+      logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
-      type(text_type), allocatable :: fields(:)
-      character(:), allocatable :: name, unit, bare
-      integer :: i, column
-
-      separator = ' '
-      bare = blank_brackets(text)
-      if (index(bare, tab) > 0) separator = tab
-      if (index(bare, ',') > 0) separator = ','
-      if (index(bare, ';') > 0) separator = ';'
-      place = 0
-      legal = .true.
-      call split_fields(close_brackets(text), separator, fields)
-      do i = 1, size(fields)
-         call split_unit(fields(i)%text, name, unit)
-         do column = 1, 3
-            if (name /= column_name(column) .and. name /= column_alias(column)) cycle
-            if (place(column) > 0) then
-               call fault('the header names '//trim(column_name(column))//' twice; keep one')
-            else if (contradicts(column, unit, units)) then
-               call fault('the header gives '//trim(column_name(column))//' in '//unit//', the deck has '// &
-                          unit_label(units, merge(unit_length, unit_angle, column == column_md))// &
-                          '; convert the table or change units in &job')
-            end if
-            place(column) = i
-         end do
+      type(text_type), allocatable :: fields(:), names(:), las_units(:)
+      character(:), allocatable :: failure, text
+      integer :: line, first
+      logical :: found
+      sound = .false.
+      layout%null = ''
+      if (is_las(lines)) then
+         call las_table(lines, names, las_units, layout%first_row, layout%null, failure)
+         if (failure /= '') then
+            call add_fault(faults, path, 0, 'survey: the LAS file '//failure)
+            return
+         end if
+         call match_columns(names, las_units, .true., units, layout)
+         sound = .true.
+         first = layout%first_row - 1
+         if (layout%place(column_md) == 0) call fault('the curves name no md (DEPT, DEPTH, MD)')
+         if (layout%place(column_inc) == 0) call fault('the curves name no inc (INCL, INC, DEVI, DEV)')
+         return
+      end if
+      first = 0
+      found = .false.
+      do line = 1, min(size(lines), header_lines)
+         text = without_comment(lines(line)%text)
+         if (text == '') cycle
+         if (first == 0) first = line
+         call take_header(line)
+         found = all(layout%place(:column_inc) > 0)
+         if (found) exit
       end do
-      if (place(column_md) == 0) call fault('the header names no md; it needs md, inc, azi')
-      if (place(column_inc) == 0) call fault('the header names no inc; it needs md, inc, azi')
+      if (first == 0) then
+         call add_fault(faults, path, 0, 'survey file is empty; it needs a header naming md, inc, azi')
+         return
+      end if
+      sound = .true.
+      if (found) then
+         call check_once(line)
+         return
+      end if
+      line = first
+      call take_header(line)
+      if (layout%place(column_md) == 0) call fault('the header names no md; it needs md, inc, azi')
+      if (layout%place(column_inc) == 0) call fault('the header names no inc; it needs md, inc, azi')
 
    contains
 
+      subroutine take_header(number)
+         integer, intent(in) :: number
+         character(:), allocatable :: header, name, unit
+         type(text_type), allocatable :: bracketed(:)
+         integer :: i
+         header = joined_names(close_brackets(without_comment(lines(number)%text)))
+         layout%separator = find_separator(header)
+         call split_fields(header, layout%separator, fields)
+         allocate (names(size(fields)), bracketed(size(fields)))
+         do i = 1, size(fields)
+            call split_heading(fields(i)%text, name, unit)
+            names(i)%text = name
+            bracketed(i)%text = unit
+         end do
+         call match_columns(names, bracketed, .false., units, layout)
+         layout%first_row = number + 1
+         deallocate (names)
+      end subroutine take_header
+
+      !> Whether the header names a column twice by its own name.
+      subroutine check_once(number)
+         integer, intent(in) :: number
+         character(:), allocatable :: name, unit
+         integer :: i, column, times
+         line = number
+         do column = 1, 3
+            times = 0
+            do i = 1, size(fields)
+               call split_unit(fields(i)%text, name, unit)
+               if (name == column_name(column)) times = times + 1
+            end do
+            if (times > 1) call fault('the header names '//trim(column_name(column))//' twice; keep one')
+         end do
+      end subroutine check_once
+
       subroutine fault(message)
          character(*), intent(in) :: message
-         legal = .false.
-         call add_fault(faults, path, line, 'survey: '//message)
+         sound = .false.
+         call add_fault(faults, path, merge(first, line, is_las(lines)), 'survey: '//message)
       end subroutine fault
-   end subroutine read_header
+   end subroutine find_layout
 
-   !> Name and bracketed unit of a heading, both lower case: 'MD (m)' gives md and m.
-   pure subroutine split_unit(heading, name, unit)
-      character(*), intent(in) :: heading
-      character(:), allocatable, intent(out) :: name, unit
-      integer :: bracket
-      bracket = scan(heading, '([')
-      if (bracket == 0) then
-         name = trim(adjustl(lower_case(heading)))
-         unit = ''
-      else
-         name = trim(adjustl(lower_case(heading(:bracket - 1))))
-         unit = trim(adjustl(lower_case(heading(bracket + 1:))))
-         if (len(unit) > 0) then
-            if (scan(unit(len(unit):), ')]') == 1) unit = trim(unit(:len(unit) - 1))
-         end if
-      end if
-   end subroutine split_unit
-
-   !> Whether a unit of a heading is one we know and not the deck's.
-   pure function contradicts(column, unit, units) result(is)
-      integer, intent(in) :: column
-      character(*), intent(in) :: unit
+   !> Columns by their headings: the plain name goes before others, the first before later ones.
+   pure subroutine match_columns(names, unit_names, las, units, layout)
+      type(text_type), intent(in) :: names(:), unit_names(:)
+      logical, intent(in) :: las
       type(unit_system_type), intent(in) :: units
+      type(layout_type), intent(inout) :: layout
+      integer :: i, column
       logical :: is
-      is = .false.
+      layout%place = 0
+      layout%factor = [units%length, units%angle, units%angle]
+      do column = 1, 3
+         do i = size(names), 1, -1
+            select case (column)
+            case (column_md)
+               is = any(md_names == names(i)%text) .or. (las .and. any(las_md_names == names(i)%text))
+            case (column_inc)
+               is = any(inc_names == names(i)%text) .or. (las .and. any(las_inc_names == names(i)%text))
+            case default
+               is = any(azi_names == names(i)%text)
+            end select
+            if (is) layout%place(column) = i
+         end do
+         do i = size(names), 1, -1
+            if (names(i)%text == column_name(column)) layout%place(column) = i
+         end do
+         if (layout%place(column) > 0) call take_unit(layout, column, unit_names(layout%place(column))%text)
+      end do
+   end subroutine match_columns
+
+   !> Sets the unit of a column, if it is one that we know ('MD (RKB)' names none).
+   pure subroutine take_unit(layout, column, name)
+      type(layout_type), intent(inout) :: layout
+      integer, intent(in) :: column
+      character(*), intent(in) :: name
+      real(wp) :: value
       if (column == column_md) then
-         select case (unit)
-         case ('ft', 'feet', 'foot'); is = units%name /= 'field'
-         case ('m', 'meter', 'metre', 'meters', 'metres'); is = units%name == 'field'
-         case default
-         end select
+         value = length_unit(name)
       else
-         is = unit == 'rad' .or. unit == 'radian' .or. unit == 'radians'
+         value = angle_unit(name)
       end if
-   end function contradicts
+      if (value > 0.0_wp) layout%factor(column) = value
+   end subroutine take_unit
 
-   !> The text with brackets and what they hold made blank.
-   pure function blank_brackets(text) result(bare)
+   !> Whether a row holds the units of the columns: (m), ft, ...
+   pure function is_unit_row(fields, layout) result(is)
+      type(text_type), intent(in) :: fields(:)
+      type(layout_type), intent(in) :: layout
+      logical :: is
+      is = layout%place(column_md) <= size(fields)
+      if (is) is = length_unit(bare_unit(fields(layout%place(column_md))%text)) > 0.0_wp
+   end function is_unit_row
+
+   pure subroutine take_units(layout, fields)
+      type(layout_type), intent(inout) :: layout
+      type(text_type), intent(in) :: fields(:)
+      integer :: column
+      do column = 1, 3
+         if (layout%place(column) > 0 .and. layout%place(column) <= size(fields)) &
+            call take_unit(layout, column, bare_unit(fields(layout%place(column))%text))
+      end do
+   end subroutine take_units
+
+   !> A unit without brackets, in small letters.
+   pure function bare_unit(text) result(unit)
       character(*), intent(in) :: text
-      character(len(text)) :: bare
-      integer :: i, depth
-      depth = 0
-      bare = text
+      character(:), allocatable :: unit
+      integer :: i
+      unit = ''
       do i = 1, len(text)
-         if (scan(text(i:i), '([') == 1) depth = depth + 1
-         if (depth > 0) bare(i:i) = ' '
-         if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
+         if (scan(text(i:i), '()[] ') == 0) unit = unit//lower_case(text(i:i))
       end do
-   end function blank_brackets
+   end function bare_unit
 
-   !> The text without blanks before and inside brackets, so that 'MD (m)' is one field.
-   pure function close_brackets(text) result(tight)
-      character(*), intent(in) :: text
-      character(:), allocatable :: tight
-      integer :: i, depth
-      depth = 0
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), '([') == 1) then
-            depth = depth + 1
-            tight = trim(tight)
-         end if
-         if (depth == 0 .or. scan(text(i:i), ' '//tab) == 0) tight = tight//text(i:i)
-         if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
+   !> Whether a row has no station: its depth or its inclination is what stands for no value.
+   pure function is_null(fields, layout) result(is)
+      type(text_type), intent(in) :: fields(:)
+      type(layout_type), intent(in) :: layout
+      logical :: is
+      real(wp) :: null, number
+      logical :: legal
+      integer :: column
+      is = .false.
+      if (layout%null == '') return
+      call read_real(layout%null, null, legal)
+      do column = column_md, column_inc
+         if (.not. legal .or. layout%place(column) > size(fields)) return
+         call read_real(fields(layout%place(column))%text, number, legal)
+         if (legal .and. abs(number - null) <= spacing(null)) is = .true.
       end do
-   end function close_brackets
+   end function is_null
 
-   !> A line without its comment, tabs at its ends and blanks.
-   pure function without_comment(line) result(text)
-      character(*), intent(in) :: line
-      character(:), allocatable :: text
-      integer :: last
-      last = index(line, '#') - 1
-      if (last < 0) last = len(line)
-      text = line(:last)
-      if (verify(text, ' '//tab//',;') == 0) text = ''    ! a row of empty cells, as spreadsheets leave them
-   end function without_comment
-
-   !> Fields of a row, quotes around them dropped; blanks and tabs together are one separator. Where ;
-   !> separates, a comma is a decimal point.
-   pure subroutine split_fields(text, separator, fields)
-      character(*), intent(in) :: text
-      character, intent(in) :: separator
-      type(text_type), allocatable, intent(out) :: fields(:)
-      character(len(text)) :: row
-      character(:), allocatable :: field
-      integer :: i, first
-      row = text
-      do i = 1, len(row)
-         if (row(i:i) == tab .and. separator /= tab) row(i:i) = ' '
-         if (row(i:i) == ',' .and. separator == ';') row(i:i) = '.'
-      end do
-      allocate (fields(0))
-      first = 1
-      do i = 1, len(row) + 1
-         if (i <= len(row)) then
-            if (row(i:i) /= separator) cycle
-         end if
-         field = trim(adjustl(row(first:i - 1)))
-         first = i + 1
-         if (len(field) >= 2) then
-            if (scan(field(1:1), '"''') == 1 .and. field(len(field):) == field(1:1)) field = field(2:len(field) - 1)
-         end if
-         if (field /= '' .or. separator /= ' ') call append_text(fields, field)
-      end do
-   end subroutine split_fields
+   !> A header whose names of two words are one, so that blanks may separate its fields.
+   pure function joined_names(header) result(joined)
+      character(*), intent(in) :: header
+      character(:), allocatable :: joined
+      integer :: at
+      joined = header
+      at = index(lower_case(header), 'measured depth')
+      if (at > 0) joined = header(:at + len('measured') - 1)//'_'//header(at + len('measured '):)
+   end function joined_names
 end module dg_survey_file

@@ -1,7 +1,13 @@
 !> What the program does beside solving: a deck to start from, the catalogue, and decks that take pipe from it.
 module dg_test_actions
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: clear_scratch, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
+   use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_error, only: error_type
+   use dg_file_lines, only: read_lines
+   use dg_file_system, only: write_text_file
+   use dg_kinds, only: wp
+   use dg_program_run, only: clear_scratch, deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, &
+                             scratch
+   use dg_text, only: append_text, text_type
    implicit none
    private
    public :: actions_suite
@@ -18,6 +24,8 @@ contains
       call suite%addTest(TestMethod('list_catalogue', test_list))
       call suite%addTest(TestMethod('pipe_of_the_catalogue', test_catalogue))
       call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
+      call suite%addTest(TestMethod('convert', test_convert))
+      call suite%addTest(TestMethod('convert_what_is_not_said', test_convert_unsaid))
    end function actions_suite
 
    !> The template runs as it stands, and with every comment that names a default taken in.
@@ -76,6 +84,92 @@ contains
       call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")
       call refuse("name = 'pipe'", 'key od is missing')
    end subroutine test_catalogue_faults
+
+   !> To field units and back: the same results, and the numbers that the deck had.
+   subroutine test_convert()
+      type(run_type) :: run
+      real(wp) :: before, after
+      real(wp), parameter :: kilopound = 4.4482216152605_wp      ! kN
+      run = run_deck_text(good_deck())
+      before = first_hookload()
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program('--convert '//deck_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, "&job units = 'field' title = 'a deck'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'inc = 0.0, 0.0, 30.0') > 0, message='angles stay')
+      call assertTrue(index(run%output, 'azi = 3*10.0 /') > 0, message=run%output)
+      call assertTrue(index(run%output, 'joint_od = 6.625984252 /') > 0, message=run%output)
+      call keep('field.nml')
+      run = run_program(scratch//'/field.nml --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      after = first_hookload()
+      call assertRelativelyEqual(before, after*kilopound, 1.0e-9_wp)
+      run = run_program('--convert '//scratch//'/field.nml')
+      call assertTrue(index(run%output, "&job units = 'SI' title = 'a deck'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'od = 171.45, id = 71.4 /') > 0, message=run%output)
+      call assertTrue(index(run%output, 'md  = 0.0, 500, 900') > 0, message=run%output)
+      run = run_program('--convert '//scratch//'/absent.nml')
+      call assertEqual(2, run%status)
+      run = run_program('--convert')
+      call assertEqual(2, run%status)
+   end subroutine test_convert
+
+   !> A survey file without units, a deck without &job: what the deck left unsaid is said.
+   subroutine test_convert_unsaid()
+      type(run_type) :: run
+      call clear_scratch()
+      call put('path.csv', [character(80) :: 'md,inc,azi', '0,0,0', '500,0,0', '900,30,0'])
+      call put('si.nml', [character(80) :: "&trajectory survey_file = 'path.csv' /", '&hole diameter = 215.9 /', &
+                          '&component od = 127 /', "&load_case name = 'u', operation = 'up', bit_depth = 900 /"])
+      run = run_program(scratch//'/si.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program('--convert '//scratch//'/si.nml')
+      call assertTrue(index(run%output, newline//"&job units = 'field' /"//newline// &
+                            "&trajectory survey_units = 'SI' survey_file") > 0, message=run%output)
+      call keep('field.nml')
+      run = run_program(scratch//'/field.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '2952.756 measured') > 0, message=run%output)
+   end subroutine test_convert_unsaid
+
+   !> Writes a file into the scratch folder.
+   subroutine put(name, texts)
+      character(*), intent(in) :: name, texts(:)
+      type(text_type), allocatable :: lines(:)
+      type(error_type), allocatable :: error
+      integer :: i
+      allocate (lines(0))
+      do i = 1, size(texts)
+         call append_text(lines, trim(texts(i)))
+      end do
+      call write_text_file(scratch//'/'//name, lines, error)
+      call assertFalse(allocated(error))
+   end subroutine put
+
+   !> Keeps what the program printed last.
+   subroutine keep(name)
+      character(*), intent(in) :: name
+      integer :: status
+      call execute_command_line('cp '//scratch//'/output.txt '//scratch//'/'//name, exitstat=status)
+      call assertEqual(0, status)
+   end subroutine keep
+
+   !> Hook load of the first row of summary.csv, in its units: the eighth field.
+   function first_hookload() result(load)
+      real(wp) :: load
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: failure, row
+      integer :: field
+      load = 0.0_wp
+      call read_lines(results_path//'/summary.csv', lines, failure)
+      call assertEqual('', failure)
+      if (size(lines) < 2) return
+      row = lines(2)%text
+      do field = 1, 7
+         row = row(index(row, ',') + 1:)
+      end do
+      read (row(:index(row, ',') - 1), *) load
+   end function first_hookload
 
    subroutine refuse(keys, expected)
       character(*), intent(in) :: keys, expected

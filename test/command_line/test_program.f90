@@ -233,8 +233,6 @@ contains
                   3, "inc = 'thirty' is no number")
       call survey(['md,inc,azi            ', '0,0,10                ', '900,30                '], 3, 'no value for azi')
       call survey(['md,inc,azi            ', '0,0,10                ', '900,190,10            '], 3, 'inc = 190 is out of range')
-      call survey(['md (ft),inc,azi       ', '0,0,10                ', '900,30,10             '], 1, &
-                  'gives md in ft, the deck has m')
       call survey(['depth,inc,azi         ', '0,0,10                ', '900,30,10             '], 1, 'the header names no md')
    end subroutine test_survey_file
 

@@ -19,6 +19,7 @@ contains
       use dg_test_report_cells, only: report_cells_suite
       use dg_test_report_files, only: report_files_suite
       use dg_test_report_table, only: report_table_suite
+      use dg_test_survey_file, only: survey_file_suite
       use dg_test_units, only: units_suite
       use dg_test_trajectory, only: trajectory_suite
       use dg_test_soft_string, only: soft_string_suite
@@ -60,6 +61,7 @@ contains
       call suite%addTest(report_cells_suite())
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
+      call suite%addTest(survey_file_suite())
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())
       call suite%addTest(soft_string_suite())
