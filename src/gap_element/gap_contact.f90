@@ -43,13 +43,14 @@ contains
    !> As contact_action, with the derivatives of F and M by the point's position (3,3) [N/m, N].
    !> Friction may be asked for at another normal force Q than R, with another derivative: a lagged one, or none.
    pure subroutine contact_action_tangent(gap, tangent, curvature, normal_force, stiffness, pressing, pressing_stiffness, axial, &
-                                          rotary, radius, force, moment, force_tangent, moment_tangent)
+                                          rotary, climbing, radius, force, moment, force_tangent, moment_tangent)
       real(wp), intent(in) :: gap(3), tangent(3)
       real(wp), intent(in) :: curvature(3)  !< k = dt/ds of the hole axis at the foot [1/m]
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: stiffness     !< dR/d|f| [N/m]
       real(wp), intent(in) :: pressing, pressing_stiffness !< Q and dQ/d|f|
       real(wp), intent(in) :: axial, rotary, radius
+      real(wp), intent(in) :: climbing      !< what stands for m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(out) :: force(3), moment(3)
       real(wp), intent(out) :: force_tangent(3, 3), moment_tangent(3, 3)
       real(wp) :: n(3), tau(3), reciprocal, chi, k_tau, direction(3), lever(3)
@@ -60,14 +61,14 @@ contains
       tau = product_of(tangent, n)
       chi = 1.0_wp/(1.0_wp - sum(curvature*gap))
       k_tau = sum(curvature*tau)
-      direction = axial*tangent - rotary*tau
+      direction = axial*tangent - climbing*tau
       lever = -radius*(axial*tau + rotary*tangent)
       force = pressing*direction - normal_force*n
       moment = pressing*lever
       ! dyads with n, tau and t on the right
       by_n = pressing_stiffness*direction - stiffness*n
-      by_tau = reciprocal*(pressing*rotary*n - normal_force*tau)
-      by_t = pressing*(chi*(axial*curvature + rotary*k_tau*tangent)) - (normal_force*(1.0_wp - chi)*reciprocal)*tangent
+      by_tau = reciprocal*(pressing*climbing*n - normal_force*tau)
+      by_t = pressing*(chi*(axial*curvature + climbing*k_tau*tangent)) - (normal_force*(1.0_wp - chi)*reciprocal)*tangent
       lever_n = pressing_stiffness*lever
       lever_tau = (pressing*radius*axial*reciprocal)*n
       lever_t = (pressing*radius*chi)*(axial*k_tau*tangent - rotary*curvature)

@@ -152,8 +152,8 @@ contains
       pressing = merge(work%pressing(e), work%normal(e), loads%lagged)
       pressing_stiffness = merge(0.0_wp, gap_stiffness, loads%lagged)
       call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                  gap_stiffness, pressing, pressing_stiffness, axial, rotary, radius, action, moment, by_point, &
-                                  moment_by_point)
+                                  gap_stiffness, pressing, pressing_stiffness, axial, rotary, work%climb(e)*rotary, radius, &
+                                  action, moment, by_point, moment_by_point)
       work%contact_force(:, e) = action
       work%contact_moment(:, e) = moment
       call gap_nodal_force(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, action, moment, nodal, twisting)
@@ -162,7 +162,7 @@ contains
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
       if (conservative) then
          call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                     gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
+                                     gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
                                      by_point, moment_by_point)
       end if
       call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, by_point, &

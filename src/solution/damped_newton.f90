@@ -11,13 +11,13 @@
 !>      could only creep.
 !>   4. Friction goes by a lagged normal force where the live one would run away: after a wall has been stiffened, and where
 !>      friction's tangent spoils the descent.
-!>   5. In a vertical hole nothing resists a turn of the whole string about the axis: what drives it, friction of a rotating
-!>      string that would whirl, is taken off the residual. The string found is the whirling one, seen as it turns.
+!>   5. In a vertical hole nothing resists a turn of the whole string about the axis. Torque drives that turn: its drive is taken
+!>      off the residual, and the string found is the whirling one, seen as it turns. Without torque that only guides the way.
 !> All of it acts on steps. At convergence lagged and live normal forces are one, and the residual is the true one but for 5.
 module dg_damped_newton
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix
+   use dg_block_matrix, only: block_size
    use dg_block_solver, only: block_positive_definite
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: survey_gaps
@@ -29,25 +29,20 @@ module dg_damped_newton
    use dg_newton, only: add_gap_rigidity, judge, largest_turn, most_rounds, newton_converged, newton_exhausted, newton_singular, &
                         newton_type
    use dg_numerics, only: numerics_type
+   use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
    use dg_turning_step, only: fix_phase, take_off_drive, turn_along_wall, turning_mode
-   use dg_viscosity, only: weigh
+   use dg_viscosity, only: damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
-   public :: damped_type, new_damped, iterate_damped, is_stable, find_stability_margin
+   public :: iterate_damped
 
-   !> Viscosity in the units of dg_viscosity [-]; below the least it is none. An equilibrium counts as stable that needs no more
-   !> than the margin: F would have to drop by half of that part, 0.5 %.
-   real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
-   real(wp), parameter :: stability_margin = 1.0e-2_wp
-   !> The same in a vertical hole, where friction turns a rotating string out of its energy's minimum.
-   real(wp), parameter :: whirling_margin = 5.0e-2_wp
    !> A residual over the force scale so small that the margin is left alone, lest viscosity delay the end [-].
    real(wp), parameter :: near_rest = 1.0e-6_wp
    !> Viscosity after a step that was good at first try, after one that was not, and on indefiniteness; each refusal doubles
    !> its own factor (Nielsen 1999).
-   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp, until_definite = 2.0_wp
+   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
    !> Slope at a step's end over that at its start, both of the energy [-]: a rise less than this is accepted; a fall this many
    !> times as steep is friction running away.
    real(wp), parameter :: largest_rise = 0.6_wp, largest_fall = 3.0_wp
@@ -62,39 +57,10 @@ module dg_damped_newton
    !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
    integer, parameter :: energy_steps = 3
    real(wp), parameter :: failing = 15.0_wp
-   !> Halvings in the search of the stability margin: to 0.4 %.
-   integer, parameter :: margin_halvings = 8
    !> Vertical to round-off: cosine of the inclination.
    real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
 
-   !> Room of a damped iteration, made once a case; (6,nodes) unless told.
-   type :: damped_type
-      type(block_matrix_type) :: energy            !< the tangent without friction and torque
-      real(wp), allocatable :: lump(:, :)          !< what a unit of viscosity adds to the diagonal
-      real(wp), allocatable :: mode(:, :)          !< turn of the string about a vertical hole's axis
-      real(wp), allocatable :: old(:, :)           !< state before a step
-      real(wp), allocatable :: drawn_from(:, :)    !< state before a step is drawn out
-      real(wp), allocatable :: trial(:, :)         !< residual after a step
-      integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
-      real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
-      real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
-      real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
-      logical :: continued = .false.               !< the state is at rest against a softer wall
-   end type damped_type
-
 contains
-
-   !> Room for a mesh.
-   pure subroutine new_damped(mesh, step_limit, damped)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: step_limit   !< [m]
-      type(damped_type), intent(out) :: damped
-      damped%energy = new_block_matrix(mesh%nodes)
-      allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
-                damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
-      allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
-      damped%step_limit = step_limit
-   end subroutine new_damped
 
    !> Iterates `state` to a stable equilibrium under `loads`. `outcome` is one of the numbers of dg_newton.
    subroutine iterate_damped(newton, damped, trajectory, mesh, loads, numerics, tolerance, soft, increment, gaps, state, work, &
@@ -115,12 +81,13 @@ contains
       type(iteration_type) :: row
       type(load_type) :: lagged
       real(wp) :: before, slope, slope_after, growth, share, margin
-      logical :: fresh, good, lag, live, vertical, sliding, settled, changed
+      logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed
       integer :: info, rounds, wait, start
       lagged = loads
       lagged%lagged = .true.
       vertical = all(mesh%frame(3, 1, :) > upright)
-      margin = merge(whirling_margin, stability_margin, vertical)
+      torque = any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
+      margin = margin_of(mesh)
       sliding = any(abs(mesh%axial) > 0.0_wp)
       lag = damped%continued
       start = newton%iterations
@@ -137,6 +104,11 @@ contains
             call measure()
             if (.not. lag .and. before <= tolerance*newton%force_scale .and. (row%flips == 0 .or. soft)) then
                call look_round(settled, changed)
+               if (settled .and. vertical .and. .not. torque .and. damped%drive > tolerance*newton%force_scale) then
+                  vertical = .false.      ! without torque nothing drives that turn: something holds it
+                  damped%drive = 0.0_wp
+                  cycle
+               end if
                if (settled) then
                   outcome = newton_converged
                   return
@@ -326,66 +298,5 @@ contains
          call survey_gaps(trajectory, mesh, gaps, work)
       end subroutine go_back
    end subroutine iterate_damped
-
-   !> Whether the equilibrium at which `work` has been placed and surveyed is stable: the energy's tangent is positive definite
-   !> but for the margin.
-   subroutine is_stable(damped, trajectory, mesh, loads, gaps, state, work, stable)
-      type(damped_type), intent(inout) :: damped
-      type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      logical, intent(out) :: stable
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
-      call weigh(mesh, work, damped%lump)
-      call block_positive_definite(damped%energy, stability_margin, damped%lump, stable)
-   end subroutine is_stable
-
-   !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
-   !> definite when nu F^2/(4 EI) is taken off it, and a string on the low side is lost at (1 + nu) F^2/(4 EI) = n/c.
-   subroutine find_stability_margin(damped, trajectory, mesh, loads, gaps, state, work, margin)
-      type(damped_type), intent(inout) :: damped
-      type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      real(wp), intent(out) :: margin
-      real(wp) :: low, high
-      logical :: definite
-      integer :: i
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
-      call weigh(mesh, work, damped%lump)
-      low = 0.0_wp
-      high = 1.0_wp
-      margin = high
-      call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + high)**2, damped%lump, definite)
-      if (definite) return
-      do i = 1, margin_halvings
-         margin = 0.5_wp*(low + high)
-         call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + margin)**2, damped%lump, definite)
-         if (definite) then
-            low = margin
-         else
-            high = margin
-         end if
-      end do
-      margin = low
-   end subroutine find_stability_margin
-
-   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
-   pure subroutine raise_viscosity(damped, margin)
-      type(damped_type), intent(inout) :: damped
-      real(wp), intent(in) :: margin
-      logical :: definite
-      do
-         call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
-         if (definite .or. damped%viscosity > viscosity_most) return
-         damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
-      end do
-   end subroutine raise_viscosity
 
 end module dg_damped_newton

@@ -19,8 +19,8 @@ module dg_mesh_for_case
    real(wp), parameter :: quarter_wave_share = 0.9_wp
    !> The same where the string is expected to coil: eight elements a turn.
    real(wp), parameter :: coil_share = 0.5_wp
-   !> Compression over the coiling load from which it snakes [-] (Dawson & Paslay 1984).
-   real(wp), parameter :: snake_share = 0.70_wp
+   !> Compression over the coiling load from which it snakes [-]: 1/sqrt(2) (Dawson & Paslay 1984) and a little.
+   real(wp), parameter :: snake_share = 0.72_wp
    !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
    !> element may miss the hole's bend [-]. At one half some wells are lost, at a quarter none was.
    real(wp), parameter :: clearance_share = 0.25_wp
@@ -35,19 +35,21 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, pressing, shortened)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
       type(soft_totals_type), intent(out) :: totals  !< of the coiled soft string: whether it is locked up
       real(wp), intent(out) :: compressed      !< largest compression of the soft string over its coiling load [-]
+      real(wp), intent(out) :: waves           !< of buckling, sqrt(2 EI/F) 2 pi long, in the string beyond the sinusoidal limit [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
-      real(wp) :: curvature, compression, side_load, scales(scale_count)
+      real(wp) :: curvature, compression, side_load, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
+      waves = 0.0_wp
       pressing = 0.0_wp
       shortened = 0
       associate (load_case => model%cases(case_index))
@@ -73,8 +75,10 @@ contains
             end if
             longest(e) = min(longest(e), mesh%length(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            if (compression > 0.0_wp) compressed = max(compressed, compression/max(tiny(1.0_wp), &
-                                              coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))))
+            if (.not. compression > 0.0_wp) cycle
+            share = compression/max(tiny(1.0_wp), coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e)))
+            compressed = max(compressed, share)
+            if (share > snake_share) waves = waves + mesh%length(e)*sqrt(0.5_wp*compression/mesh%ei(e))/(2.0_wp*pi)
          end do
          if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
       end associate

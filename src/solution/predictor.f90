@@ -17,10 +17,12 @@ module dg_predictor
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: predict
+   public :: predict, whirling
 
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
+   !> Compression over the coiling load from which a rotating string may whirl [-].
+   real(wp), parameter :: whirling_share = 0.4_wp
 
 contains
 
@@ -61,6 +63,22 @@ contains
          gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
       end do
    end subroutine predict
+
+   !> Share of circumferential friction's force that stays, by element [-]: 0 where the soft string is compressed near buckling.
+   pure subroutine whirling(model, case_index, mesh, climb)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(out) :: climb(:)
+      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side
+      integer :: e
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
+      do e = 1, mesh%elements
+         side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
+         climb(e) = merge(0.0_wp, 1.0_wp, -min(axial(e), axial(e + 1)) > whirling_share*coiling_load(mesh%ei(e), side, &
+                                                                              mesh%weight(e), mesh%clearance(e)))
+      end do
+   end subroutine whirling
 
    !> Lays a string that the soft string finds compressed by F as it will buckle. From the straight state the iteration would
    !> have to grow every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.

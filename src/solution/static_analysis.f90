@@ -5,21 +5,23 @@ module dg_static_analysis
    use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
    use dg_case_result, only: case_result_type, result_converged, scale_count
-   use dg_damped_newton, only: damped_type, find_stability_margin, is_stable, iterate_damped, new_damped
+   use dg_damped_newton, only: iterate_damped
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_free
    use dg_gap_table, only: gap_table_type, new_gap_table
-   use dg_load_case, only: load_case_type
+   use dg_load_case, only: load_case_type, rotates
    use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
-   use dg_predictor, only: predict
+   use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
+   use dg_stability, only: find_stability_margin, is_stable, push_off
    use dg_static_result, only: fill_result, look_outside, outcome_outside, result_of_lock_up
+   use dg_viscosity, only: damped_type, new_damped
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
@@ -42,16 +44,21 @@ module dg_static_analysis
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
    !> The same in damped Newton: a string settles among its next to unresisted modes much sooner against a soft wall [-].
    real(wp), parameter :: settled_tolerance = 1.0e-6_wp
-   !> A case that finds no rest by plain Newton within so many iterations is tried with the other place of the gaps, and at last
-   !> by damped Newton. A compressed string, which may find rest where it cannot stay, goes to damped Newton sooner, at last
-   !> with the other place.
-   integer, parameter :: attempts = 3
+   !> Attempts at a case, each with its longest run. Plain Newton finds an ordinary string's rest; else it is tried with the other
+   !> place of the gaps, and at last damped. A compressed string, which may find rest where it cannot stay, goes to damped
+   !> Newton sooner, and where it will buckle over more than a few waves at once; at last with the other place of the gaps, or
+   !> where it rotates as it whirls: without what friction does to climb the wall where it is compressed.
+   integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
+                         other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
+   integer, parameter :: longest_attempt(7) = [70, 25, 70, 400, 400, 400, 120]
    !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
    !> first mode of a vertical string at 1/2.
    real(wp), parameter :: watch_share = 0.4_wp
-   !> The same from which plain Newton is not tried at all: most such strings coil.
-   real(wp), parameter :: coiled_share = 0.72_wp
-   integer, parameter :: plain_iterations = 70, brief_iterations = 25
+   real(wp), parameter :: most_waves = 0.1_wp
+   !> Vertical to round-off: cosine of the inclination.
+   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
+   !> Part of the clearance by which an unstable equilibrium is pushed off [-].
+   real(wp), parameter :: push = 0.1_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
    !> A mesh with so many times the elements of the coarsest is solved on that first; the iterations that may take, and its
@@ -82,13 +89,14 @@ contains
       real(wp), allocatable :: state(:, :)
       integer(int64) :: ticks, start, rate
       type(soft_totals_type) :: totals
-      real(wp) :: worst, pressing, compressed
+      real(wp) :: worst, pressing, compressed, waves
       logical :: may_buckle, started, damping, stable
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
+      integer :: plan(3)
       integer :: attempt, outcome, place
       call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, pressing, shortened)
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
       if (totals%runaway) then
          call result_of_lock_up(model, case_index, result)
          call system_clock(ticks)
@@ -101,26 +109,36 @@ contains
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
       call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
-      do attempt = merge(2, 1, compressed > coiled_share), attempts
+      plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation))
+      do attempt = 1, count(plan /= nothing)
          numerics = model%numerics
-         damping = attempt == attempts .or. (may_buckle .and. attempt > 1)
-         if (.not. damping) numerics%max_iterations = min(numerics%max_iterations, newton%iterations &
-                                                          + merge(brief_iterations, plain_iterations, may_buckle))
-         if (attempt == 2 .neqv. may_buckle .and. attempt > 1) &
+         numerics%max_iterations = min(numerics%max_iterations, newton%iterations + longest_attempt(plan(attempt)))
+         if (attempt == count(plan /= nothing)) numerics%max_iterations = model%numerics%max_iterations
+         damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
+         if (plan(attempt) == as_it_whirls .or. (may_buckle .and. all(mesh%frame(3, 1, :) > upright))) &
+            call whirling(model, case_index, mesh, work%climb)
+         if (any(plan(attempt) == [other_place, other_place_damped])) &
             numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
-         if (outcome == newton_converged) then
-            if (may_buckle .and. .not. damping) then
-               call is_stable(damped, model%trajectory, mesh, loads, gaps, state, work, stable)
-               if (.not. stable) outcome = newton_exhausted
+         if (outcome == newton_converged .and. may_buckle .and. .not. damping) then
+            call is_stable(damped, model%trajectory, mesh, loads, gaps, state, work, stable)
+            if (.not. stable) then
+               call push_off(newton, damped, model%trajectory, mesh, push, state, work, outcome)
+               if (outcome /= newton_converged) exit
+               gap_states = gaps%state
+               numerics%max_iterations = min(model%numerics%max_iterations, newton%iterations + longest_attempt(damped_briefly))
+               call go_through_increments(model, case_index, numerics, pressing, .true., gap_states, .true., mesh, newton, &
+                                          damped, gaps, state, work, loads, outcome)
             end if
+         end if
+         if (outcome == newton_converged) then
             call look_outside(model, mesh, work, worst, place)
             if (worst > largest_excess) outcome = outcome_outside
          end if
          if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
       end do
-      call fill_result(model, case_index, mesh, gaps, newton, damped%drive, loads, outcome, work, result)
+      call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
       if (result%status == result_converged .and. may_buckle) &
          call find_stability_margin(damped, model%trajectory, mesh, loads, gaps, state, work, result%stability_margin)
       result%shortened = shortened
@@ -132,6 +150,21 @@ contains
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
+
+   !> The attempts in their order.
+   pure function plan_of(may_buckle, buckles, rotating) result(plan)
+      logical, intent(in) :: may_buckle, buckles, rotating
+      integer :: plan(3)
+      if (.not. may_buckle) then
+         plan = [by_newton, other_place, by_damping]
+      else if (rotating) then
+         plan = [briefly, damped_briefly, as_it_whirls]
+      else if (buckles) then
+         plan = [by_damping, other_place_damped, nothing]
+      else
+         plan = [briefly, by_damping, other_place_damped]
+      end if
+   end function plan_of
 
    !> Solves the case on the coarsest mesh that the local scale bears, where the mesh asked for is much finer and the string
    !> not near buckling, and takes its shape over as a start.
@@ -152,13 +185,13 @@ contains
       type(numerics_type) :: numerics
       real(wp), allocatable :: solved(:, :)
       type(soft_totals_type) :: totals
-      real(wp) :: pressing, compressed
+      real(wp) :: pressing, compressed, waves
       integer :: outcome, shortened(scale_count), none(0)
       started = .false.
       if (may_buckle .or. model%numerics%load_steps > 1) return
       numerics = settings_of('auto')
       if (.not. model%numerics%element_length*much_finer < numerics%element_length) return
-      call mesh_for_case(model, case_index, numerics%element_length, coarse, totals, compressed, pressing, shortened)
+      call mesh_for_case(model, case_index, numerics%element_length, coarse, totals, compressed, waves, pressing, shortened)
       if (mesh%elements < much_finer*coarse%elements) return
       numerics = model%numerics
       numerics%max_iterations = min(coarse_iterations, numerics%max_iterations)

@@ -29,13 +29,14 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, whirls, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(newton_type), intent(in) :: newton
       real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
+      logical, intent(in) :: whirls        !< somewhere friction does not climb the wall
       type(load_type), intent(in) :: loads
       integer, intent(in) :: outcome
       type(workspace_type), intent(in) :: work
@@ -51,9 +52,13 @@ contains
       select case (outcome)
       case (newton_converged)
          result%status = result_converged
-         if (drive > model%numerics%tolerance*newton%force_scale) &
-            result%message = 'the string whirls: in a vertical hole nothing static balances friction and torque that turn its '// &
-            'bends about the axis; forces are those of the string as it turns'
+         if (whirls) then
+            result%message = 'the string whirls where it is compressed: no static equilibrium was found there against '// &
+               'friction that drives its bends about the hole; that part of friction is left out, torque has it'
+         else if (drive > model%numerics%tolerance*newton%force_scale) then
+            result%message = 'the string whirls: in a vertical hole nothing static balances torque that turns its bends '// &
+               'about the axis; forces are those of the string as it turns'
+         end if
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged

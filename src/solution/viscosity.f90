@@ -4,11 +4,13 @@
 !> others.
 module dg_viscosity
    use dg_kinds, only: wp
+   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_block_solver, only: block_positive_definite
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: weigh
+   public :: damped_type, new_damped, weigh, raise_viscosity, until_definite, viscosity_least, viscosity_start, viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
    !> cubic element, rounded.
@@ -16,7 +18,39 @@ module dg_viscosity
    !> What every place gets of the largest F^2/(4 EI) [-], lest something else than compression be unstable.
    real(wp), parameter :: viscosity_everywhere = 1.0e-4_wp
 
+   !> Below the least it is none; where it is called for anew it starts so, and beyond the most it is given up.
+   real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
+   !> What it grows by while the tangent is indefinite [-].
+   real(wp), parameter :: until_definite = 2.0_wp
+
+   !> Room of a damped iteration, made once a case; (6,nodes) unless told.
+   type :: damped_type
+      type(block_matrix_type) :: energy            !< the tangent without friction and torque
+      real(wp), allocatable :: lump(:, :)          !< what a unit of viscosity adds to the diagonal
+      real(wp), allocatable :: mode(:, :)          !< turn of the string about a vertical hole's axis
+      real(wp), allocatable :: old(:, :)           !< state before a step
+      real(wp), allocatable :: drawn_from(:, :)    !< state before a step is drawn out
+      real(wp), allocatable :: trial(:, :)         !< residual after a step
+      integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
+      real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
+      real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
+      real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
+      logical :: continued = .false.               !< the state is at rest against a softer wall
+   end type damped_type
+
 contains
+
+   !> Room for a mesh.
+   pure subroutine new_damped(mesh, step_limit, damped)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: step_limit   !< [m]
+      type(damped_type), intent(out) :: damped
+      damped%energy = new_block_matrix(mesh%nodes)
+      allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
+                damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
+      allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
+      damped%step_limit = step_limit
+   end subroutine new_damped
 
    !> What a unit of viscosity adds to the diagonal: F^2/(4 EI) of the place times the node's length for lateral unknowns,
    !> times a part of its cube for slopes, as the consistent matrix of a line load has it, so that no pattern of slopes
@@ -38,4 +72,15 @@ contains
       end do
    end subroutine weigh
 
+   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
+   pure subroutine raise_viscosity(damped, margin)
+      type(damped_type), intent(inout) :: damped
+      real(wp), intent(in) :: margin
+      logical :: definite
+      do
+         call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
+         if (definite .or. damped%viscosity > viscosity_most) return
+         damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
+      end do
+   end subroutine raise_viscosity
 end module dg_viscosity

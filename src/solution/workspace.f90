@@ -30,6 +30,7 @@ module dg_workspace
       real(wp), allocatable :: axial(:)             !< beam's axial force, tension > 0 (e) [N]
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
+      real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
       real(wp), allocatable :: pressing(:)          !< normal force that friction goes by, where it lags behind R (e) [N]
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
@@ -53,6 +54,7 @@ contains
       m = mesh%elements
       allocate (work%section(m))
       allocate (work%pressing(m), source=0.0_wp)
+      allocate (work%climb(m), source=1.0_wp)
       allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
       allocate (work%gradient(3, 2, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)

@@ -101,8 +101,8 @@ contains
          load = contact*(norm - clearance)
          pressing = lagged*load
          if (way == 2) pressing = lagged*contact*(1.0_wp - clearance) + lag_stiffness*contact*(norm - 1.0_wp)
-         call contact_action_tangent(gap, t, curvature, load, contact, pressing, lag_stiffness*contact, 0.3_wp, 0.2_wp, radius, &
-                                     f, mom, df, dm)
+         call contact_action_tangent(gap, t, curvature, load, contact, pressing, lag_stiffness*contact, 0.3_wp, 0.2_wp, &
+                                     0.2_wp, radius, f, mom, df, dm)
          if (way == 2) return
          call contact_action(gap, t, load, 0.3_wp, 0.2_wp, radius, plain_force, plain_moment)
          call assertEqual(plain_force, f, 1.0e-9_wp, message='same force')
