@@ -1,31 +1,46 @@
-!> Prints what solutions cost: whole cases, phases of an iteration, linear solvers, growth with size, memory.
+!> Prints what solutions cost: whole cases, growth with size, memory, phases of an iteration, linear solvers; orders of
+!> convergence; what the stiffness of the wall changes; and what the fidelity auto is worth on the sample decks.
 !> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
 !> Given any argument it does nothing: `fpm run -- DECK` starts every program of the manifest with that argument.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
+   use dg_bench_decks, only: print_decks
+   use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
+   use dg_bench_sizes, only: print_sizes
    use dg_bench_solvers, only: print_solvers
-   use dg_bench_tools, only: machine_name, median
+   use dg_bench_tools, only: machine_name, median, now
+   use dg_bench_walls, only: print_walls
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
+   use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
    use dg_static_analysis, only: solve_static_analysis
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
    implicit none
    character(*), parameter :: deck = 'input/gp1.nml'
+   !> All wells of input/; decks for studies, sweeps and calibration are GP1 again.
+   character(*), parameter :: decks(8) = [character(30) :: 'input/gp1.nml', 'input/johancsik_well_3.nml', &
+      'input/extended_reach_10km.nml', 'input/short_radius_lateral.nml', 'input/casing_run.nml', 'input/tubing_string.nml', &
+      'input/sucker_rods.nml', 'input/bha_analysis.nml']
    integer, parameter :: runs = 5
+   !> The case on which sizes are tried: it turns, so that hook load and torque are told.
+   integer, parameter :: turning = 11
+   !> Element lengths: a thousand to a hundred thousand elements [m].
+   real(wp), parameter :: lengths(5) = [3.2_wp, 1.0_wp, 0.32_wp, 0.1_wp, 0.032_wp]
    type(model_type) :: model
    type(job_type) :: job
    type(text_type), allocatable :: notes(:)
    type(fault_list_type) :: faults
 
    if (command_argument_count() > 0) stop
+   call keep_freed_memory()      ! as the program does
    allocate (notes(0))
    call read_deck(deck, model, job, notes, faults)
    if (faults%count > 0) then
@@ -35,10 +50,15 @@ program bench
    write (output_unit, '(a)') program_name//' '//program_version//', '//machine_name()
    write (output_unit, '(a)') compiler_version()
    write (output_unit, '(a)') compiler_options()
-   write (output_unit, '(a,i0,a)') 'medians of ', runs, ' runs'
+   if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
+   write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
    call print_cases(model)
-   call print_phases(model, runs)
-   call print_solvers(model, maxloc(model%cases%bit_depth, dim=1), [10.0_wp, 1.0_wp, 0.1_wp, 0.032_wp], runs)
+   call print_sizes(model, turning, lengths, runs)
+   call print_phases(model, turning, lengths, runs)
+   call print_solvers(model, turning, lengths, runs)
+   call print_orders(model)
+   call print_walls(model, turning)
+   call print_decks(decks)
 
 contains
 
@@ -47,9 +67,10 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type) :: result
       type(error_type), allocatable :: error
-      real(wp) :: seconds(runs), total, work
+      real(wp) :: seconds(runs), total, work, start, wall
       integer :: i, run, iterations, lost
       total = 0.0_wp
+      wall = 0.0_wp
       work = 0.0_wp
       iterations = 0
       lost = 0
@@ -57,8 +78,10 @@ contains
       write (output_unit, '(a)') 'case                   elements iterations     seconds   us/element/iteration'
       do i = 1, size(model%cases)
          do run = 1, runs
+            start = now()
             call solve_static_analysis(model, i, result, error)
-            seconds(run) = result%seconds
+            seconds(run) = now() - start
+            if (run == 1) wall = wall + result%seconds
          end do
          if (result%status /= result_converged) lost = lost + 1
          write (output_unit, '(a22,2i10,f13.4,f13.2)') model%cases(i)%name//repeat(' ', 22), result%elements, &
@@ -68,6 +91,7 @@ contains
          iterations = iterations + result%iterations
       end do
       write (output_unit, '(a22,10x,i10,f13.4,f13.2)') 'all'//repeat(' ', 22), iterations, total, 1.0e6_wp*total/work
+      write (output_unit, '(a,f8.4,a)') 'wall time of all, first run of each: ', wall, ' s'
       if (lost > 0) write (output_unit, '(i0,a)') lost, ' cases did not converge'
    end subroutine print_cases
 end program bench

@@ -1,19 +1,16 @@
 !> Clock, median and the name of the machine.
 module dg_bench_tools
-   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    implicit none
    private
-   public :: machine_name, median, now, memory
+   public :: machine_name, median, now
 
 contains
 
-   !> Seconds on a clock that only goes forward.
+   !> Seconds of processor time of this process: unlike wall time not lengthened by what else the machine does.
    function now() result(seconds)
       real(wp) :: seconds
-      integer(int64) :: ticks, rate
-      call system_clock(ticks, rate)
-      seconds = real(ticks, wp)/real(rate, wp)
+      call cpu_time(seconds)
    end function now
 
    !> Median of some numbers.
@@ -40,20 +37,6 @@ contains
       character(:), allocatable :: name
       name = field_of('/proc/cpuinfo', 'model name')
    end function machine_name
-
-   !> Memory of this process now [bytes], 0 where the system does not tell.
-   function memory() result(bytes)
-      real(wp) :: bytes
-      character(:), allocatable :: text
-      integer :: status
-      text = field_of('/proc/self/status', 'VmRSS')
-      bytes = 0.0_wp
-      if (len(text) > 2) then
-         read (text(:len(text) - 2), *, iostat=status) bytes     ! ends in 'kB'
-         if (status /= 0) bytes = 0.0_wp
-      end if
-      bytes = 1024.0_wp*bytes
-   end function memory
 
    !> What stands behind the colon of the first line that begins with `key`.
    function field_of(path, key) result(text)
