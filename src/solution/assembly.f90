@@ -5,7 +5,7 @@
 !> Work-conjugate residuals: three forces [N], a torque [N.m], two moments [N.m].
 module dg_assembly
    use dg_kinds, only: wp
-   use dg_beam_element, only: beam_tangent, torque_force, torque_tangent
+   use dg_beam_element, only: beam_force, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature
    use dg_gap_contact, only: contact_action_tangent, sliding_couple, support_action
@@ -45,7 +45,8 @@ contains
    !> Top unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and torque
    !> out of the tangent: it is then the symmetric second derivative of an energy, whose inertia tells stability.
    !> `work` returns element forces and reactions.
-   pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
+   !> `forces_only`: the tangent is not wanted; `matrix` is then of no use, and the rest, the same to the digit, costs a third.
+   pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix, forces_only)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -55,28 +56,37 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
+      logical, intent(in), optional :: forces_only   !< absent: no
       type(element_type) :: element
-      real(wp) :: force(12), load(4), top_force(3)
+      real(wp) :: force(12), load(4), top_force(3), chord(3)
+      logical :: tangent
       integer :: e, n, j
+      tangent = .true.
+      if (present(forces_only)) tangent = .not. forces_only
       work%node_force = 0.0_wp
       residual = 0.0_wp
       matrix%diagonal(:, :, 1) = 0.0_wp
       do e = 1, mesh%elements
-         call beam_tangent(work%section(e), mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e)), work%d(:, e), &
-                           work%d(:, e + 1), force, work%axial(e), element%k)
-         call add_torque(work, e, state(dof_twist, e + 1) - state(dof_twist, e), conservative, force, element)
+         chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+         if (tangent) then
+            call beam_tangent(work%section(e), chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e), element%k)
+         else
+            call beam_force(work%section(e), chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
+         end if
+         call add_torque(work, e, state(dof_twist, e + 1) - state(dof_twist, e), tangent .and. .not. conservative, force, &
+                         element)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))
          force(3) = force(3) - load(1)
          force(6) = force(6) - load(2)
          force(9) = force(9) - load(3)
          force(12) = force(12) - load(4)
-         call add_gap(mesh, loads, gaps, e, conservative, work, residual, force, element)
+         call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
          residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)
          residual(dof_twist, e + 1) = residual(dof_twist, e + 1) + work%torque(e)
          work%end_force(:, e) = force
          work%node_force(:, e) = work%node_force(:, e) + force(1:6)
          work%node_force(:, e + 1) = work%node_force(:, e + 1) + force(7:12)
-         call scatter(mesh, work, e, element, matrix)
+         if (tangent) call scatter(mesh, work, e, element, matrix)
       end do
       top_force = work%node_force(1:3, 1)
       call add_supports(trajectory, mesh, loads, work, residual, matrix)
@@ -86,7 +96,7 @@ contains
          end do
          residual(5, n) = sum(work%node_force(4:6, n)*work%gradient(:, 1, n))
          residual(6, n) = sum(work%node_force(4:6, n)*work%gradient(:, 2, n))
-         matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
+         if (tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
             + director_curvature(mesh%frame(:, :, n), state(5:6, n), work%d(:, n), work%node_force(4:6, n))
       end do
       work%hookload = -residual(dof_axial, 1)
@@ -97,11 +107,11 @@ contains
    end subroutine assemble
 
    !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
-   pure subroutine add_torque(work, e, twist, conservative, force, element)
+   pure subroutine add_torque(work, e, twist, tangent, force, element)
       type(workspace_type), intent(inout) :: work
       integer, intent(in) :: e
       real(wp), intent(in) :: twist
-      logical, intent(in) :: conservative
+      logical, intent(in) :: tangent       !< it has one, and it is wanted
       real(wp), intent(inout) :: force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3)
@@ -113,7 +123,7 @@ contains
       end_moment = torque_force(work%torque(e), work%d(:, e), work%d(:, e + 1))
       force(4:6) = force(4:6) + end_moment
       force(10:12) = force(10:12) + end_moment
-      if (conservative) return
+      if (.not. tangent) return
       call torque_tangent(work%torque(e), work%d(:, e), work%d(:, e + 1), by_i, by_j, by_torque)
       element%k(4:6, 4:6) = element%k(4:6, 4:6) + by_i
       element%k(10:12, 4:6) = element%k(10:12, 4:6) + by_i
@@ -124,12 +134,13 @@ contains
    end subroutine add_torque
 
    !> The element's MCGE: takes its force off `force` and its tangent off the element's (Eqs. 4, 6, 11).
-   pure subroutine add_gap(mesh, loads, gaps, e, conservative, work, residual, force, element)
+   pure subroutine add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       logical, intent(in) :: conservative
+      logical, intent(in) :: tangent     !< is wanted
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :), force(12)
       type(element_type), intent(inout) :: element
@@ -160,25 +171,26 @@ contains
       force = force - nodal
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
-      if (conservative) then
+      if (conservative .and. tangent) then
          call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
                                      gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
                                      by_point, moment_by_point)
       end if
-      call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, by_point, &
-                             moment_by_point, element%k, element%twist_row)
+      if (tangent) call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, &
+                                          by_point, moment_by_point, element%k, element%twist_row)
       if (.not. sliding) return
       if (conservative) pressing_stiffness = 0.0_wp
-      call add_couple(e, axial*mesh%radius(e)*pressing, axial*mesh%radius(e)*pressing_stiffness, shape, slope, direction, work, &
-                      force, element%k)
+      call add_couple(e, axial*mesh%radius(e)*pressing, axial*mesh%radius(e)*pressing_stiffness, shape, slope, direction, tangent, &
+                      work, force, element%k)
    end subroutine add_gap
 
    !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`.
-   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, work, force, stiffness)
+   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, tangent, work, force, stiffness)
       integer, intent(in) :: e
       real(wp), intent(in) :: couple            !< normal force times friction coefficient times radius, signed [N.m]
       real(wp), intent(in) :: couple_stiffness  !< its derivative by |f| [N]
       real(wp), intent(in) :: shape(4), slope(4), direction(3)
+      logical, intent(in) :: tangent            !< is wanted
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: force(12), stiffness(12, 12)
       real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
@@ -190,7 +202,8 @@ contains
       do a = 1, 4
          force(3*a - 2:3*a) = force(3*a - 2:3*a) - shape(a)*push - slope(a)*bend
       end do
-      call add_couple_tangent(shape, slope, push_by_point, push_by_direction, bend_by_point, bend_by_direction, stiffness)
+      if (tangent) call add_couple_tangent(shape, slope, push_by_point, push_by_direction, bend_by_point, bend_by_direction, &
+                                           stiffness)
    end subroutine add_couple
 
    !> Turns an element's matrix from space axes to its 12 unknowns and adds it to the chain.
