@@ -10,6 +10,7 @@ module dg_run_deck
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: print_limits_table
+   use dg_memory, only: check_memory
    use dg_model, only: model_type
    use dg_model_table, only: print_model_table
    use dg_paraview_file, only: write_paraview
@@ -53,7 +54,8 @@ contains
       integer :: i, lost, rows
 
       status = status_ok
-      call make_folder(job%output_dir, error)
+      call check_memory(job, model, error)
+      if (.not. allocated(error)) call make_folder(job%output_dir, error)
       if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
       if (allocated(error)) then
          call tell(error%message)

@@ -2,7 +2,7 @@
 module dg_file_lines
    use, intrinsic :: iso_fortran_env, only: iostat_end, iostat_eor
    use dg_folder, only: is_folder
-   use dg_text, only: text_type
+   use dg_text, only: text_type, to_text
    implicit none
    private
    public :: read_lines, folder_of, beside
@@ -12,6 +12,8 @@ module dg_file_lines
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
    integer, parameter :: first_capacity = 256
    integer, parameter :: chunk_length = 512
+   !> More is no text that somebody wrote: a device, a picture, a table without line ends.
+   integer, parameter :: longest_line = 100000, most_lines = 5000000
 
 contains
 
@@ -24,7 +26,7 @@ contains
       type(text_type), allocatable :: longer(:)
       character(:), allocatable :: line
       character(256) :: message
-      integer :: unit, status, count
+      integer :: unit, status, count, i
       logical :: last
 
       failure = ''
@@ -48,9 +50,17 @@ contains
             exit
          end if
          if (last .and. len(line) == 0) exit
+         if (len(line) > longest_line) then
+            failure = 'cannot be read (line '//to_text(count + 1)//' has more than '//to_text(longest_line)//' characters)'
+         else if (count == most_lines) then
+            failure = 'cannot be read (more than '//to_text(most_lines)//' lines)'
+         end if
+         if (failure /= '') exit
          if (count == size(lines)) then
             allocate (longer(2*count))
-            longer(:count) = lines
+            do i = 1, count
+               call move_alloc(lines(i)%text, longer(i)%text)
+            end do
             call move_alloc(longer, lines)
          end if
          count = count + 1
@@ -58,6 +68,7 @@ contains
          if (last) exit
       end do
       close (unit)
+      if (failure /= '') count = 0
       lines = lines(:count)
       if (count > 0) then
          if (index(lines(1)%text, byte_order_mark) == 1) lines(1)%text = lines(1)%text(len(byte_order_mark) + 1:)
@@ -79,7 +90,7 @@ contains
          length = 0
          read (unit, '(a)', advance='no', size=length, iostat=status, iomsg=message) chunk
          line = line//chunk(:length)
-         if (status == iostat_eor) exit
+         if (status == iostat_eor .or. len(line) > longest_line) exit
          if (status == iostat_end) then
             last = .true.
             exit

@@ -11,6 +11,8 @@ module dg_interruption
    integer(c_int), parameter :: signals(3) = [1_c_int, 2_c_int, 15_c_int]
    character(*), parameter :: signal_name(3) = [character(7) :: 'SIGHUP', 'SIGINT', 'SIGTERM']
 
+   !> A file grows beyond what the shell allows (ulimit -f): number of Linux. Ignored, it is an error of writing like others.
+   integer(c_int), parameter :: file_too_large = 25_c_int
    !> Handler of a signal that is ignored (SIG_IGN).
    integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
 
@@ -35,6 +37,7 @@ contains
    subroutine watch_for_signals()
       type(c_funptr) :: before
       integer :: i
+      before = c_signal(file_too_large, transfer(ignored, before))
       do i = 1, size(signals)
          before = c_signal(signals(i), c_funloc(note_signal))
          if (transfer(before, ignored) == ignored) before = c_signal(signals(i), before)

@@ -30,11 +30,13 @@ contains
       type(text_type), allocatable, intent(inout) :: list(:)
       character(*), intent(in) :: text
       type(text_type), allocatable :: longer(:)
-      integer :: n
+      integer :: n, i
       n = 0
       if (allocated(list)) n = size(list)
       allocate (longer(n + 1))
-      if (n > 0) longer(:n) = list
+      do i = 1, n
+         call move_alloc(list(i)%text, longer(i)%text)   ! much cheaper than copies
+      end do
       longer(n + 1)%text = text
       call move_alloc(longer, list)
    end subroutine append_text
@@ -153,12 +155,13 @@ contains
    end function suggestion
 
    !> Whether a text is safe as part of a file name: letters, digits and _ - . + only, not empty, not a
-   !> dot first.
+   !> dot first, not so long that a file's name (255 bytes at most) has no room for it.
    pure function is_separator_free(text) result(safe)
       character(*), intent(in) :: text
       logical :: safe
       character(*), parameter :: allowed = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+'
-      safe = len(text) > 0 .and. verify(text, allowed) == 0
+      integer, parameter :: longest = 100
+      safe = len(text) > 0 .and. len(text) <= longest .and. verify(text, allowed) == 0
       if (safe) safe = text(1:1) /= '.'
    end function is_separator_free
 

@@ -64,7 +64,7 @@ contains
       table%label = text_of(group, 'label', '')
       table%file = beside(draft%path, text_of(group, 'file', ''))
       if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
-         quoted(table%label)//' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+         quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
       if (is_sound(group, 'case')) then
          do k = 1, size(names)
             names(k) = draft%cases(k)%load_case%name

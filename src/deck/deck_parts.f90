@@ -135,7 +135,7 @@ contains
          case%reference_hookload = optional_of('reference_hookload')
          if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) &
             call fault(item%line_name, 'name = '//quoted(case%name)// &
-                       ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+                       ' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
          if (is_sound(group, 'operation') .and. (case%operation == operation_ream .or. &
                                                  case%operation == operation_backream)) then
             call need_speed('rpm', case%angular_speed)

@@ -49,12 +49,14 @@ contains
       type(group_type) :: group
       type(entry_type) :: entry
       type(value_text_type), allocatable :: values(:)   ! of the entry; the first n_values are meant
-      integer :: n_values
+      integer :: n_values, n_entries, n_groups          ! of the lists, which have room for more
       logical :: in_group, in_entry, lost
       integer :: i, previous, this, next, stray_line
 
-      allocate (groups(0), values(first_capacity))
+      allocate (groups(first_capacity), values(first_capacity))
       n_values = 0
+      n_entries = 0
+      n_groups = 0
       in_group = .false.
       in_entry = .false.
       lost = .false.         ! after a fault: nothing more is said until the next key
@@ -77,18 +79,19 @@ contains
                if (in_group) then
                   call add_fault(faults, path, group%line, 'group &'//group%name//': not closed before &'// &
                                  lower_case(token%text)//' in line '//to_text(token%line)//'; end it with /')
-                  call append_group(groups, group)
+                  call close_group()
                end if
                in_group = .true.
                lost = .false.
                group%name = lower_case(token%text)
                group%line = token%line
                if (allocated(group%entries)) deallocate (group%entries)
-               allocate (group%entries(0))
+               allocate (group%entries(first_capacity))
+               n_entries = 0
             case (token_end)
                call close_entry()
                if (in_group) then
-                  call append_group(groups, group)
+                  call close_group()
                else
                   call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
                end if
@@ -121,10 +124,16 @@ contains
       call close_entry()
       if (in_group) then
          call add_fault(faults, path, group%line, 'group &'//group%name//': not closed; end it with /')
-         call append_group(groups, group)
+         call close_group()
       end if
+      groups = groups(:n_groups)
 
    contains
+
+      subroutine close_group()
+         group%entries = group%entries(:n_entries)
+         call append_group(groups, n_groups, group)
+      end subroutine close_group
 
       subroutine group_fault(line, message)
          integer, intent(in) :: line
@@ -177,7 +186,7 @@ contains
                if (entry%last - entry%first + 1 /= size(entry%values)) call entry_fault('the subscript asks for '// &
                   to_text(entry%last - entry%first + 1)//' values, '//to_text(size(entry%values))//' given')
             end if
-            call append_entry(group%entries, entry)
+            call append_entry(group%entries, n_entries, entry)
          end if
          in_entry = .false.
       end subroutine close_entry
@@ -244,29 +253,33 @@ contains
       n = n + count
    end subroutine append_values
 
-   !> Puts one entry at the end of a list.
-   pure subroutine append_entry(list, entry)
+   !> Puts one entry behind the first `n` of a list.
+   pure subroutine append_entry(list, n, entry)
       type(entry_type), allocatable, intent(inout) :: list(:)
+      integer, intent(inout) :: n
       type(entry_type), intent(in) :: entry
       type(entry_type), allocatable :: longer(:)
-      integer :: n
-      n = size(list)
-      allocate (longer(n + 1))
-      longer(:n) = list
-      longer(n + 1) = entry
-      call move_alloc(longer, list)
+      if (n == size(list)) then
+         allocate (longer(2*n))
+         longer(:n) = list
+         call move_alloc(longer, list)
+      end if
+      n = n + 1
+      list(n) = entry
    end subroutine append_entry
 
-   !> Puts one group at the end of a list.
-   pure subroutine append_group(list, group)
+   !> Puts one group behind the first `n` of a list.
+   pure subroutine append_group(list, n, group)
       type(group_type), allocatable, intent(inout) :: list(:)
+      integer, intent(inout) :: n
       type(group_type), intent(in) :: group
       type(group_type), allocatable :: longer(:)
-      integer :: n
-      n = size(list)
-      allocate (longer(n + 1))
-      longer(:n) = list
-      longer(n + 1) = group
-      call move_alloc(longer, list)
+      if (n == size(list)) then
+         allocate (longer(2*n))
+         longer(:n) = list
+         call move_alloc(longer, list)
+      end if
+      n = n + 1
+      list(n) = group
    end subroutine append_group
 end module dg_deck_text

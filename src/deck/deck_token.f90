@@ -132,8 +132,10 @@ contains
       character(:), allocatable, intent(out) :: content
       logical, intent(out) :: closed
       character :: quote
+      character(len(text)) :: held
+      integer :: n
       quote = text(at:at)
-      content = ''
+      n = 0
       closed = .false.
       at = at + 1
       do while (at <= len(text))
@@ -144,12 +146,14 @@ contains
                closed = text(at + 1:at + 1) /= quote
             end if
             at = at + 1
-            if (closed) return
+            if (closed) exit
          end if
-         content = content//text(at:at)
+         n = n + 1
+         held(n:n) = text(at:at)
          at = at + 1
       end do
-      content = trim(content)
+      content = held(:n)
+      if (.not. closed) content = trim(content)
    end subroutine take_quoted
 
    !> Reads a word that starts at `at`, its subscript in brackets included; `at` then points behind it.
@@ -157,7 +161,8 @@ contains
       character(*), intent(in) :: text
       integer, intent(inout) :: at
       character(:), allocatable, intent(out) :: content
-      integer :: length, bracket, i
+      character(len(text)) :: held
+      integer :: length, bracket, i, n
       length = scan(text(at:), word_ends) - 1
       if (length < 0) length = len(text) - at + 1
       ! a subscript may hold blanks
@@ -174,10 +179,13 @@ contains
             if (i > bracket) length = i
          end if
       end if
-      content = ''
+      n = 0
       do i = at, at + length - 1
-         if (scan(text(i:i), blanks) == 0) content = content//text(i:i)
+         if (scan(text(i:i), blanks) > 0) cycle
+         n = n + 1
+         held(n:n) = text(i:i)
       end do
+      content = held(:n)
       at = at + length
    end subroutine take_word
 

@@ -17,6 +17,8 @@ module dg_deck_values
 
    !> Values that a message repeats where there are too many.
    integer, parameter :: values_shown = 3
+   !> Texts that a list may have; numbers may be as many as repeat counts allow.
+   integer, parameter :: most_texts = 1000
 
 contains
 
@@ -145,6 +147,10 @@ contains
                        ' values; give the values in order, without gaps')
             return
          end if
+      end if
+      if (rule%kind == kind_text .and. size(entry%values) > most_texts) then
+         call fault(entry%key//' takes at most '//to_text(most_texts)//' texts, '//to_text(size(entry%values))//' given')
+         return
       end if
       if (.not. value%sound) return
       if (allocated(value%numbers)) value%numbers = [value%numbers, spread(0.0_wp, 1, size(entry%values))]

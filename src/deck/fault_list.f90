@@ -17,6 +17,8 @@ module dg_fault_list
    end type fault_list_type
 
    integer, parameter :: first_capacity = 16
+   !> A deck with more faults than this is no deck; the rest is left untold.
+   integer, parameter :: most_faults = 1000
 
 contains
 
@@ -27,6 +29,7 @@ contains
       integer, intent(in) :: line
       character(*), intent(in) :: message
       type(fault_type), allocatable :: longer(:)
+      if (list%count == most_faults) return
       if (.not. allocated(list%items)) allocate (list%items(first_capacity))
       if (list%count == size(list%items)) then
          allocate (longer(2*list%count))
@@ -37,6 +40,7 @@ contains
       list%items(list%count)%file = file
       list%items(list%count)%line = line
       list%items(list%count)%message = message
+      if (list%count == most_faults) list%items(list%count)%message = 'too many faults; the first are told'
    end subroutine add_fault
 
    !> The faults in the order of their lines, file after file.

@@ -6,6 +6,7 @@ module dg_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, &
+                   h5dont_atexit_f, &
                    h5dwrite_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_libver_latest_f, h5f_libver_v18_f, h5fclose_f, &
                    h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gclose_f, h5gcreate_f, h5kind_to_type, h5lcreate_soft_f, &
                    h5oclose_f, h5oopen_f, h5open_f, h5p_crt_order_indexed_f, h5p_crt_order_tracked_f, h5p_dataset_create_f, &
@@ -59,6 +60,7 @@ contains
       integer :: status
       file%path = path
       file%failure = ''
+      call h5dont_atexit_f(status)           ! after a file that failed its clean-up at the end of the program crashes (1.10)
       call h5open_f(status)
       call check(file, status, 'starting the HDF5 library')
       if (file%failure /= '') return

@@ -264,16 +264,19 @@ contains
    !> The deck's text, line by line.
    subroutine append_deck(lines, text)
       type(page_type), intent(inout) :: lines
-      character(:), allocatable, intent(in) :: text
+      character(:), allocatable, intent(in) :: text    !< every line ends with a new line
       type(text_type), allocatable :: deck(:)
-      integer :: first, length
-      allocate (deck(0))
+      integer :: first, length, n, i
       if (.not. allocated(text)) return
+      n = 0
+      do i = 1, len(text)
+         if (text(i:i) == new_line('a')) n = n + 1
+      end do
+      allocate (deck(n))
       first = 1
-      do while (first <= len(text))
+      do i = 1, n
          length = index(text(first:), new_line('a')) - 1
-         if (length < 0) length = len(text) - first + 1
-         call append_text(deck, text(first:first + length - 1))
+         deck(i)%text = text(first:first + length - 1)
          first = first + length + 1
       end do
       call append_preformatted(lines, deck)

@@ -111,8 +111,8 @@ contains
       end do
       call put(row, result%flips)
       call put(row, result%moves)
-      call put(row, result%equilibrium_force)
-      call put(row, result%equilibrium_moment)
+      call put(row, of(result%equilibrium_force))
+      call put(row, of(result%equilibrium_moment))
       call put(row, text_or_nothing(result%message))
    contains
       !> A number of the result, if there is one.

@@ -9,6 +9,7 @@ module dg_static_analysis
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_free
    use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type, rotates
    use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
@@ -138,6 +139,7 @@ contains
          end if
          if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
       end do
+      if (is_interrupted()) outcome = newton_exhausted     ! what an attempt that was cut short led to does not count
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
       if (result%status == result_converged .and. may_buckle) &
          call find_stability_margin(damped, model%trajectory, mesh, loads, gaps, state, work, result%stability_margin)
