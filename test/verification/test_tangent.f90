@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('beam_parts_sum_to_second_derivative', beam_parts_sum_to_second_derivative))
       call suite%addTest(TestMethod('whole_string_tangent_matches_differences', whole_string_tangent_matches_differences))
       call suite%addTest(TestMethod('conservative_tangent_is_symmetric', conservative_tangent_is_symmetric))
+      call suite%addTest(TestMethod('forces_alone_are_the_same', forces_alone_are_the_same))
    end function tangent_suite
 
    !> K0 + KN + Ksigma is the derivative of the internal force.
@@ -181,6 +182,30 @@ contains
       dense = to_dense(matrix)
       call assertLessThan(maxval(abs(dense - transpose(dense)))/maxval(abs(dense)), 1.0e-13_wp, message='asymmetry')
    end subroutine conservative_tangent_is_symmetric
+
+   !> Forces without their tangent are the same to the last bit, and leave the matrix alone but for its supports.
+   subroutine forces_alone_are_the_same()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(block_matrix_type) :: matrix, other
+      real(wp), allocatable :: state(:, :), residual(:, :), alone(:, :)
+      real(wp) :: hookload
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      call new_workspace(mesh, work)
+      matrix = new_block_matrix(mesh%nodes)
+      other = new_block_matrix(mesh%nodes)
+      allocate (residual, alone, mold=state)
+      call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
+      hookload = work%hookload
+      call assemble(trajectory, mesh, loads, gaps, state, .false., work, alone, other, forces_only=.true.)
+      call assertTrue(maxval(abs(residual)) > 0.0_wp)
+      call assertEqual(0.0_wp, maxval(abs(residual - alone)))
+      call assertEqual(hookload, work%hookload)
+      call assertEqual(0.0_wp, maxval(abs(other%lower)), message='no tangent')
+   end subroutine forces_alone_are_the_same
 
    subroutine assemble_at(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
       type(trajectory_type), intent(in) :: trajectory
