@@ -26,9 +26,9 @@ program bench
    implicit none
    character(*), parameter :: deck = 'input/gp1.nml'
    !> All wells of input/; decks for studies, sweeps and calibration are GP1 again.
-   character(*), parameter :: decks(8) = [character(30) :: 'input/gp1.nml', 'input/johancsik_well_3.nml', &
+   character(*), parameter :: decks(9) = [character(30) :: 'input/gp1.nml', 'input/johancsik_well_3.nml', &
       'input/extended_reach_10km.nml', 'input/short_radius_lateral.nml', 'input/casing_run.nml', 'input/tubing_string.nml', &
-      'input/sucker_rods.nml', 'input/bha_analysis.nml']
+      'input/sucker_rods.nml', 'input/bha_analysis.nml', 'input/operations.nml']
    integer, parameter :: runs = 5
    !> The case on which sizes are tried: it turns, so that hook load and torque are told.
    integer, parameter :: turning = 11

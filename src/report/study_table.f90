@@ -8,7 +8,7 @@ module dg_study_table
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_count, error_hookload, error_torque, pareto_set, study_record_type
-   use dg_study_variant, only: is_finer, same_but_mesh, variant_type, wall_of
+   use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -193,6 +193,8 @@ contains
       integer :: i
       do i = 1, size(variants)
          if (variants(i)%fidelity == 0 .or. i == finest .or. totals(i)%lost > 0 .or. totals(finest)%lost > 0) cycle
+         ! with all of a fidelity's tolerances, walls ... in the table, those of the finest say enough in words
+         if (count(variants%fidelity == variants(i)%fidelity) > 1 .and. .not. same_settings(variants(i), variants(finest))) cycle
          words = 'Fidelity '//trim(fidelity_name(variants(i)%fidelity))//': hook load within '// &
             to_text(per_cent*totals(i)%errors(error_hookload), digits)//' %'
          if (.not. is_missing(totals(i)%errors(error_torque))) &

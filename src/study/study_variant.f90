@@ -10,7 +10,7 @@ module dg_study_variant
    use dg_study_plan, only: study_plan_type
    implicit none
    private
-   public :: variant_type, study_variants, set_variant, is_finer, same_but_mesh, wall_of
+   public :: variant_type, study_variants, set_variant, is_finer, same_but_mesh, same_settings, wall_of
 
    type :: variant_type
       integer :: model = 0                !< number of the model (dg_job)
@@ -124,10 +124,16 @@ contains
    pure function same_but_mesh(one, other) result(same)
       type(variant_type), intent(in) :: one, other
       logical :: same
-      same = one%fidelity == 0 .and. other%fidelity == 0 .and. one%model == other%model .and. &
-             .not. abs(one%numerics%tolerance - other%numerics%tolerance) > 0.0_wp .and. &
+      same = one%fidelity == 0 .and. other%fidelity == 0 .and. one%model == other%model .and. same_settings(one, other)
+   end function same_but_mesh
+
+   !> Whether two variants have tolerance, wall, place of gaps and linear solver in common.
+   pure function same_settings(one, other) result(same)
+      type(variant_type), intent(in) :: one, other
+      logical :: same
+      same = .not. abs(one%numerics%tolerance - other%numerics%tolerance) > 0.0_wp .and. &
              .not. abs(one%wall - other%wall) > 0.0_wp .and. &
              one%numerics%gap_location == other%numerics%gap_location .and. &
              one%numerics%linear_solver == other%numerics%linear_solver
-   end function same_but_mesh
+   end function same_settings
 end module dg_study_variant
