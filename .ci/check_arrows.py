@@ -23,7 +23,7 @@ MAY_USE = {
     "solution": {"base", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
-    "mixed_string": {"base", "string", "model", "results", "soft_string", "rigid_string"},
+    "mixed_string": {"base", "trajectory", "string", "model", "results", "soft_string", "rigid_string", "solution"},
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},

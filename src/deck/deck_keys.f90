@@ -151,7 +151,7 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(21) = [ &
+   type(key_rule_type), parameter :: solver_keys(22) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='sets element_length where that is not given: 30, 60, 10, 1 m; fast also gap_location and tolerance'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
@@ -184,6 +184,8 @@ module dg_deck_keys
          meaning='lateral offset seeded in compressed parts over the clearance'), &
       key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &
          meaning='soft, rigid, mixed: a turning string climbs the wall, which lessens contact by 1/sqrt(1 + mu1^2)'), &
+      key_rule_type('solver', 'mixed_parts', kind_text, default='rigid', choices='rigid elements', &
+         meaning='mixed: what the string next to the bit is; elements: beams with gaps to 100 m above the assembly'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
 
    type(key_rule_type), parameter :: legacy_keys(13) = [ &

@@ -203,6 +203,7 @@ contains
       numerics%soften = logical_of(group, 'soften', numerics%soften)
       numerics%imperfection = real_of(group, 'imperfection', numerics%imperfection)
       numerics%history = logical_of(group, 'history', numerics%history)
+      numerics%mixed_elements = is_sound(group, 'mixed_parts') .and. text_of(group, 'mixed_parts', '') == 'elements'
       numerics%wall_climb = logical_of(group, 'wall_climb', numerics%wall_climb)
       if (numerics%gk_min >= numerics%gk_contact) call fault('gk_min', 'gk_min must be smaller than gk_contact')
       if (numerics%gk_contact > numerics%gk_max) call fault('gk_max', 'gk_max must be at least gk_contact')

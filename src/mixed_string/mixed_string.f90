@@ -4,31 +4,29 @@
 !> The string is stiff around a change of curvature (dg_curvature_change)
 !>   - where the string is stiffer than its uppermost component (the bottom-hole assembly), or
 !>   - where the wall forces the bend, E I |dk| > |T| c, or
-!>   - where the curvature changes by more than `sharp_turn`;
+!>   - where the curvature changes by more than 15 deg/30 m;
 !> the soft string holds between. Each stiff part reaches 20 bending lengths to both sides of its change, where
 !> moment and shear of the bend have died out to 2e-9: at the joins axial force and torque are handed over, and
 !> nothing else is left to match. Valid where the rigid model is.
+!>
+!> Asked for (`mixed_parts = 'elements'`), the string next to the bit is finite elements instead (dg_assembly_elements):
+!> stabilisers, clearances and the bit's side force count there, which no string on the axis knows of.
 module dg_mixed_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
+   use dg_assembly_elements, only: solve_with_elements
    use dg_case_result, only: case_result_type
    use dg_component, only: bending_stiffness
-   use dg_constants, only: degree
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
    use dg_job, only: model_mixed
    use dg_model, only: model_type, string_index
    use dg_rigid_string, only: solve_at_changes
    use dg_soft_string, only: check_string_case
+   use dg_stiff_places, only: matters
    implicit none
    private
-   public :: solve_mixed_string, matters
-
-   !> Change of curvature that counts as sharp [1/m]: 15 deg in 30 m, where Payne & Abbassian (1997) see
-   !> stiff and soft strings part.
-   real(wp), parameter :: sharp_turn = 15.0_wp*degree/30.0_wp
-   !> Stiffness over that of the uppermost component above which a component is of the assembly [-]: round-off.
-   real(wp), parameter :: stiffer = 1.0_wp + 1.0e-6_wp
+   public :: solve_mixed_string
 
 contains
 
@@ -44,21 +42,22 @@ contains
       call system_clock(start, rate)
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
+      if (model%numerics%mixed_elements) then
+         call solve_with_elements(model, case_index, result, error)
+         call close_result()
+         return
+      end if
       call curvature_changes(model, case_index, changes)
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          pipe = bending_stiffness(string%components(size(string%components)))
       end associate
       call solve_at_changes(model, case_index, pack(changes, matters(changes, pipe)), result)
-      result%model = model_mixed
-      call system_clock(finish)
-      result%seconds = real(finish - start, wp)/real(rate, wp)
+      call close_result()
+   contains
+      subroutine close_result()
+         result%model = model_mixed
+         call system_clock(finish)
+         result%seconds = real(finish - start, wp)/real(rate, wp)
+      end subroutine close_result
    end subroutine solve_mixed_string
-
-   !> Whether stiffness matters at a change of curvature.
-   elemental function matters(change, pipe) result(yes)
-      type(change_type), intent(in) :: change
-      real(wp), intent(in) :: pipe   !< E I of the uppermost component [N.m2]
-      logical :: yes
-      yes = change%forced .or. change%stiffness > stiffer*pipe .or. norm2(change%curvature) > sharp_turn
-   end function matters
 end module dg_mixed_string

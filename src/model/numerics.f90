@@ -51,6 +51,7 @@ module dg_numerics
       logical :: soften = .true.               !< reach the wall's stiffness in stages
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
+      logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
       logical :: history = .false.             !< keep and write the iteration history
    end type numerics_type
 

@@ -54,10 +54,10 @@ module dg_limits_file
       column_type('coil_turns', quantity_none, 'turns of its coils'), &
       column_type('stability_margin', quantity_none, 'part by which compression could still grow before the string leaves its '// &
          'shape, read off the tangent; 1 stands for more, empty where it is not compressed enough'), &
-      column_type('bit_side_force', quantity_force, 'across the hole, of the bit on the formation; mcge with the bit centred, '// &
-         'else empty'), &
+      column_type('bit_side_force', quantity_force, 'across the hole, of the bit on the formation; mcge, or mixed with '// &
+         'elements at the bit, where the bit is centred'), &
       column_type('bit_side_clock', quantity_angle, 'where to, as clock in the profiles'), &
-      column_type('bit_tilt', quantity_angle, 'between bit and hole axis; mcge only'), &
+      column_type('bit_tilt', quantity_angle, 'between bit and hole axis; the same models'), &
       column_type('bit_tilt_clock', quantity_angle, 'where the bit points')]
 
 contains

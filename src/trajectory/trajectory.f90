@@ -11,7 +11,7 @@ module dg_trajectory
    implicit none
    private
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
-   public :: arc_at, closest_point, position_at, frame_at, true_vertical_depth, top_md, bottom_md
+   public :: cut_trajectory, arc_at, closest_point, position_at, frame_at, true_vertical_depth, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
    public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
@@ -74,6 +74,30 @@ contains
          self%arcs = chain_of_arcs(md, tangents)
       end if
    end subroutine new_trajectory
+
+   !> The part of a trajectory below a depth, where its first station then lies. Positions still count from the first station of the
+   !> whole.
+   pure subroutine cut_trajectory(trajectory, md, below)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md                       !< between its first and its last station [m]
+      type(trajectory_type), intent(out) :: below
+      real(wp) :: position(3), tangent(3), curvature(3)
+      integer :: first
+      first = arc_at(trajectory, md)
+      below%arcs = trajectory%arcs(first:)
+      associate (arc => below%arcs(1), whole => trajectory%arcs(first))
+         call point_on_arc(whole, md - whole%md, position, tangent, curvature)
+         arc%md = md
+         arc%length = whole%md + whole%length - md
+         arc%origin = whole%origin + position
+         if (whole%curvature > 0.0_wp) arc%normal = curvature/whole%curvature
+         call frame_on_arc(whole, md - whole%md, arc%tangent, arc%lateral_1, arc%lateral_2)
+         call point_on_arc(arc, arc%length, arc%chord, tangent, curvature)
+         below%md = [md, pack(trajectory%md, trajectory%md > md)]
+         below%inclination = [inclination_of(arc%tangent), pack(trajectory%inclination, trajectory%md > md)]
+         below%azimuth = [azimuth_of(arc%tangent), pack(trajectory%azimuth, trajectory%md > md)]
+      end associate
+   end subroutine cut_trajectory
 
    !> Measured depth of the first station [m].
    pure function top_md(trajectory) result(md)

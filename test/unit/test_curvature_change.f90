@@ -8,8 +8,8 @@ module dg_test_curvature_change
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static
-   use dg_mixed_string, only: matters
    use dg_model, only: model_type
+   use dg_stiff_places, only: matters
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private

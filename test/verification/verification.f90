@@ -20,6 +20,7 @@ contains
       use dg_test_bit_side_force, only: bit_side_force_suite
       use dg_test_buckling, only: buckling_suite
       use dg_test_tool_joints, only: tool_joints_suite
+      use dg_test_mixed_elements, only: mixed_elements_suite
       use dg_test_operations, only: operations_suite
       use dg_test_assemblies, only: assemblies_suite
       type(TestSuite) :: suite
@@ -36,6 +37,7 @@ contains
       call suite%addTest(bit_side_force_suite())
       call suite%addTest(buckling_suite())
       call suite%addTest(tool_joints_suite())
+      call suite%addTest(mixed_elements_suite())
       call suite%addTest(operations_suite())
       call suite%addTest(assemblies_suite())
    end function load_tests
