@@ -21,8 +21,8 @@ OPEN = {
     ("short_radius_lateral.nml", "torque_error_pct"): 6.0,
 }
 STUDY = "\n&study models = 'mcge', fidelities = 'auto', 'reference' /\n"
-# The same well and string as gp1.nml.
-SAME = {"study_gp1.nml", "sweep_gp1.nml", "calibrate_gp1.nml"}
+# The same well and string as gp1.nml or johancsik_well_3.nml.
+SAME = {"study_gp1.nml", "sweep_gp1.nml", "calibrate_gp1.nml", "sweep_johancsik_well_3.nml"}
 
 
 def number(text):
