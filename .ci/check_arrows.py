@@ -28,10 +28,11 @@ MAY_USE = {
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
     "calibration": {"base", "linear_algebra", "string", "model", "results"},
+    "uncertainty": {"base", "trajectory", "model", "results"},
     "deck": {"base", "trajectory", "string", "hole", "model"},
     "string_limits": {"base", "buckling", "trajectory", "string", "hole", "model", "results", "soft_string"},
     "report": {"base", "buckling", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",
-               "calibration"},
+               "calibration", "uncertainty"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)

@@ -26,6 +26,7 @@ COLUMNS = {
     "history_columns": "history_<case>_<model>.csv",
     "legacy_columns": "legacy_<label>.csv",
     "sweep_columns": "sweep_<name>.csv",
+    "uncertainty_columns": "uncertainty_<name>.csv",
     "factor_columns": "calibration.csv",
     "datum_columns": "calibration_data.csv",
     "gap_columns": "/cases/<case>/<model>/gaps",

@@ -22,7 +22,8 @@ OPEN = {
 }
 STUDY = "\n&study models = 'mcge', fidelities = 'auto', 'reference' /\n"
 # The same well and string as gp1.nml or johancsik_well_3.nml.
-SAME = {"study_gp1.nml", "sweep_gp1.nml", "calibrate_gp1.nml", "sweep_johancsik_well_3.nml"}
+SAME = {"study_gp1.nml", "sweep_gp1.nml", "calibrate_gp1.nml", "stuck_gp1.nml", "uncertainty_gp1.nml",
+        "sweep_johancsik_well_3.nml"}
 
 
 def number(text):

@@ -12,7 +12,7 @@ module dg_arguments
       character(:), allocatable :: output_dir !< '': as the deck says
       integer :: threads = 0                  !< 0: as many as there are cores
       logical :: threads_given = .false.      !< else as the deck says
-      integer :: part = 1                     !< of the sweeps, of ...
+      integer :: part = 1                     !< of sweeps and uncertainties, of ...
       integer :: parts = 0                    !< ... so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
       character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
@@ -166,7 +166,7 @@ contains
          '  --check        read and validate the deck, print what would be run, solve nothing', &
          '  --output DIR   folder of results instead of the deck''s output_dir', &
          '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores', &
-         '  --part I/N     solve only part I of N of the deck''s sweeps; --merge N then joins them', &
+         '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them', &
          '  --merge N      join the N parts of each sweep, solve nothing', &
          '  --quiet        no notes, no progress', &
          '  --help         this text', &

@@ -13,6 +13,7 @@ module dg_deck_echo
    use dg_sweep_echo, only: add_sweeps
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: position_at
+   use dg_uncertainty_echo, only: add_uncertainties
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
    implicit none
@@ -71,6 +72,7 @@ contains
       end do
       call add_calibrations(lines, job)
       call add_sweeps(lines, job)
+      call add_uncertainties(lines, job)
       call add_numerics(lines, job%units, model%numerics)
       if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
                                                  ' variants of '//to_text(size(job%study%cases))//' cases')

@@ -69,8 +69,9 @@ contains
       job%part = arguments%part
       job%parts = arguments%parts
       job%merge = arguments%merge
-      if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) == 0) then
-         write (error_unit, '(a)') program_name//': '//arguments%deck//' has no &sweep; nothing else can be divided into parts'
+      if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
+         write (error_unit, '(a)') program_name//': '//arguments%deck//' has no &sweep and no &uncertainty; '// &
+            'nothing else can be divided into parts'
          status = status_bad_input
          return
       end if

@@ -23,6 +23,7 @@ module dg_run_deck
    use dg_run_pictures, only: run_pictures
    use dg_run_sweeps, only: prepare_sweeps, run_sweep, sweep_run_type
    use dg_results_h5, only: write_results_h5
+   use dg_run_uncertainties, only: prepare_uncertainties, run_uncertainty, uncertainty_run_type
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, to_text
@@ -47,6 +48,7 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(out) :: status
       type(sweep_run_type), allocatable :: sweeps(:)
+      type(uncertainty_run_type), allocatable :: uncertainties(:)
       type(case_result_type), allocatable :: results(:)
       type(along_string_type), allocatable :: alongs(:)
       type(whole_string_type), allocatable :: wholes(:)
@@ -57,6 +59,7 @@ contains
       call check_memory(job, model, error)
       if (.not. allocated(error)) call make_folder(job%output_dir, error)
       if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
+      if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, error)
       if (allocated(error)) then
          call tell(error%message)
          status = error%status
@@ -75,6 +78,12 @@ contains
       do i = 1, size(sweeps)
          if (is_interrupted()) exit
          call run_sweep(job, model, i, sweeps(i), lost, error)
+         call note_failure(error, status)
+         if (lost > 0) status = graver(status, status_not_converged)
+      end do
+      do i = 1, size(uncertainties)
+         if (is_interrupted()) exit
+         call run_uncertainty(job, model, i, uncertainties(i), lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do

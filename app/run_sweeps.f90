@@ -48,9 +48,9 @@ contains
          associate (sweep => job%sweeps(i), run => runs(i))
             allocate (run%points(point_count(sweep)))
             if (job%merge > 0) then
-               call take_parts(job, sweep%name, sweep_lines(model, sweep), run%points, error)
+               call take_parts(job, 'sweep', sweep%name, sweep_lines(model, sweep), run%points, error)
             else
-               call open_record(job, sweep%name, sweep_lines(model, sweep), run%points, run%keeper, error)
+               call open_record(job, 'sweep', sweep%name, sweep_lines(model, sweep), run%points, run%keeper, error)
             end if
          end associate
          if (allocated(error)) return

@@ -34,26 +34,27 @@ module dg_sweep_record
 contains
 
    !> Path of the record of a part, or of an undivided run (`parts` = 0).
-   pure function record_path(job, name, part, parts) result(path)
+   pure function record_path(job, what, name, part, parts) result(path)
       type(job_type), intent(in) :: job
-      character(*), intent(in) :: name         !< of the sweep
+      character(*), intent(in) :: what         !< sweep or uncertainty
+      character(*), intent(in) :: name         !< of it
       integer, intent(in) :: part, parts
       character(:), allocatable :: path
-      path = job%output_dir//'/sweep_'//name//'.partial'
-      if (parts > 0) path = job%output_dir//'/sweep_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
+      path = job%output_dir//'/'//what//'_'//name//'.partial'
+      if (parts > 0) path = job%output_dir//'/'//what//'_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
    end function record_path
 
    !> Begins to keep the results of a run. Where an interrupted run has left a record its results are taken over; one of other
    !> work is refused (bad input).
-   subroutine open_record(job, name, settings, points, keeper, error)
+   subroutine open_record(job, what, name, settings, points, keeper, error)
       type(job_type), intent(in) :: job
-      character(*), intent(in) :: name
+      character(*), intent(in) :: what, name
       type(text_type), intent(in) :: settings(:)
       type(sweep_result_type), intent(inout) :: points(:)
       type(keeper_type), intent(out) :: keeper
       type(error_type), allocatable, intent(out) :: error
       character(:), allocatable :: failure
-      keeper%path = record_path(job, name, job%part, job%parts)
+      keeper%path = record_path(job, what, name, job%part, job%parts)
       keeper%part = job%part
       keeper%parts = max(job%parts, 1)
       keeper%settings = settings
@@ -63,7 +64,7 @@ contains
       if (.not. keeper%there) return
       call take_file(keeper%path, keeper%part, keeper%parts, settings, points, failure)
       if (failure /= '') then
-         call raise(error, status_bad_input, 'sweep '//name//': cannot go on with '//keeper%path//': '//failure// &
+         call raise(error, status_bad_input, what//' '//name//': cannot go on with '//keeper%path//': '//failure// &
                     '; restore the deck, or remove that file to begin anew')
          return
       end if
@@ -71,9 +72,9 @@ contains
    end subroutine open_record
 
    !> Joins the results of all parts. What is missing, of another deck, or there twice is refused by name (bad input).
-   subroutine take_parts(job, name, settings, points, error)
+   subroutine take_parts(job, what, name, settings, points, error)
       type(job_type), intent(in) :: job
-      character(*), intent(in) :: name
+      character(*), intent(in) :: what, name
       type(text_type), intent(in) :: settings(:)
       type(sweep_result_type), intent(inout) :: points(:)
       type(error_type), allocatable, intent(out) :: error
@@ -82,7 +83,7 @@ contains
       logical :: there
       faults = ''
       do part = 1, job%merge
-         path = record_path(job, name, part, job%merge)
+         path = record_path(job, what, name, part, job%merge)
          inquire (file=path, exist=there)
          failure = 'it is missing'
          remedy = 'run'
@@ -96,7 +97,7 @@ contains
          if (failure /= '') faults = faults//new_line('a')//'  '//path//': '//failure//'; '//remedy//' --part '// &
             to_text(part)//'/'//to_text(job%merge)
       end do
-      if (faults /= '') call raise(error, status_bad_input, 'sweep '//name//': its parts do not make a whole'//faults)
+      if (faults /= '') call raise(error, status_bad_input, what//' '//name//': its parts do not make a whole'//faults)
    end subroutine take_parts
 
    !> Takes the results of one file.

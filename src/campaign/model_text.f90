@@ -10,10 +10,11 @@ module dg_model_text
    use dg_numerics, only: numerics_type
    use dg_sweep, only: sweep_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_uncertainty, only: uncertainty_type
    use dg_version, only: program_name, program_version
    implicit none
    private
-   public :: model_lines, sweep_lines
+   public :: model_lines, sweep_lines, uncertainty_lines
 
    integer, parameter :: longest_settings = 2000
 
@@ -56,6 +57,21 @@ contains
       call append_text(lines, 'number of bit depths = '//to_text(size(sweep%depths)))
       call append_text(lines, 'bit depths, m ='//numbers_text(sweep%depths))
    end function sweep_lines
+
+   !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
+   function uncertainty_lines(model, uncertainty) result(lines)
+      type(model_type), intent(in) :: model
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(text_type), allocatable :: lines(:)
+      allocate (lines, source=sweep_lines(model, uncertainty%range))
+      call append_text(lines, 'samples = '//to_text(uncertainty%samples))
+      call append_text(lines, 'seed = '//to_text(uncertainty%seed))
+      call append_text(lines, 'deviation of friction = '//to_text(uncertainty%friction_deviation))
+      call append_text(lines, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
+      call append_text(lines, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
+      call append_text(lines, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
+      call append_text(lines, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
+   end function uncertainty_lines
 
    !> The model with one of its strings; its load cases are left out.
    function model_lines(model, string) result(lines)

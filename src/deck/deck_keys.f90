@@ -11,7 +11,7 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(12) = [ &
+   type(group_rule_type), parameter :: group_rules(13) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
@@ -23,6 +23,8 @@ module dg_deck_keys
          meaning='what is done to the string, at which depth, with which loads'), &
       group_rule_type('solver', meaning='numbers that steer the solution'), &
       group_rule_type('sweep', repeatable=.true., meaning='hook load and torque against depth'), &
+      group_rule_type('uncertainty', repeatable=.true., &
+         meaning='quantiles of hook load and torque against depth, where well, mud and gauges are not known for sure'), &
       group_rule_type('calibrate', repeatable=.true., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
       group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
@@ -276,6 +278,48 @@ module dg_deck_keys
       key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
          meaning='of the string at surface from one pull to the other; needed by free_point')]
 
+   type(key_rule_type), parameter :: uncertainty_keys(21) = [ &
+      key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
+      key_rule_type('uncertainty', 'operations', kind_text, array=.true., choices='*', &
+         meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
+      key_rule_type('uncertainty', 'bit_depth_from', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='first measured depth of the bit; at surface itself there is nothing to solve'), &
+      key_rule_type('uncertainty', 'bit_depth_to', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='last one; default the end of survey or hole'), &
+      key_rule_type('uncertainty', 'bit_depth_step', unit=unit_length, low=0.0_wp, open=.true., high=deepest, default='30', &
+         meaning='from one to the next; the last one is always solved'), &
+      key_rule_type('uncertainty', 'friction', low=0.0_wp, high=roughest, &
+         meaning='coefficient, axial and rotary, all along the hole; default those of the hole sections'), &
+      key_rule_type('uncertainty', 'string', kind_text, default='main', meaning='name of the drillstring'), &
+      key_rule_type('uncertainty', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit in all operations; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('uncertainty', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='torque on bit in all operations'), &
+      key_rule_type('uncertainty', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
+         meaning='one or several; default the models of &job'), &
+      key_rule_type('uncertainty', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', &
+         meaning='rotation speed, for ream and backream'), &
+      key_rule_type('uncertainty', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string, for ream and backream'), &
+      key_rule_type('uncertainty', 'samples', kind_integer, default='1000', low=2.0_wp, high=1.0e6_wp, &
+         meaning='how often all is drawn anew'), &
+      key_rule_type('uncertainty', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
+         meaning='of the random numbers: the same seed gives the same results'), &
+      key_rule_type('uncertainty', 'friction_deviation', low=0.0_wp, high=roughest, default='0', &
+         meaning='standard deviation of the coefficients, each hole section on its own, axial and rotary alike'), &
+      key_rule_type('uncertainty', 'density_deviation', unit=unit_density, low=0.0_wp, high=heaviest, default='0', &
+         meaning='standard deviation of the mud density'), &
+      key_rule_type('uncertainty', 'inclination_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
+         meaning='standard deviation of the inclination of a station'), &
+      key_rule_type('uncertainty', 'azimuth_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
+         meaning='standard deviation of the azimuth of a station'), &
+      key_rule_type('uncertainty', 'survey_errors', kind_text, default='random', choices='random systematic', &
+         meaning='each station is off on its own, or all alike'), &
+      key_rule_type('uncertainty', 'hookload_deviation', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
+         meaning='standard deviation of the hook load gauge: quantiles are then those of what it shows'), &
+      key_rule_type('uncertainty', 'torque_deviation', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='standard deviation of the torque gauge')]
+
 contains
 
    !> Rules of the keys of a group; none for a group that this version does not have.
@@ -292,6 +336,7 @@ contains
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
       case ('sweep'); rules = sweep_keys
+      case ('uncertainty'); rules = uncertainty_keys
       case ('calibrate'); rules = calibrate_keys
       case ('legacy'); rules = legacy_keys
       case ('study'); rules = study_keys

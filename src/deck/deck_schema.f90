@@ -32,7 +32,7 @@ module dg_deck_schema
    integer, parameter :: unit_speed = 12
    integer, parameter :: unit_gravity = 13   !< m/s2 in both systems
 
-   integer, parameter :: name_length = 20
+   integer, parameter :: name_length = 24
    integer, parameter :: words_length = 120
 
    type :: group_rule_type

@@ -13,7 +13,7 @@ module dg_deck_sweep
    use dg_text, only: append_text, is_separator_free, lower_case, quoted, text_type, to_text
    implicit none
    private
-   public :: take_sweeps
+   public :: take_sweeps, take_range
 
    !> Distance of depths where a deck says nothing [m].
    real(wp), parameter :: usual_step = 30.0_wp
@@ -42,7 +42,8 @@ contains
       do i = 1, size(groups)
          if (groups(i)%name /= 'sweep') cycle
          n = n + 1
-         call take_one(draft, groups(i), n, models, sweeps(n), faults)
+         call take_range(draft, groups(i), n, models, sweeps(n), faults)
+         if (allocated(sweeps(n)%depths)) call take_listed(draft, groups(i), sweeps(n), faults)
          do j = 1, n - 1
             if (lower_case(sweeps(j)%name) /= lower_case(sweeps(n)%name)) cycle
             call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &sweep: name '//quoted(sweeps(n)%name)// &
@@ -52,7 +53,9 @@ contains
       end do
    end subroutine take_sweeps
 
-   subroutine take_one(draft, group, number, models, sweep, faults)
+   !> String, operations and depths of a group: a &sweep, or another that has its keys. Its depths are not allocated where there
+   !> is a fault.
+   subroutine take_range(draft, group, number, models, sweep, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number                !< of the sweep in the deck
@@ -63,6 +66,7 @@ contains
       type(text_type), allocatable :: texts(:)
       real(wp), allocatable :: numbers(:)
       real(wp) :: first, last, step, points
+      character(:), allocatable :: key
       integer :: i, m, before
       before = faults%count
       allocate (texts(0), numbers(0))   ! the compiler's flow analysis takes them for undefined otherwise
@@ -93,7 +97,9 @@ contains
             end do
          end do
       end if
-      numbers = reals_of(group, 'frictions')
+      key = 'frictions'
+      if (group%name /= 'sweep') key = 'friction'      ! one of them
+      numbers = reals_of(group, key)
       allocate (sweep%frictions(max(size(numbers), 1)))
       do i = 1, size(numbers)
          if (any(abs(numbers(:i - 1) - numbers(i)) <= 0.0_wp)) &
@@ -107,7 +113,7 @@ contains
       call set_default_end(draft, group, last)
       first = real_of(group, 'bit_depth_from', 0.0_wp)
       step = real_of(group, 'bit_depth_step', usual_step)
-      probe%group = 'sweep'
+      probe%group = group%name
       probe%depth_key = 'bit_depth_to'
       probe%what = 'sweep'
       probe%line = group%line
@@ -134,13 +140,12 @@ contains
       end if
       sweep%depths = regular_depths(first, last, step)
       call take_measured(draft, sweep)
-      call take_listed(draft, group, sweep, faults)
 
    contains
 
       subroutine fault(key, message)
          character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
+         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
       end subroutine fault
 
       subroutine need_speed(key, value)
@@ -161,7 +166,7 @@ contains
          character(:), allocatable :: text
          text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
       end function shown
-   end subroutine take_one
+   end subroutine take_range
 
    !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.
    subroutine set_default_end(draft, group, last)

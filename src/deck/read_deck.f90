@@ -17,6 +17,7 @@ module dg_read_deck
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_sweep, only: take_sweeps
+   use dg_deck_uncertainty, only: take_uncertainties
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
@@ -79,6 +80,7 @@ contains
       call take_study(draft, checked, job%models, job%study, faults)
       call take_calibrations(draft, checked, job%calibrations, faults)
       call take_stickings(draft, checked, job%stickings, faults)
+      call take_uncertainties(draft, checked, job%models, job%uncertainties, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
    end subroutine read_deck
@@ -116,7 +118,7 @@ contains
          if (.not. group_rules(k)%required) cycle
          do i = 1, size(groups)
             if (groups(i)%name == group_rules(k)%name) exit
-            if (group_rules(k)%name == 'load_case' .and. groups(i)%name == 'sweep') exit   ! a sweep is work enough
+            if (group_rules(k)%name == 'load_case' .and. any(groups(i)%name == [character(11) :: 'sweep', 'uncertainty'])) exit
          end do
          if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(group_rules(k)%name)// &
             ': missing; a deck needs it ('//trim(group_rules(k)%meaning)//')')

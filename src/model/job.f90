@@ -6,6 +6,7 @@ module dg_job
    use dg_sticking, only: sticking_type
    use dg_study_plan, only: study_plan_type
    use dg_sweep, only: sweep_type
+   use dg_uncertainty, only: uncertainty_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -29,6 +30,7 @@ module dg_job
       type(study_plan_type), allocatable :: study       !< accuracy and cost to compare; not allocated: nothing
       type(sweep_type), allocatable :: sweeps(:) !< over bit depth
       type(calibration_type), allocatable :: calibrations(:) !< of friction, from measurements
+      type(uncertainty_type), allocatable :: uncertainties(:) !< Monte Carlo over bit depth
       type(sticking_type), allocatable :: stickings(:) !< strings that are held, from measurements
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       character(:), allocatable :: deck_text   !< the deck itself, for the record

@@ -1,0 +1,73 @@
+!> uncertainty_<name>.csv: one row a point, with the quantiles of its samples.
+module dg_uncertainty_file
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+                        quantity_moment, quantity_none, quantity_text
+   use dg_comparison, only: known
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: operation_name
+   use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
+   use dg_sweep, only: point_at, point_type
+   use dg_text, only: text_type
+   use dg_uncertainty, only: uncertainty_type
+   implicit none
+   private
+   public :: uncertainty_columns, write_uncertainty
+
+   !> New ones are added at the end only: others rely on the names and the order.
+   type(column_type), parameter :: uncertainty_columns(14) = [ &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('operation', quantity_text, 'long name of the operation'), &
+      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
+      column_type('samples', quantity_none, 'samples that have a solution; the others are left out'), &
+      column_type('hookload_p10', quantity_force, 'hook load under which 10 % of the samples lie'), &
+      column_type('hookload_p50', quantity_force, 'the same for half of them'), &
+      column_type('hookload_p90', quantity_force, 'the same for 90 %'), &
+      column_type('hookload_mean', quantity_force, 'mean of the samples'), &
+      column_type('hookload_deviation', quantity_force, 'their standard deviation'), &
+      column_type('torque_p10', quantity_moment, 'torque at the top under which 10 % of the samples lie'), &
+      column_type('torque_p50', quantity_moment, 'the same for half of them'), &
+      column_type('torque_p90', quantity_moment, 'the same for 90 %'), &
+      column_type('torque_mean', quantity_moment, 'mean of the samples'), &
+      column_type('torque_deviation', quantity_moment, 'their standard deviation')]
+
+contains
+
+   !> Writes all points to `path`.
+   subroutine write_uncertainty(path, job, uncertainty, statistics, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      type(field_list_type) :: row
+      type(point_type) :: point
+      integer :: i
+      allocate (lines(0:size(statistics)))
+      lines(0)%text = csv_header(uncertainty_columns, job%units)
+      do i = 1, size(statistics)
+         point = point_at(uncertainty%range, i)
+         row%count = 0
+         call put(row, trim(model_name(uncertainty%range%models(point%model))))
+         call put(row, trim(operation_name(uncertainty%range%operations(point%operation))))
+         call put(row, uncertainty%range%depths(point%depth))
+         call put(row, statistics(i)%solved)
+         call put_distribution(row, statistics(i)%hookload)
+         call put_distribution(row, statistics(i)%torque)
+         lines(i)%text = csv_row(uncertainty_columns, job%units, row%fields)
+      end do
+      call write_text_file(path, lines, error)
+   end subroutine write_uncertainty
+
+   pure subroutine put_distribution(row, distribution)
+      type(field_list_type), intent(inout) :: row
+      type(distribution_type), intent(in) :: distribution
+      call put(row, known(distribution%quantiles(p10)))
+      call put(row, known(distribution%quantiles(p50)))
+      call put(row, known(distribution%quantiles(p90)))
+      call put(row, known(distribution%mean))
+      call put(row, known(distribution%deviation))
+   end subroutine put_distribution
+end module dg_uncertainty_file

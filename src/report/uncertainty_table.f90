@@ -1,0 +1,124 @@
+!> A Monte Carlo in print: P10, P50, P90 of hook load and torque against bit depth, with what was measured beside. Every line
+!> fits 120 columns.
+module dg_uncertainty_table
+   use dg_comparison, only: known
+   use dg_job, only: model_name
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_label, optional_real
+   use dg_number_text, only: fixed_cell, right_aligned
+   use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
+   use dg_sweep, only: point_number, point_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_uncertainty, only: uncertainty_type
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: uncertainty_table, deviations_text
+
+   integer, parameter :: depth_width = 10, cell_width = 10
+   !> Rows of a table: a page shows the shape of a curve, the file has every depth.
+   integer, parameter :: most_rows = 25
+   integer, parameter :: digits = 4
+
+contains
+
+   pure function uncertainty_table(units, uncertainty, statistics) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
+      type(text_type), allocatable :: lines(:)
+      integer :: m, o
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Uncertainty '//uncertainty%range%name//': '//to_text(uncertainty%samples)//' samples, seed '// &
+                       to_text(uncertainty%seed)//'; standard deviations:')
+      call append_text(lines, '  '//deviations_text(units, uncertainty))
+      do m = 1, size(uncertainty%range%models)
+         do o = 1, size(uncertainty%range%operations)
+            call append_curve(lines, units, uncertainty, statistics, point_type(m, o, 1, 1))
+         end do
+      end do
+   end function uncertainty_table
+
+   !> What varies, by how much.
+   pure function deviations_text(units, uncertainty) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      character(:), allocatable :: text
+      text = ''
+      call add('friction', uncertainty%friction_deviation)
+      call add('mud density', uncertainty%density_deviation/units%density)
+      call add('inclination', uncertainty%inclination_deviation/units%angle)
+      call add('azimuth', uncertainty%azimuth_deviation/units%angle)
+      call add('hook load gauge', uncertainty%hookload_deviation/units%force)
+      call add('torque gauge', uncertainty%torque_deviation/units%moment)
+      text = text(len(', ') + 1:)
+   contains
+      pure subroutine add(name, value)
+         character(*), intent(in) :: name
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp) text = text//', '//name//' '//to_text(value, digits)
+      end subroutine add
+   end function deviations_text
+
+   !> One operation by one model.
+   pure subroutine append_curve(lines, units, uncertainty, statistics, curve)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(point_statistics_type), intent(in) :: statistics(:)
+      type(point_type), intent(in) :: curve
+      character(:), allocatable :: head, rule
+      type(point_type) :: point
+      type(optional_real) :: measured
+      integer :: i, k, n, rows
+      call append_text(lines, '')
+      call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
+                       trim(model_name(uncertainty%range%models(curve%model)))//': hook load, '//trim(units%force_label)// &
+                       ', and torque, '//moment_unit(units)//', under which 10, 50 and 90 % of the samples lie')
+      head = right_aligned('Bit depth', depth_width)//right_aligned('P10', cell_width)//right_aligned('P50', cell_width)// &
+             right_aligned('P90', cell_width)//right_aligned('Measured', cell_width)//right_aligned('P10', cell_width)// &
+             right_aligned('P50', cell_width)//right_aligned('P90', cell_width)//right_aligned('Samples', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      n = size(uncertainty%range%depths)
+      rows = min(n, most_rows)
+      point = curve
+      do i = 1, rows
+         point%depth = ceiling(real(i, wp)*real(n, wp)/real(rows, wp))
+         measured = optional_real()
+         do k = 1, size(uncertainty%range%measured)
+            associate (told => uncertainty%range%measured(k))
+               if (told%operation == uncertainty%range%operations(curve%operation) .and. &
+                   abs(told%bit_depth - uncertainty%range%depths(point%depth)) <= 0.0_wp) measured = told%hookload
+            end associate
+         end do
+         associate (found => statistics(point_number(uncertainty%range, point)))
+            call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
+                             cells(found%hookload, units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
+                             cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width))
+         end associate
+      end do
+      call append_text(lines, rule)
+      if (rows < n) call append_text(lines, to_text(rows)//' of '//to_text(n)//' depths; the file has them all')
+   end subroutine append_curve
+
+   pure function cells(distribution, unit, decimals) result(text)
+      type(distribution_type), intent(in) :: distribution
+      real(wp), intent(in) :: unit
+      integer, intent(in) :: decimals
+      character(3*cell_width) :: text
+      text = fixed_cell(known(distribution%quantiles(p10)), unit, cell_width, decimals)// &
+             fixed_cell(known(distribution%quantiles(p50)), unit, cell_width, decimals)// &
+             fixed_cell(known(distribution%quantiles(p90)), unit, cell_width, decimals)
+   end function cells
+
+   pure function moment_unit(units) result(text)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = 'kN.m'
+      if (units%name == 'field') text = 'kft.lbf'
+   end function moment_unit
+end module dg_uncertainty_table

@@ -1,0 +1,81 @@
+!> The model of one sample: friction, mud and survey as they may be.
+module dg_sampled_model
+   use dg_kinds, only: wp
+   use dg_constants, only: pi
+   use dg_counter_random, only: normal_number
+   use dg_error, only: error_type
+   use dg_model, only: copy_without_cases, model_type
+   use dg_trajectory, only: new_trajectory
+   use dg_uncertainty, only: uncertainty_type
+   implicit none
+   private
+   public :: draw_model, draw_of
+   public :: quantity_friction, quantity_density, quantity_inclination, quantity_azimuth, quantity_hookload, quantity_torque
+
+   !> What is drawn; each has its own numbers, so that a deck with one more uncertainty keeps the others'.
+   integer, parameter :: quantity_friction = 1     !< index: hole section
+   integer, parameter :: quantity_density = 2
+   integer, parameter :: quantity_inclination = 3  !< index: station; 0: all alike
+   integer, parameter :: quantity_azimuth = 4
+   integer, parameter :: quantity_hookload = 5     !< index: point
+   integer, parameter :: quantity_torque = 6
+
+contains
+
+   !> A standard normal number of a sample.
+   elemental function draw_of(uncertainty, sample, quantity, index) result(number)
+      type(uncertainty_type), intent(in) :: uncertainty
+      integer, intent(in) :: sample, quantity, index
+      real(wp) :: number
+      number = normal_number(uncertainty%seed, sample, quantity, index)
+   end function draw_of
+
+   !> The model of a sample, with room for one load case. Coefficients and density that would be negative are 0. `error` tells
+   !> that the stations drawn make no path.
+   subroutine draw_model(model, uncertainty, sample, drawn, error)
+      type(model_type), intent(in) :: model
+      type(uncertainty_type), intent(in) :: uncertainty
+      integer, intent(in) :: sample            !< >= 1
+      type(model_type), intent(out) :: drawn
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: change
+      integer :: i
+      call copy_without_cases(model, drawn)
+      do i = 1, size(drawn%holes)
+         associate (hole => drawn%holes(i))
+            if (uncertainty%range%frictions(1)%present) then
+               hole%friction_axial = uncertainty%range%frictions(1)%value
+               hole%friction_rotary = uncertainty%range%frictions(1)%value
+            end if
+            if (.not. uncertainty%friction_deviation > 0.0_wp) cycle
+            change = uncertainty%friction_deviation*draw_of(uncertainty, sample, quantity_friction, i)
+            hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
+            hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
+         end associate
+      end do
+      if (uncertainty%density_deviation > 0.0_wp) drawn%mud_density = &
+         max(model%mud_density + uncertainty%density_deviation*draw_of(uncertainty, sample, quantity_density, 0), 0.0_wp)
+      if (uncertainty%inclination_deviation > 0.0_wp .or. uncertainty%azimuth_deviation > 0.0_wp) &
+         call draw_survey(model, uncertainty, sample, drawn, error)
+   end subroutine draw_model
+
+   !> Stations with angles as they may be. An inclination below 0 or beyond pi is the same direction seen from the other side.
+   subroutine draw_survey(model, uncertainty, sample, drawn, error)
+      type(model_type), intent(in) :: model
+      type(uncertainty_type), intent(in) :: uncertainty
+      integer, intent(in) :: sample
+      type(model_type), intent(inout) :: drawn
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), dimension(size(model%trajectory%md)) :: inclination, azimuth
+      integer :: station(size(inclination)), i
+      station = [(i, i=1, size(station))]
+      if (uncertainty%systematic_survey) station = 0
+      inclination = model%trajectory%inclination + uncertainty%inclination_deviation* &
+                    draw_of(uncertainty, sample, quantity_inclination, station)
+      azimuth = model%trajectory%azimuth + uncertainty%azimuth_deviation*draw_of(uncertainty, sample, quantity_azimuth, station)
+      where (inclination < 0.0_wp .or. inclination > pi) azimuth = azimuth + pi
+      where (inclination > pi) inclination = 2.0_wp*pi - inclination
+      inclination = abs(inclination)
+      call new_trajectory(drawn%trajectory, model%trajectory%md, inclination, azimuth, uncertainty%interpolation, error)
+   end subroutine draw_survey
+end module dg_sampled_model

@@ -1,0 +1,221 @@
+!> Monte Carlo: the generator against its authors' known answers and the normal distribution, quantiles, what a sample draws,
+!> and propagation in closed form.
+module dg_test_uncertainty
+   use, intrinsic :: iso_fortran_env, only: int64
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use dg_case_result, only: result_converged, result_not_converged
+   use dg_component, only: component_type
+   use dg_constants, only: degree, pi
+   use dg_counter_random, only: normal_number, philox
+   use dg_error, only: error_type
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_trip_in, operation_trip_out
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_sample_statistics, only: distribution_type, find_distribution, find_point_statistics, p10, p50, p90, &
+      point_statistics_type, quantile
+   use dg_sampled_model, only: draw_model, draw_of, quantity_friction, quantity_hookload
+   use dg_sweep_result, only: sweep_result_type
+   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
+   implicit none
+   private
+   public :: uncertainty_suite
+
+   real(wp), parameter :: round_off = 1.0e-12_wp
+
+contains
+
+   function uncertainty_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('uncertainty')
+      call suite%addTest(TestMethod('philox_known_answers', test_philox))
+      call suite%addTest(TestMethod('normal_distribution', test_normal))
+      call suite%addTest(TestMethod('numbers_are_independent', test_independent))
+      call suite%addTest(TestMethod('quantiles', test_quantiles))
+      call suite%addTest(TestMethod('what_a_sample_draws', test_draws))
+      call suite%addTest(TestMethod('survey_angles', test_survey))
+      call suite%addTest(TestMethod('points_and_gauge', test_points))
+   end function uncertainty_suite
+
+   !> Known answers for philox4x32-10 that come with Random123 (kat_vectors): nothing, all ones, digits of pi.
+   subroutine test_philox()
+      integer(int64), parameter :: ones = int(z'FFFFFFFF', int64)
+      call check([0_int64, 0_int64, 0_int64, 0_int64], [0_int64, 0_int64], &
+                 [int(z'6627E8D5', int64), int(z'E169C58D', int64), int(z'BC57AC4C', int64), int(z'9B00DBD8', int64)])
+      call check([ones, ones, ones, ones], [ones, ones], &
+                 [int(z'408F276D', int64), int(z'41C83B0E', int64), int(z'A20BC7C6', int64), int(z'6D5451FD', int64)])
+      call check([int(z'243F6A88', int64), int(z'85A308D3', int64), int(z'13198A2E', int64), int(z'03707344', int64)], &
+                 [int(z'A4093822', int64), int(z'299F31D0', int64)], &
+                 [int(z'D16CFE09', int64), int(z'94FDCCEB', int64), int(z'5001E420', int64), int(z'24126EA1', int64)])
+   contains
+      subroutine check(counter, key, expected)
+         integer(int64), intent(in) :: counter(4), key(2), expected(4)
+         call assertTrue(all(philox(counter, key) == expected))
+      end subroutine check
+   end subroutine test_philox
+
+   !> 100000 numbers: P10, P50, P90, mean and deviation of the normal distribution within four standard errors, which are
+   !> sqrt(p (1 - p)/n)/density for quantiles, 1/sqrt(n) for the mean, 1/sqrt(2 n) for the deviation.
+   subroutine test_normal()
+      integer, parameter :: many = 100000
+      real(wp), parameter :: quantile_90 = 1.2815515655446004_wp, errors = 4.0_wp
+      real(wp), parameter :: density_90 = 0.17549833193248685_wp, density_50 = 0.3989422804014327_wp
+      real(wp), parameter :: n = real(many, wp)
+      type(distribution_type) :: found
+      integer :: i
+      found = find_distribution(normal_number(3, [(i, i=1, many)], 1, 0))
+      call assertEqual(-quantile_90, found%quantiles(p10), errors*sqrt(0.09_wp/n)/density_90)
+      call assertEqual(0.0_wp, found%quantiles(p50), errors*sqrt(0.25_wp/n)/density_50)
+      call assertEqual(quantile_90, found%quantiles(p90), errors*sqrt(0.09_wp/n)/density_90)
+      call assertEqual(0.0_wp, found%mean, errors/sqrt(n))
+      call assertEqual(1.0_wp, found%deviation, errors/sqrt(2.0_wp*n))
+      found = find_distribution(normal_number(3, 1, 1, [(i, i=0, many - 1)]))
+      call assertEqual(1.0_wp, found%deviation, errors/sqrt(2.0_wp*n), message='along the index too')
+   end subroutine test_normal
+
+   !> Numbers of neighbouring samples, quantities, indices and seeds do not correlate: |r| < 4/sqrt(n).
+   subroutine test_independent()
+      integer, parameter :: many = 20000
+      integer :: i, samples(many)
+      real(wp) :: one(many)
+      samples = [(i, i=1, many)]
+      one = normal_number(1, samples, 1, 1)
+      call uncorrelated(normal_number(1, samples + 1, 1, 1), 'samples')
+      call uncorrelated(normal_number(1, samples, 2, 1), 'quantities')
+      call uncorrelated(normal_number(1, samples, 1, 2), 'indices')
+      call uncorrelated(normal_number(2, samples, 1, 1), 'seeds')
+      call assertEqual(one(7), normal_number(1, 7, 1, 1), message='in any order')
+   contains
+      subroutine uncorrelated(other, what)
+         real(wp), intent(in) :: other(:)
+         character(*), intent(in) :: what
+         call assertEqual(0.0_wp, dot_product(one, other)/(norm2(one)*norm2(other)), 4.0_wp/sqrt(real(many, wp)), message=what)
+      end subroutine uncorrelated
+   end subroutine test_independent
+
+   !> By hand: 0, 10, ..., 100 in any order; one number; none.
+   subroutine test_quantiles()
+      type(distribution_type) :: found
+      found = find_distribution([70.0_wp, 20.0_wp, 100.0_wp, 0.0_wp, 50.0_wp, 40.0_wp, 10.0_wp, 90.0_wp, 30.0_wp, 80.0_wp, 60.0_wp])
+      call assertEqual([10.0_wp, 50.0_wp, 90.0_wp], found%quantiles, round_off*100.0_wp)
+      call assertEqual(50.0_wp, found%mean, round_off*100.0_wp)
+      call assertEqual(sqrt(1100.0_wp), found%deviation, round_off*100.0_wp)
+      call assertEqual([1.25_wp], quantile([1.0_wp, 2.0_wp], [0.25_wp]), round_off)
+      found = find_distribution([3.0_wp])
+      call assertEqual([3.0_wp, 3.0_wp, 3.0_wp], found%quantiles, round_off)
+      call assertTrue(is_missing(found%deviation))
+      found = find_distribution([real(wp) ::])
+      call assertTrue(is_missing(found%quantiles(p50)))
+   end subroutine test_quantiles
+
+   !> Two sections, a survey through north in a vertical and an inclined part.
+   subroutine build(model, uncertainty)
+      type(model_type), intent(out) :: model
+      type(uncertainty_type), intent(out) :: uncertainty
+      type(error_type), allocatable :: error
+      call new_trajectory(model%trajectory, [0.0_wp, 300.0_wp, 600.0_wp], [0.0_wp, 0.0_wp, 60.0_wp]*degree, &
+                          [0.0_wp, 0.0_wp, 0.0_wp], interpolation_minimum_curvature, error)
+      call assertFalse(allocated(error))
+      allocate (model%holes(2), model%strings(0), model%cases(0))
+      model%holes(1) = hole_section_type('cased', 0.0_wp, 200.0_wp, 0.22_wp, 0.2_wp, 0.25_wp)
+      model%holes(2) = hole_section_type('open', 200.0_wp, 600.0_wp, 0.21_wp, 0.3_wp, 0.35_wp)
+      model%mud_density = 1200.0_wp
+      uncertainty%range%models = [1]
+      uncertainty%range%operations = [operation_trip_out, operation_trip_in]
+      uncertainty%range%depths = [300.0_wp, 600.0_wp]
+      allocate (uncertainty%range%frictions(1))
+      uncertainty%samples = 50
+      uncertainty%seed = 11
+   end subroutine build
+
+   !> Friction moves by the same number along and around, sections each by their own; nothing falls below zero; what is not
+   !> asked for stays, and does not change with what is.
+   subroutine test_draws()
+      type(model_type) :: model, drawn
+      type(uncertainty_type) :: uncertainty
+      type(error_type), allocatable :: error
+      real(wp) :: change(2)
+      call build(model, uncertainty)
+      uncertainty%friction_deviation = 0.01_wp
+      call draw_model(model, uncertainty, 7, drawn, error)
+      change = drawn%holes%friction_axial - model%holes%friction_axial
+      call assertEqual(0.01_wp*draw_of(uncertainty, 7, quantity_friction, [1, 2]), change, round_off)
+      call assertEqual(change, drawn%holes%friction_rotary - model%holes%friction_rotary, round_off)
+      call assertTrue(abs(change(1) - change(2)) > 1.0e-6_wp, message='sections are drawn apart')
+      call assertEqual(1200.0_wp, drawn%mud_density)
+      uncertainty%density_deviation = 20.0_wp
+      call draw_model(model, uncertainty, 7, drawn, error)
+      call assertEqual(change, drawn%holes%friction_axial - model%holes%friction_axial, round_off)
+      call assertTrue(abs(drawn%mud_density - 1200.0_wp) > 1.0e-3_wp)
+      uncertainty%friction_deviation = 100.0_wp
+      uncertainty%range%frictions(1) = given(0.15_wp)
+      call draw_model(model, uncertainty, 7, drawn, error)
+      call assertTrue(all(drawn%holes%friction_axial >= 0.0_wp))
+      uncertainty%friction_deviation = 0.0_wp
+      call draw_model(model, uncertainty, 7, drawn, error)
+      call assertEqual([0.15_wp, 0.15_wp], drawn%holes%friction_rotary, round_off)
+   end subroutine test_draws
+
+   !> Systematic: all stations move alike, a vertical one to the side that the sign says. Random: each on its own, with the
+   !> deviation asked for.
+   subroutine test_survey()
+      integer, parameter :: many = 4000
+      real(wp), parameter :: deviation = 0.25_wp*degree
+      type(model_type) :: model, drawn
+      type(uncertainty_type) :: uncertainty
+      type(error_type), allocatable :: error
+      type(distribution_type) :: found
+      real(wp) :: change(many), signed
+      integer :: i
+      call build(model, uncertainty)
+      uncertainty%inclination_deviation = deviation
+      uncertainty%systematic_survey = .true.
+      do i = 1, 5
+         call draw_model(model, uncertainty, i, drawn, error)
+         call assertFalse(allocated(error))
+         associate (well => drawn%trajectory)
+            signed = well%inclination(3) - 60.0_wp*degree
+            call assertEqual(abs(signed), well%inclination(1), round_off)
+            call assertEqual(merge(0.0_wp, pi, signed > 0.0_wp), well%azimuth(1), round_off)
+            call assertEqual(well%inclination(1), well%inclination(2), round_off)
+         end associate
+      end do
+      uncertainty%systematic_survey = .false.
+      do i = 1, many
+         call draw_model(model, uncertainty, i, drawn, error)
+         change(i) = drawn%trajectory%inclination(3) - 60.0_wp*degree
+      end do
+      found = find_distribution(change)
+      call assertEqual(deviation, found%deviation, 4.0_wp*deviation/sqrt(2.0_wp*many))
+      call assertEqual(0.0_wp, drawn%trajectory%azimuth(3), round_off, message='not asked for')
+   end subroutine test_survey
+
+   !> Pieces are numbered without gap; samples without solution are left out; the gauge adds its own scatter.
+   subroutine test_points()
+      type(model_type) :: model
+      type(uncertainty_type) :: uncertainty
+      type(sweep_result_type), allocatable :: pieces(:)
+      type(point_statistics_type) :: found
+      integer :: i
+      call build(model, uncertainty)
+      call assertEqual(200, piece_count(uncertainty))
+      call assertEqual([1, 50, 51, 200], [piece_number(uncertainty, 1, 1), piece_number(uncertainty, 1, 50), &
+                                          piece_number(uncertainty, 2, 1), piece_number(uncertainty, 4, 50)])
+      allocate (pieces(200))
+      pieces%status = result_converged
+      pieces%hookload = [(1.0_wp*i, i=1, 200)]
+      pieces(51:60)%status = result_not_converged
+      found = find_point_statistics(uncertainty, 2, pieces)
+      call assertEqual(40, found%solved)
+      call assertEqual(80.5_wp, found%hookload%quantiles(p50), round_off*100.0_wp, message='of 61 to 100')
+      pieces%hookload = 5.0_wp
+      uncertainty%hookload_deviation = 2.0_wp
+      found = find_point_statistics(uncertainty, 1, pieces)
+      call assertEqual(5.0_wp + 2.0_wp*sum(draw_of(uncertainty, [(i, i=1, 50)], quantity_hookload, 1))/50.0_wp, &
+                       found%hookload%mean, round_off*10.0_wp)
+      call assertEqual(0.0_wp, found%torque%deviation, round_off)
+      call assertGreaterThan(found%hookload%quantiles(p90), found%hookload%quantiles(p10))
+   end subroutine test_points
+end module dg_test_uncertainty
