@@ -16,7 +16,7 @@ module dg_calibration_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: calibration_table
+   public :: calibration_table, unknown_text
 
    integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, interval_width = 20
    real(wp), parameter :: one = 1.0_wp

@@ -2,6 +2,7 @@
 !> them, and tells which are there. Without gnuplot the scripts stay, to be drawn elsewhere.
 module dg_picture_files
    use dg_along_string, only: along_string_type
+   use dg_calibration_picture, only: calibration_script
    use dg_case_pictures, only: forces_script, path_script
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type, raise, status_failure
@@ -13,7 +14,7 @@ module dg_picture_files
    use dg_model, only: model_type
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, is_separator_free, text_type, to_text
    implicit none
    private
    public :: picture_type, picture_list_type, picture_folder, write_pictures, folder_in
@@ -69,6 +70,19 @@ contains
                   call sweep_script(name, job%units, sweep, sweep%models(k), lines)
                   call add(name, 'Hook load and torque against bit depth, sweep '//sweep%name//', model '// &
                            trim(model_name(sweep%models(k))), 0)
+               end do
+            end associate
+         end do
+      end if
+      if (allocated(job%calibrations)) then
+         do i = 1, size(job%calibrations)
+            associate (calibration => job%calibrations(i))
+               do k = 1, size(calibration%models)
+                  name = to_text(i)             ! where its name is none for a file
+                  if (is_separator_free(calibration%name)) name = calibration%name
+                  name = 'calibration_'//name//'_'//trim(model_name(calibration%models(k)))
+                  call calibration_script(name, job, model, calibration, calibration%models(k), lines)
+                  call add(name, 'Friction found from measurements, and the error before and after', 0)
                end do
             end associate
          end do
