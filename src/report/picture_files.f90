@@ -14,7 +14,7 @@ module dg_picture_files
    use dg_model, only: model_type
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
-   use dg_text, only: append_text, is_separator_free, text_type, to_text
+   use dg_text, only: is_separator_free, text_type, to_text
    implicit none
    private
    public :: picture_type, picture_list_type, picture_folder, write_pictures, folder_in

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Keeps the pictures that README.md shows true: they are those of the sample decks, drawn anew and compared by all their texts
+(titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
+
+Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
+"""
+import pathlib
+import re
+import shutil
+import sys
+import xml.etree.ElementTree as xml
+
+SHOWN = pathlib.Path("output/examples")
+NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?")
+
+
+def texts(path):
+    found = [text.text or "" for text in xml.parse(path).iter("{http://www.w3.org/2000/svg}text")]
+    return [text for text in found if not NUMBER.fullmatch(text.strip())] if "study_" in path.name else found
+
+
+def main(arguments):
+    write = "--write" in arguments
+    folders = {}
+    for argument in arguments:
+        deck, mark, folder = argument.partition("=")
+        if argument != "--write":
+            folders[deck if mark else pathlib.Path(deck).name] = pathlib.Path(folder if mark else deck)
+    readme = pathlib.Path("README.md").read_text(encoding="utf-8")
+    named = sorted(set(re.findall(r"\]\(output/examples/(\S+\.svg)\)", readme)))
+    faults = [] if named else ["README.md shows no picture"]
+    for name in named:
+        deck = max((d for d in folders if name.startswith(d + "_")), key=len, default=None)
+        if deck is None:
+            faults.append(f"{name}: no results of its deck among {sorted(folders)}")
+            continue
+        fresh, kept = folders[deck] / "pictures" / name[len(deck) + 1:], SHOWN / name
+        if not fresh.exists():
+            faults.append(f"{name}: the run of {deck} draws no {fresh.name}")
+        elif write:
+            shutil.copyfile(fresh, kept)
+        elif not kept.exists() or texts(kept) != texts(fresh):
+            faults.append(f"{kept} is not what the run of {deck} draws; check_pictures.py --write brings it up to date")
+    faults += [f"{p}: README.md does not show it" for p in SHOWN.glob("*") if p.name not in named]
+    print(f"{len(named)} pictures")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
