@@ -42,8 +42,9 @@ module dg_assembly
 contains
 
    !> Residual(6,nodes) and tangent at `state`, whose nodes have been placed and whose gaps have been surveyed in `work`.
-   !> Top unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and torque
-   !> out of the tangent: it is then the symmetric second derivative of an energy, whose inertia tells stability.
+   !> Top unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and
+   !> what is not symmetric of torque out of the tangent: it is then the second derivative of an energy, whose inertia tells
+   !> stability.
    !> `work` returns element forces and reactions.
    !> `forces_only`: the tangent is not wanted; `matrix` is then of no use, and the rest, the same to the digit, costs a third.
    pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix, forces_only)
@@ -73,7 +74,7 @@ contains
          else
             call beam_force(work%section(e), chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
          end if
-         call add_torque(work, e, state(dof_twist, e + 1) - state(dof_twist, e), tangent .and. .not. conservative, force, &
+         call add_torque(work, e, state(dof_twist, e + 1) - state(dof_twist, e), conservative, tangent, force, &
                          element)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))
          force(3) = force(3) - load(1)
@@ -107,11 +108,12 @@ contains
    end subroutine assemble
 
    !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
-   pure subroutine add_torque(work, e, twist, tangent, force, element)
+   pure subroutine add_torque(work, e, twist, conservative, tangent, force, element)
       type(workspace_type), intent(inout) :: work
       integer, intent(in) :: e
       real(wp), intent(in) :: twist
-      logical, intent(in) :: tangent       !< it has one, and it is wanted
+      logical, intent(in) :: conservative
+      logical, intent(in) :: tangent       !< is wanted
       real(wp), intent(inout) :: force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3)
@@ -125,6 +127,14 @@ contains
       force(10:12) = force(10:12) + end_moment
       if (.not. tangent) return
       call torque_tangent(work%torque(e), work%d(:, e), work%d(:, e + 1), by_i, by_j, by_torque)
+      if (conservative) then
+         ! its symmetric part, which is all of it but at the ends and at given torque
+         element%k(4:6, 4:6) = element%k(4:6, 4:6) + 0.5_wp*(by_i + transpose(by_i))
+         element%k(10:12, 10:12) = element%k(10:12, 10:12) + 0.5_wp*(by_j + transpose(by_j))
+         element%k(4:6, 10:12) = element%k(4:6, 10:12) + 0.5_wp*(by_j + transpose(by_i))
+         element%k(10:12, 4:6) = element%k(10:12, 4:6) + 0.5_wp*(by_i + transpose(by_j))
+         return
+      end if
       element%k(4:6, 4:6) = element%k(4:6, 4:6) + by_i
       element%k(10:12, 4:6) = element%k(10:12, 4:6) + by_i
       element%k(4:6, 10:12) = element%k(4:6, 10:12) + by_j

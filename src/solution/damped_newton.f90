@@ -87,7 +87,7 @@ contains
       lagged%lagged = .true.
       vertical = all(mesh%frame(3, 1, :) > upright)
       torque = any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
-      margin = margin_of(mesh)
+      margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
       lag = damped%continued
       start = newton%iterations

@@ -19,8 +19,8 @@ module dg_stability
 
    !> An equilibrium counts as stable that needs no more viscosity than this: F would have to drop by half of it, 0.5 %.
    real(wp), parameter :: stability_margin = 1.0e-2_wp
-   !> The same of a rotating string, which friction turns out of its energy's minimum, and holds there: F would have to drop by
-   !> 10 %.
+   !> The same of a string under torque, which friction and the end's part of torque, neither of them in the energy, turn out of its
+   !> minimum and hold there: F would have to drop by 10 %.
    real(wp), parameter :: rotating_margin = 0.2_wp
    !> Rounds of inverse iteration for the mode that grows: it need not be exact.
    integer, parameter :: mode_rounds = 4
@@ -42,14 +42,15 @@ contains
       logical, intent(out) :: stable
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
       call weigh(mesh, work, damped%lump)
-      call block_positive_definite(damped%energy, margin_of(mesh), damped%lump, stable)
+      call block_positive_definite(damped%energy, margin_of(mesh, loads), damped%lump, stable)
    end subroutine is_stable
 
    !> Viscosity that an equilibrium may need and still count as stable [-].
-   pure function margin_of(mesh) result(margin)
+   pure function margin_of(mesh, loads) result(margin)
       type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
       real(wp) :: margin
-      margin = merge(rotating_margin, stability_margin, any(mesh%rotary > 0.0_wp))
+      margin = merge(rotating_margin, stability_margin, any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp)
    end function margin_of
 
    !> Moves an equilibrium that `is_stable` has just found unstable along the mode that grows, off the wall, by the part

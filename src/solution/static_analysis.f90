@@ -52,9 +52,10 @@ module dg_static_analysis
    integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
                          other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
    integer, parameter :: longest_attempt(7) = [70, 25, 70, 400, 400, 400, 120]
-   !> Part of the coiling load [-] from which stability is watched: sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's
-   !> first mode of a vertical string at 1/2.
-   real(wp), parameter :: watch_share = 0.4_wp
+   !> Parts of the coiling load [-]: from the first on equilibria are checked for stability, from the second on the plan is that
+   !> of a string that may buckle. Sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's first mode of a vertical string
+   !> at 1/2, at 1/4 when it is very long.
+   real(wp), parameter :: watch_share = 0.25_wp, buckling_share = 0.4_wp
    real(wp), parameter :: most_waves = 0.1_wp
    !> Vertical to round-off: cosine of the inclination.
    real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
@@ -104,7 +105,7 @@ contains
          result%seconds = real(ticks - start, wp)/real(rate, wp)
          return
       end if
-      may_buckle = compressed > watch_share
+      may_buckle = compressed > buckling_share
       call prepare(model, model%cases(case_index), mesh, newton, work)
       call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
       allocate (state(6, mesh%nodes))
@@ -122,7 +123,7 @@ contains
             numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
-         if (outcome == newton_converged .and. may_buckle .and. .not. damping) then
+         if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping) then
             call is_stable(damped, model%trajectory, mesh, loads, gaps, state, work, stable)
             if (.not. stable) then
                call push_off(newton, damped, model%trajectory, mesh, push, state, work, outcome)

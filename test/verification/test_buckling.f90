@@ -9,7 +9,7 @@ module dg_test_buckling
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_sliding_drilling, operation_static
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
    use dg_model, only: model_type
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
@@ -32,6 +32,9 @@ contains
       call suite%addTest(TestMethod('helix', test_helix))
       call suite%addTest(TestMethod('helix_with_friction', test_helix_with_friction))
       call suite%addTest(TestMethod('lock_up', test_lock_up))
+      call suite%addTest(TestMethod('torque_and_compression', test_torque_and_compression))
+      call suite%addTest(TestMethod('vertical_by_length', test_vertical_by_length))
+      call suite%addTest(TestMethod('regularisation_leaves_no_trace', test_regularisation_leaves_no_trace))
    end function buckling_suite
 
    !> A hole with the pipe in it, both ends on the axis.
@@ -232,4 +235,95 @@ contains
       call assertRelativelyEqual(reach/(length + cut), most_weight_on_bit(model, 1, coiled=.true., pushed=.true.), 1.0e-3_wp, &
                                  message='most')
    end subroutine test_lock_up
+
+   !> A shaft pinned at both ends under compression F and torque T buckles at F/EI + (T/(2 EI))^2 = (pi/L)^2 (Greenhill 1883).
+   !> Below, it rests next to the axis. Beyond, it goes to the wall; with torque and next to no weight nothing static holds
+   !> it there, so that only its leaving is looked at.
+   subroutine test_torque_and_compression()
+      real(wp), parameter :: length = 60.0_wp, share(3) = [0.0_wp, 0.1_wp, 0.3_wp], ratio(2) = [0.97_wp, 1.03_wp], gap = 0.5_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      type(error_type), allocatable :: error
+      real(wp) :: ei, torque, load
+      integer :: i, j
+      do i = 1, size(share)
+         do j = 1, size(ratio)
+            call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], 0.01_wp, 0.0_wp, gap, component)
+            ei = bending_stiffness(component)
+            torque = share(i)*2.0_wp*pi*ei/length
+            load = ratio(j)*(pi**2*ei/length**2)*(1.0_wp - share(i)**2)
+            if (j == 1) then
+               call solve(model, operation_rotary_drilling, load, torque, result, 'shaft')
+               call assertLessThan(maxval(result%profile%displacement), 0.1_wp*gap, message='rests')
+               call assertEqual(torque, result%torque, 1.0e-9_wp*max(torque, 1.0_wp), message='torque')
+               cycle
+            end if
+            model%cases(1)%operation = operation_rotary_drilling
+            model%cases(1)%wob = load
+            model%cases(1)%tob = torque
+            model%numerics%max_iterations = 120
+            call solve_static_analysis(model, 1, result, error)
+            call assertFalse(allocated(error))
+            call assertGreaterThan(maxval(result%profile%displacement), 0.9_wp*gap, message='leaves')
+         end do
+      end do
+   end subroutine test_torque_and_compression
+
+   !> A heavy vertical string held on the axis at both ends, 8 (EI/w)^(1/3) long, buckles at 1.9370 (EI w^2)^(1/3) on the bit
+   !> (Lubinski 1950 has 1.94), one of 30 at 1.6420: least F of EI v'''' + ((F - w x) v')' = 0, v = v'' = 0 at both ends, solved by
+   !> 300 cubic elements (1.7110 at 20, 1.5497 at 60; it falls towards 1.0188 as the length grows without bound).
+   subroutine test_vertical_by_length()
+      real(wp), parameter :: weight = 315.0_wp, units(2) = [8.0_wp, 30.0_wp], factor(2) = [1.9370_wp, 1.6420_wp]
+      real(wp), parameter :: ratio(2) = [0.97_wp, 1.03_wp], gap = 0.1_wp, still = 1.0e-6_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: ei
+      integer :: i, j
+      do i = 1, size(units)
+         do j = 1, size(ratio)
+            component = pipe(weight, od, id, youngs)
+            ei = bending_stiffness(component)
+            call hole_with_pipe(model, [0.0_wp, units(i)*(ei/weight)**(1.0_wp/3.0_wp)], [0.0_wp, 0.0_wp], weight, 0.0_wp, gap, &
+                                component)
+            call solve(model, operation_static, ratio(j)*factor(i)*(ei*weight**2)**(1.0_wp/3.0_wp), 0.0_wp, result, 'heavy string')
+            call note('units long', units(i))
+            call note('off the axis', maxval(result%profile%displacement))
+            if (j == 1) call assertLessThan(maxval(result%profile%displacement), still, message='stands')
+            if (j == 2) call assertGreaterThan(maxval(result%profile%displacement), 0.5_wp*gap, message='buckles')
+         end do
+      end do
+   end subroutine test_vertical_by_length
+
+   !> Other steps, other viscosities on the way: the same rest, to what the tolerance of the residual leaves of it. And no more than
+   !> some times the iterations of the string that lies.
+   subroutine test_regularisation_leaves_no_trace()
+      real(wp), parameter :: limit(3) = [0.5_wp, 1.0_wp, 2.0_wp], weight = 315.0_wp, length = 400.0_wp
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: onset, hookload, contact, turn
+      integer :: i
+      hookload = 0.0_wp
+      contact = 0.0_wp
+      turn = 0.0_wp
+      do i = 1, size(limit)
+         call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], weight, 0.1_wp, clearance, component)
+         onset = 2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
+         model%numerics%viscous_limit = limit(i)
+         call solve(model, operation_sliding_drilling, 1.15_wp*onset, 0.0_wp, result, 'snake with friction')
+         call note('hook load', result%hookload)
+         call note('contact', result%normal_force)
+         call note('snake', snake(result, 100.0_wp))
+         if (i > 1) then
+            call assertRelativelyEqual(hookload, result%hookload, 1.0e-8_wp, message='hook load')
+            call assertRelativelyEqual(contact, result%normal_force, 1.0e-6_wp, message='contact force')
+            call assertRelativelyEqual(turn, snake(result, 100.0_wp), 1.0e-5_wp, message='snake')
+         end if
+         hookload = result%hookload
+         contact = result%normal_force
+         turn = snake(result, 100.0_wp)
+      end do
+   end subroutine test_regularisation_leaves_no_trace
 end module dg_test_buckling
