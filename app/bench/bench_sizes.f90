@@ -15,7 +15,7 @@ module dg_bench_sizes
 
    !> Meshes of more elements are solved once.
    integer, parameter :: many_elements = 20000
-   real(wp), parameter :: kilobyte = 1024.0_wp, microseconds = 1.0e6_wp
+   real(wp), parameter :: kilobyte = 1024.0_wp, microseconds = 1.0e6_wp, kilonewton = 1.0e3_wp
 
 contains
 
@@ -33,7 +33,8 @@ contains
       logical :: known
       character(14) :: kilobytes, note
       write (output_unit, '(/,a)') 'Whole solutions, '//model%cases(case_index)%name//', against the size of the mesh'
-      write (output_unit, '(a)') 'elements  length m  iterations     seconds  us/element/iteration  peak kB/element'
+      write (output_unit, '(a)') 'elements  length m  iterations     seconds  us/element/iteration  peak kB/element  '// &
+         'hook load kN  torque kN.m  contact kN  balance kN'
       sized = model
       do i = 1, size(lengths)
          sized%numerics%element_length = lengths(i)
@@ -56,10 +57,12 @@ contains
          if (known) write (kilobytes, '(f14.2)') memory/(kilobyte*elements(i))
          note = ''
          if (result%status /= result_converged) note = 'not converged'
-         write (output_unit, '(i8,f10.3,i12,f12.4,f22.2,3x,a,2x,a)') result%elements, lengths(i), result%iterations, &
-            median(seconds(:times)), microseconds*cost(i)/elements(i), kilobytes, trim(note)
+         write (output_unit, '(i8,f10.3,i12,f12.4,f22.2,3x,a,f14.5,f13.6,f12.4,es12.1,2x,a)') result%elements, lengths(i), &
+            result%iterations, median(seconds(:times)), microseconds*cost(i)/elements(i), kilobytes, &
+            [result%hookload, result%torque, result%normal_force, result%equilibrium_force]/kilonewton, trim(note)
          deallocate (result)
       end do
+      write (output_unit, '(a)') 'balance: what is left of the sum of all forces; with shorter elements round-off leaves more of it'
       write (output_unit, '(a,f5.2)') 'growth of seconds an iteration with elements, exponent', &
          log(cost(size(lengths))/cost(1))/log(elements(size(lengths))/elements(1))
    end subroutine print_sizes

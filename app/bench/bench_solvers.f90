@@ -88,7 +88,7 @@ contains
       factor = microseconds*median(factors)/(real(times, wp)*chain%mesh%elements)
       substitution = microseconds*median(substitutions)/(real(times, wp)*chain%mesh%elements)
       select case (kind)
-      case (solver_block); fill = real(2*block_size**2, wp)
+      case (solver_block); fill = real(block_size**2, wp)      ! beside the matrix itself, which is kept
       case (solver_banded); fill = real(size(band%band, 1), wp)*block_size
       case default; fill = real(sparse%fill, wp)/chain%mesh%elements
       end select

@@ -1,6 +1,7 @@
 !> Elimination of a chain of nodes block by block (6 x 6), rows exchanged only within a block.
 !>
-!> One pass down: D_n <- D_n - L_(n-1) V_(n-1), V_n = D_n^-1 U_n. A fifth of the work of a band LU, at a price: no row is
+!> One pass down: D_n <- D_n - L_(n-1) V_(n-1), V_n = D_n^-1 U_n, of which only the last is kept: the way back solves with
+!> D_n again, which costs no more than reading V. A fifth of the work of a band LU, at a price: no row is
 !> exchanged between nodes, so that a nearly singular block may let numbers grow. The solution is therefore refined against
 !> the matrix itself, and what the last correction says of the error is returned; where it is not small the caller
 !> takes the band solver instead. For a symmetric matrix the same pass with Cholesky's factors of the blocks tells
@@ -14,8 +15,7 @@ module dg_block_solver
 
    type :: block_solver_type
       real(wp), allocatable :: factor(:, :, :)  !< LU factors of the pivot blocks (6,6,nodes)
-      real(wp), allocatable :: coupling(:, :, :) !< V (6,6,nodes-1)
-      integer, allocatable :: pivot(:, :)        !< rows exchanged within the blocks (6,nodes)
+      integer, allocatable :: pivot(:, :)       !< rows exchanged within the blocks (6,nodes)
    end type block_solver_type
 
    !> Right-hand sides of a pivot block: the coupling's six and the load's, and one that makes them even in number.
@@ -28,7 +28,6 @@ contains
       integer, intent(in) :: nodes
       type(block_solver_type), intent(out) :: solver
       allocate (solver%factor(block_size, block_size, nodes), source=0.0_wp)
-      allocate (solver%coupling(block_size, block_size, max(nodes - 1, 1)), source=0.0_wp)
       allocate (solver%pivot(block_size, nodes), source=0)
    end subroutine new_block_solver
 
@@ -39,43 +38,35 @@ contains
       type(block_matrix_type), intent(in) :: matrix
       integer, intent(out) :: info
       real(wp), intent(inout), optional :: x(:, :)
-      real(wp) :: rows(sides, block_size), before(block_size)
+      real(wp) :: rows(sides, block_size), coupling(block_size, block_size), before(block_size)
       integer :: n, i, nodes
       logical :: regular
       nodes = size(matrix%diagonal, 3)
       info = 0
       rows = 0.0_wp
+      coupling = 0.0_wp
       before = 0.0_wp
       do n = 1, nodes
          solver%factor(:, :, n) = matrix%diagonal(:, :, n)
-         if (n > 1) call subtract_product(matrix%lower(:, :, n - 1), solver%coupling(:, :, n - 1), solver%factor(:, :, n))
+         if (n > 1) call subtract_product(matrix%lower(:, :, n - 1), coupling, solver%factor(:, :, n))
          call factor_block(solver%factor(:, :, n), solver%pivot(:, n), regular)
          if (.not. regular) then
             info = n
             return
          end if
-         if (n < nodes) then
-            do i = 1, block_size
-               rows(1:block_size, i) = matrix%upper(i, :, n)
-            end do
-         end if
          if (present(x)) then
-            if (n > 1) then
-               rows(sides, :) = less_product(x(:, n), matrix%lower(:, :, n - 1), before)
-            else
-               rows(sides, :) = x(:, n)
-            end if
+            if (n > 1) x(:, n) = less_product(x(:, n), matrix%lower(:, :, n - 1), before)
+            rows(sides, :) = x(:, n)
          end if
+         if (n == nodes) exit
+         do i = 1, block_size
+            rows(1:block_size, i) = matrix%upper(i, :, n)
+         end do
          call solve_rows(solver%factor(:, :, n), solver%pivot(:, n), rows)
-         if (n < nodes) then
-            do i = 1, block_size
-               solver%coupling(i, :, n) = rows(1:block_size, i)
-            end do
-         end if
-         if (present(x)) then
-            before = rows(sides, :)
-            x(:, n) = before
-         end if
+         do i = 1, block_size
+            coupling(i, :) = rows(1:block_size, i)
+         end do
+         before = rows(sides, :)
       end do
    end subroutine block_factor
 
@@ -84,22 +75,26 @@ contains
       type(block_solver_type), intent(in) :: solver
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(inout) :: x(:, :)
+      real(wp) :: before(block_size)
       integer :: n
-      call solve_vector(solver%factor(:, :, 1), solver%pivot(:, 1), x(:, 1))
       do n = 2, size(x, 2)
-         x(:, n) = less_product(x(:, n), matrix%lower(:, :, n - 1), x(:, n - 1))
-         call solve_vector(solver%factor(:, :, n), solver%pivot(:, n), x(:, n))
+         before = x(:, n - 1)
+         call solve_vector(solver%factor(:, :, n - 1), solver%pivot(:, n - 1), before)
+         x(:, n) = less_product(x(:, n), matrix%lower(:, :, n - 1), before)
       end do
-      call block_back(solver, x)
+      call block_back(solver, matrix, x)
    end subroutine block_solve
 
    !> Back substitution of a right-hand side that has been eliminated forward.
-   pure subroutine block_back(solver, x)
+   pure subroutine block_back(solver, matrix, x)
       type(block_solver_type), intent(in) :: solver
+      type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(inout) :: x(:, :)
-      integer :: n
-      do n = size(x, 2) - 1, 1, -1
-         x(:, n) = less_product(x(:, n), solver%coupling(:, :, n), x(:, n + 1))
+      integer :: n, nodes
+      nodes = size(x, 2)
+      do n = nodes, 1, -1
+         if (n < nodes) x(:, n) = less_product(x(:, n), matrix%upper(:, :, n), x(:, n + 1))
+         call solve_vector(solver%factor(:, :, n), solver%pivot(:, n), x(:, n))
       end do
    end subroutine block_back
 
@@ -226,24 +221,26 @@ contains
       real(wp), intent(in) :: a(block_size, block_size)
       integer, intent(in) :: pivot(block_size)
       real(wp), intent(inout) :: x(block_size)
-      real(wp) :: swap
-      integer :: i, k
+      real(wp) :: y(block_size), swap
+      integer :: k
+      y = x
       do k = 1, block_size
-         swap = x(k)
-         x(k) = x(pivot(k))
-         x(pivot(k)) = swap
+         swap = y(k)
+         y(k) = y(pivot(k))
+         y(pivot(k)) = swap
       end do
-      do k = 1, block_size - 1
-         do i = k + 1, block_size
-            x(i) = x(i) - a(i, k)*x(k)
-         end do
-      end do
-      do k = block_size, 1, -1
-         x(k) = x(k)*a(k, k)
-         do i = 1, k - 1
-            x(i) = x(i) - a(i, k)*x(k)
-         end do
-      end do
+      y(2) = y(2) - a(2, 1)*y(1)
+      y(3) = y(3) - a(3, 1)*y(1) - a(3, 2)*y(2)
+      y(4) = y(4) - a(4, 1)*y(1) - a(4, 2)*y(2) - a(4, 3)*y(3)
+      y(5) = y(5) - a(5, 1)*y(1) - a(5, 2)*y(2) - a(5, 3)*y(3) - a(5, 4)*y(4)
+      y(6) = y(6) - a(6, 1)*y(1) - a(6, 2)*y(2) - a(6, 3)*y(3) - a(6, 4)*y(4) - a(6, 5)*y(5)
+      y(6) = y(6)*a(6, 6)
+      y(5) = (y(5) - a(5, 6)*y(6))*a(5, 5)
+      y(4) = (y(4) - a(4, 6)*y(6) - a(4, 5)*y(5))*a(4, 4)
+      y(3) = (y(3) - a(3, 6)*y(6) - a(3, 5)*y(5) - a(3, 4)*y(4))*a(3, 3)
+      y(2) = (y(2) - a(2, 6)*y(6) - a(2, 5)*y(5) - a(2, 4)*y(4) - a(2, 3)*y(3))*a(2, 2)
+      y(1) = (y(1) - a(1, 6)*y(6) - a(1, 5)*y(5) - a(1, 4)*y(4) - a(1, 3)*y(3) - a(1, 2)*y(2))*a(1, 1)
+      x = y
    end subroutine solve_vector
 
    !> c <- c - w w^T, lower triangle.

@@ -55,7 +55,7 @@ contains
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block) then
             call block_factor(solver%block, matrix, info, x)
-            if (info == 0) call block_back(solver%block, x)
+            if (info == 0) call block_back(solver%block, matrix, x)
          else
             call sparse_factor(solver%sparse, matrix, info)
             if (info == 0) call sparse_solve(solver%sparse, x)

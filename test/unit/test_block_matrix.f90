@@ -119,7 +119,7 @@ contains
       ! the right-hand side eliminated along with the matrix
       x = reshape(b, [6, nodes])
       call block_factor(solver, matrix, info, x)
-      call block_back(solver, x)
+      call block_back(solver, matrix, x)
       call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-11_wp)
    end subroutine test_block_solution
 
