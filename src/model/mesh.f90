@@ -7,7 +7,7 @@ module dg_mesh
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter, &
                            effective_joint_length, has_joints, torsional_stiffness
-   use dg_drillstring, only: at_joint, component_at, component_tops, joint_ends
+   use dg_drillstring, only: at_joint, blade_places, component_at, component_tops, joint_ends
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: friction_split, load_case_type
    use dg_model, only: model_type, string_index
@@ -148,6 +148,7 @@ contains
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
+      breaks = [breaks, bit - blade_places(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)

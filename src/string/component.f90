@@ -7,7 +7,7 @@ module dg_component
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, buoyed_weight, has_joints, effective_joint_length
+   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -76,14 +76,21 @@ contains
       diameter = max(component%joint_od, component%od)
    end function contact_diameter
 
-   !> Whether the component touches at joints spaced along it, its body between them being thinner. Stabilisers and other tools
-   !> touch at their joint_od all along.
+   !> Whether the component touches at joints spaced along it, its body between them being thinner.
    elemental function has_joints(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
-      has = component%joint_od > component%od
-      if (has .and. allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) /= 1
+      has = component%joint_od > component%od .and. .not. has_blades(component)
    end function has_joints
+
+   !> Whether the component is a stabiliser, which touches at its joint_od all along.
+   elemental function has_blades(component) result(has)
+      type(component_type), intent(in) :: component
+      logical :: has
+      has = .false.
+      if (component%joint_od > component%od .and. allocated(component%kind)) &
+         has = index(lower_case(component%kind), stabiliser) == 1
+   end function has_blades
 
    !> Length of one tool joint [m].
    elemental function effective_joint_length(component) result(length)

@@ -1,15 +1,19 @@
 !> A drillstring: named components in order from the bit upwards.
 module dg_drillstring
    use dg_kinds, only: wp
-   use dg_component, only: component_type, effective_joint_length, has_joints
+   use dg_component, only: component_type, effective_joint_length, has_blades, has_joints
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, at_joint
+   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, at_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
       type(component_type), allocatable :: components(:) !< from the bit upwards
    end type drillstring_type
+
+   !> Longest piece of a stabiliser that may touch at one place alone [m]. Where on its blades an assembly rests moves the
+   !> side force at the bit by some per cent for every 0.1 m.
+   real(wp), parameter :: blade_piece = 0.25_wp
 
 contains
 
@@ -61,6 +65,26 @@ contains
          bottom = tops(i)
       end do
    end function joint_ends
+
+   !> Places within stabilisers where they are divided, as distances above the bit [m].
+   pure function blade_places(string, tops) result(places)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), allocatable :: places(:)
+      real(wp) :: bottom
+      integer :: i, k, pieces
+      allocate (places(0))
+      bottom = 0.0_wp
+      do i = 1, size(tops)
+         if (has_blades(string%components(i))) then
+            pieces = ceiling((tops(i) - bottom)/blade_piece)
+            do k = 1, pieces - 1
+               places = [places, bottom + (tops(i) - bottom)*k/pieces]
+            end do
+         end if
+         bottom = tops(i)
+      end do
+   end function blade_places
 
    !> Whether a place, by its distance above the lower end of its component [m], is at a tool joint.
    pure function at_joint(component, distance) result(at)

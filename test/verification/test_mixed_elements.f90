@@ -39,25 +39,20 @@ contains
       call suite%addTest(TestMethod('cut_trajectory', test_cut))
    end function mixed_elements_suite
 
-   !> Vertical to 300 m, built to 50 deg, held; two stabilisers in 60 m of collars under drill pipe; the bit held on the axis. The
-   !> blades are three parts of 0.5 m each: an element touches at one place, and where on 1.5 m that is depends on how it came to rest.
+   !> Vertical to 300 m, built to 50 deg, held; two stabilisers in 60 m of collars under drill pipe; the bit held on the axis.
    subroutine build(model, md)
       type(model_type), intent(out) :: model
       real(wp), intent(in) :: md(:)
       call new_well(model, md, [0.0_wp, 0.0_wp, 50.0_wp, 50.0_wp], [0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], 0.2159_wp, 0.25_wp, &
                     pipe(300.0_wp, 0.127_wp, 0.1086_wp))
       deallocate (model%strings(1)%components)
-      allocate (model%strings(1)%components(10))
+      allocate (model%strings(1)%components(6))
       model%strings(1)%components(1) = collar(2.0_wp, 0.0_wp)
-      model%strings(1)%components(2) = collar(0.5_wp, 0.2143_wp)
-      model%strings(1)%components(3) = collar(0.5_wp, 0.2143_wp)
-      model%strings(1)%components(4) = collar(0.5_wp, 0.2143_wp)
-      model%strings(1)%components(5) = collar(15.0_wp, 0.0_wp)
-      model%strings(1)%components(6) = collar(0.5_wp, 0.2111_wp)
-      model%strings(1)%components(7) = collar(0.5_wp, 0.2111_wp)
-      model%strings(1)%components(8) = collar(0.5_wp, 0.2111_wp)
-      model%strings(1)%components(9) = collar(assembly - 20.0_wp, 0.0_wp)
-      model%strings(1)%components(10) = pipe(300.0_wp, 0.127_wp, 0.1086_wp)
+      model%strings(1)%components(2) = collar(1.5_wp, 0.2143_wp)
+      model%strings(1)%components(3) = collar(15.0_wp, 0.0_wp)
+      model%strings(1)%components(4) = collar(1.5_wp, 0.2111_wp)
+      model%strings(1)%components(5) = collar(assembly - 20.0_wp, 0.0_wp)
+      model%strings(1)%components(6) = pipe(300.0_wp, 0.127_wp, 0.1086_wp)
       model%boundary%bit_centred = .true.
       model%numerics%mixed_elements = .true.
       model%numerics%wall_climb = .true.

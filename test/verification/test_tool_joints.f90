@@ -7,13 +7,16 @@
 !> mid-span: largest at the joint, kL/tanh(kL), or at mid-span, kL/sin(kL).
 module dg_test_tool_joints
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: degree
+   use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static
    use dg_model, only: model_type
    use dg_profile, only: state_free
+   use dg_soft_string, only: solve_soft_string
    use dg_test_wells, only: new_well, note, pipe, solve
    implicit none
    private
@@ -88,6 +91,7 @@ contains
          call note('at mid-span, over kL/sinh(kL)', at_middle*sinh(kl(i))/kl(i))
          call assertRelativelyEqual(kl(i)/tanh(kl(i)), at_joint, one_percent, message='at the joint')
          call assertRelativelyEqual(kl(i)/sinh(kl(i)), at_middle, one_percent, message='at mid-span')
+         call assertRelativelyEqual(at_joint, told(stiffness()*(kl(i)/half)**2), one_percent, message='as the soft string tells it')
       end do
    end subroutine test_tension
 
@@ -101,8 +105,26 @@ contains
          call note('at mid-span, over kL/sin(kL)', at_middle*sin(kl(i))/kl(i))
          call assertRelativelyEqual(kl(i)/sin(kl(i)), at_middle, one_percent, message='at mid-span')
          call assertLessThan(at_joint, at_middle, message='less at the joint')
+         call assertRelativelyEqual(at_middle, told(-stiffness()*(kl(i)/half)**2), one_percent, &
+                                    message='as the soft string tells it')
       end do
    end subroutine test_compression
+
+   !> The magnification that the profile of a soft string gives under an axial force [N].
+   function told(axial) result(factor)
+      real(wp), intent(in) :: axial
+      real(wp) :: factor
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(error_type), allocatable :: error
+      call build(model, radius)
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = -axial
+      call solve_soft_string(model, 1, result, error)
+      call find_along_string(model, result, along)
+      factor = along%magnification(row(result, spans_below))
+   end function told
 
    pure function stiffness() result(ei)
       real(wp) :: ei
