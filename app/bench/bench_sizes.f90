@@ -62,7 +62,7 @@ contains
             [result%hookload, result%torque, result%normal_force, result%equilibrium_force]/kilonewton, trim(note)
          deallocate (result)
       end do
-      write (output_unit, '(a)') 'balance: what is left of the sum of all forces; with shorter elements round-off leaves more of it'
+      write (output_unit, '(a)') 'balance: what is left of the sum of all forces on the string'
       write (output_unit, '(a,f5.2)') 'growth of seconds an iteration with elements, exponent', &
          log(cost(size(lengths))/cost(1))/log(elements(size(lengths))/elements(1))
    end subroutine print_sizes
