@@ -2,7 +2,7 @@
 module dg_calibration_result
    use dg_kinds, only: wp
    use dg_fit_statistics, only: find_statistics, statistics_type
-   use dg_least_squares, only: fit_done, fit_type
+   use dg_least_squares, only: fit_done, fit_type, fit_without_values
    implicit none
    private
    public :: calibration_result_type, judge_fit, verdict_of
@@ -28,13 +28,14 @@ module dg_calibration_result
 
 contains
 
-   !> Statistics of what was fitted.
+   !> Statistics of what was fitted; of nothing where the function had no values.
    subroutine judge_fit(result, measured, deviation, deviations_known)
       type(calibration_result_type), intent(inout) :: result
       real(wp), intent(in) :: measured(:), deviation(:)
       logical, intent(in) :: deviations_known
       call find_statistics(result%fit%jacobian, (result%fit%values - measured)/deviation, &
-                           .not. (result%fit%at_bound .or. result%fit%unfelt), deviations_known, result%statistics)
+                           .not. (result%fit%at_bound .or. result%fit%unfelt) .and. result%fit%status /= fit_without_values, &
+                           deviations_known, result%statistics)
    end subroutine judge_fit
 
    !> What a found value is worth.

@@ -10,7 +10,8 @@ module dg_calibration_file
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, operation_name
-   use dg_missing, only: is_missing
+   use dg_least_squares, only: fit_done
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type
    implicit none
@@ -169,9 +170,12 @@ contains
       type(calibration_result_type), intent(in) :: result
       integer, intent(in) :: number
       type(field_list_type), intent(inout) :: row
+      real(wp) :: after
       integer :: i
       row%count = 0
-      associate (datum => calibration%data(number), after => result%fit%values(number), before => result%before(number))
+      after = missing
+      if (result%fit%status == fit_done) after = result%fit%values(number)
+      associate (datum => calibration%data(number), before => result%before(number))
          associate (case => model%cases(calibration%cases(datum%case)))
             call put(row, calibration%name)
             call put(row, trim(model_name(result%model)))
@@ -185,20 +189,29 @@ contains
             end do
          end if
          call put(row, datum%measured)
-         call put(row, before)
-         call put(row, after)
+         call put(row, known(before))
+         call put(row, known(after))
          if (datum%kind == hookload_datum) then
             do i = 1, 3
                call put_none(row)
             end do
          end if
-         if (is_missing(before)) then
+         call put_error(before)
+         call put_error(after)
+         if (is_missing(after)) then
             call put_none(row)
          else
-            call put(row, percent_error(before, given(datum%measured)))
+            call put(row, (after - datum%measured)/datum%deviation)
          end if
-         call put(row, percent_error(after, given(datum%measured)))
-         call put(row, (after - datum%measured)/datum%deviation)
       end associate
+   contains
+      subroutine put_error(calculated)
+         real(wp), intent(in) :: calculated
+         if (is_missing(calculated)) then
+            call put_none(row)
+         else
+            call put(row, percent_error(calculated, given(calibration%data(number)%measured)))
+         end if
+      end subroutine put_error
    end subroutine datum_fields
 end module dg_calibration_file

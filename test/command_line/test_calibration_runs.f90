@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
       call suite%addTest(TestMethod('threads', test_threads))
       call suite%addTest(TestMethod('not_separated', test_not_separated))
+      call suite%addTest(TestMethod('no_fit', test_no_fit))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
    end function calibration_runs_suite
 
@@ -134,6 +135,23 @@ contains
       call assertEqual('not_separated', field(lines(2)%text, 12), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 9), message='no interval')
    end subroutine test_not_separated
+
+   !> A model that finds no solution: said by name, marked in the files, status 3.
+   subroutine test_no_fit()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, "&calibrate name = 'k', model = 'mcge' /"//newline// &
+                                        "&solver max_iterations = 1 /"))
+      call assertEqual(3, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'calibration ''k'', model mcge: no fit; load case ''a'' has no solution') > 0, &
+                      message=run%diagnostics)
+      allocate (lines, source=lines_of('calibration.csv'))
+      call assertEqual('no_fit', field(lines(2)%text, 12), message=lines(2)%text)
+      deallocate (lines)
+      allocate (lines, source=lines_of('calibration_data.csv'))
+      call assertEqual('', field(lines(2)%text, 7), message=lines(2)%text)
+      call assertEqual('', field(lines(2)%text, 8), message=lines(2)%text)
+   end subroutine test_no_fit
 
    !> What the data of the straight deck (group in line 10) cannot answer.
    subroutine test_bad_groups()
