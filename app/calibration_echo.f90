@@ -1,24 +1,40 @@
 !> Tells what a deck's calibrations ask for as the program understood it.
 module dg_calibration_echo
+   use dg_kinds, only: wp
    use dg_calibration, only: parameter_name
    use dg_job, only: job_type, model_name
+   use dg_sticking, only: find_free_point, sticking_name
    use dg_text, only: append_text, joined, text_type, to_text
    implicit none
    private
    public :: add_calibrations
 
+   !> Significant digits of a length.
+   integer, parameter :: digits = 7
+
 contains
 
-   !> One line a calibration.
+   !> One line a calibration, one a held string.
    pure subroutine add_calibrations(lines, job)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(job_type), intent(in) :: job
+      real(wp) :: where
       integer :: i
       do i = 1, size(job%calibrations)
          associate (calibration => job%calibrations(i))
             call append_text(lines, 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
                joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
                to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases')
+         end associate
+      end do
+      do i = 1, size(job%stickings)
+         associate (sticking => job%stickings(i))
+            where = sticking%depth
+            if (sticking%kind == find_free_point) where = sticking%stretch
+            call append_text(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
+               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
+               to_text(where/job%units%length, digits)//' '//trim(job%units%length_label)//'; '// &
+               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
          end associate
       end do
    end subroutine add_calibrations

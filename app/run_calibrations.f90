@@ -6,15 +6,15 @@ module dg_run_calibrations
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
-   use dg_error, only: error_type
-   use dg_interruption, only: is_interrupted
+   use dg_error, only: error_type, raise, status_failure
+   use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_least_squares, fit_without_values
    use dg_model, only: model_type
    use dg_progress, only: seconds_between
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
-   use dg_text, only: quoted, text_type
+   use dg_text, only: quoted, text_type, to_text
    use dg_version, only: program_name
    implicit none
    private
@@ -71,6 +71,8 @@ contains
       call run_stickings(unit, job, model, others, lost)
       lost = lost + n_lost
       call write_calibrations(job, model, owner(:n), results(:n), others, error)
+      if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
+         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done; calibration.csv holds these')
    end subroutine run_calibrations
 
    !> One calibration with one model.

@@ -2,7 +2,9 @@
 module dg_test_uncertainty_runs
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_counter_random, only: normal_number
+   use dg_error, only: error_type
    use dg_file_lines, only: read_lines
+   use dg_file_system, only: write_text_file
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, results_path, run_deck_text, run_program, run_type, replaced
    use dg_sample_statistics, only: distribution_type, find_distribution, p10, p50, p90
@@ -27,6 +29,7 @@ contains
       call suite%addTest(TestMethod('gauge', test_gauge))
       call suite%addTest(TestMethod('threads_and_seeds', test_threads))
       call suite%addTest(TestMethod('parts', test_parts))
+      call suite%addTest(TestMethod('resumed', test_resumed))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
    end function uncertainty_runs_suite
 
@@ -129,6 +132,48 @@ contains
       allocate (two, source=lines_of())
       call compare(one, two)
    end subroutine test_parts
+
+   !> A record that an interrupted run left, its last line cut short, is gone on with and gives the same file; one of another
+   !> seed is refused, and the difference named. The gauges may change: they come in when all is solved.
+   subroutine test_resumed()
+      character(*), parameter :: whole = results_path//'/uncertainty_m.part_1_of_1'
+      character(*), parameter :: partial = results_path//'/uncertainty_m.partial'
+      integer, parameter :: kept = 100
+      type(run_type) :: run
+      type(text_type), allocatable :: one(:), two(:), lines(:)
+      type(error_type), allocatable :: error
+      character(:), allocatable :: failure
+      run = run_deck_text(all_unsure())
+      allocate (one, source=lines_of())
+      run = run_program(again//'--part 1/1')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call read_lines(whole, lines, failure)
+      call assertEqual('', failure)
+      lines = lines(:size(lines) - kept)
+      lines(size(lines))%text = lines(size(lines))%text(:10)
+      call write_text_file(partial, lines, error)
+      run = run_program(again)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'uncertainty ''m'': ') > 0, message=run%diagnostics)
+      call assertTrue(index(run%output, to_text(kept + 1)//' solutions in') > 0, message=run%output)
+      allocate (two, source=lines_of())
+      call compare(one, two)
+      call write_text_file(partial, lines, error)
+      call write_text_file(deck_path, [deck_lines('seed = 2, torque_deviation = 0.2')], error)
+      run = run_program(again)
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'seed was 1 and is 2') > 0, message=run%diagnostics)
+      call write_text_file(deck_path, [deck_lines('torque_deviation = 0.2')], error)
+      run = run_program(again)
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine test_resumed
+
+   !> The deck of all_unsure with another gauge, as one line of a file.
+   function deck_lines(instead) result(line)
+      character(*), intent(in) :: instead
+      type(text_type) :: line
+      line%text = replaced(all_unsure(), 'torque_deviation = 0.1', instead)
+   end function deck_lines
 
    subroutine compare(one, two)
       type(text_type), intent(in) :: one(:), two(:)
