@@ -6,12 +6,16 @@ summary.csv converged, and its page and pictures are there. Beams and soft strin
 the hook load within the limit below: what a slip in a deck (a diameter, a unit) would break. What a comment '! prints: ...'
 promises must stand in the output.
 
+Every deck converted to the other units and back means the same.
+
 Usage: check_samples.py PROGRAM RESULTS_FOLDER
 """
 import csv
 import pathlib
+import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 # Checked with more care elsewhere: gp1 by check_gp1.py, sweep_gp1 with its parts by .ci/run.
@@ -43,10 +47,32 @@ def faults_of(program, deck, folder):
     return faults
 
 
+def faults_of_conversion(program, deck, inputs):
+    """To the other units and back: both decks are without fault, and what a check prints is what it printed first."""
+    printed = [subprocess.run([program, "--check", inputs / deck.name], capture_output=True, text=True, check=False).stdout]
+    source = inputs / deck.name
+    for name in ("there", "back"):
+        converted = subprocess.run([program, "--convert", source], capture_output=True, text=True, check=False)
+        if converted.returncode != 0:
+            return [f"conversion {name} ended with status {converted.returncode}: {converted.stderr.strip()}"]
+        source = inputs / f"{deck.stem}_{name}.nml"
+        source.write_text(converted.stdout, encoding="utf-8")
+        run = subprocess.run([program, "--check", source], capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            return [f"converted {name} it is refused: {run.stderr.strip()}"]
+        printed.append(run.stdout)
+    first, last = ([line for line in text.splitlines() if deck.stem not in line] for text in (printed[0], printed[-1]))
+    return [f"converted to and fro: {b}, was: {a}" for a, b in zip(first, last) if a != b]
+
+
 def main():
     program, results = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
     decks = [deck for deck in sorted(pathlib.Path("input").glob("*.nml")) if deck.name not in ELSEWHERE]
     faults = [f"{deck}: {fault}" for deck in decks for fault in faults_of(program, deck, results / deck.stem)]
+    with tempfile.TemporaryDirectory() as folder:
+        inputs = pathlib.Path(shutil.copytree("input", pathlib.Path(folder) / "input"))
+        faults += [f"{deck}: {fault}" for deck in sorted(pathlib.Path("input").glob("*.nml"))
+                   for fault in faults_of_conversion(program, deck, inputs)]
     print(f"{len(decks)} decks")
     for fault in faults:
         print("FAULT", fault)

@@ -20,6 +20,8 @@ module dg_case_pictures
    integer, parameter :: digits = 8
    !> Most marks of a kind in a panel: more make a band and a large file, and tell no more.
    integer, parameter :: most_marks = 300
+   !> Most points of a line: more than pixels on paper, and a page of many cases can still be mailed.
+   integer, parameter :: most_points = 3000
    !> Size of the pictures [px], and the parts of their height that hold panels and legend.
    integer, parameter :: width = 1120, height = 580
    real(wp), parameter :: panel_bottom = 0.125_wp, panel_top = 0.84_wp, legend_top = 0.92_wp
@@ -97,8 +99,9 @@ contains
          character(*), intent(in) :: x, y
          character(:), allocatable :: thinned
          if (allocated(series)) deallocate (series)
-         thinned = thinning(n)
-         call add_series(series, data//' using ('//x//'):('//y//')', "with lines lw 1.5 lc rgb '"//colour_grey//"'", &
+         thinned = thinning(n, most_marks)
+         call add_series(series, data//' using ('//x//'):('//y//')'//thinning(n, most_points), &
+                         "with lines lw 1.5 lc rgb '"//colour_grey//"'", &
                          'hole; no mark: string free')
          call add_series(series, data//" using (touches('elastic', "//x//')):('//y//')'//thinned, mark_style(1, 0.4_wp), &
                          'elastic contact')
@@ -222,7 +225,7 @@ contains
          if (allocated(series)) deallocate (series)
          do k = 1, size(results)
             call add_series(series, curve(k, "stringcolumn('gap_state') eq 'free' ? NaN : "//value('clock'))// &
-                            thinning(size(results(k)%profile%md)), mark_style(k, 0.35_wp), '')
+                            thinning(size(results(k)%profile%md), most_marks), mark_style(k, 0.35_wp), '')
          end do
       end subroutine add_clock
 
@@ -233,6 +236,7 @@ contains
          character(:), allocatable :: using
          using = "'../profile_"//load_case%name//'_'//trim(model_name(results(k)%model))//".csv' using ("//expression//'):('// &
             value('md')//')'
+         if (index(expression, 'gap_state') == 0) using = using//thinning(size(results(k)%profile%md), most_points)
       end function curve
 
       pure function value(column) result(text)
@@ -296,11 +300,11 @@ contains
       quantity = found%quantity
    end function quantity_of
 
-   !> Draws every so many of `n` marks; '' draws all.
-   pure function thinning(n) result(text)
-      integer, intent(in) :: n
+   !> Draws every so many of `n` points, so that no more than `most` are drawn; '' draws all.
+   pure function thinning(n, most) result(text)
+      integer, intent(in) :: n, most
       character(:), allocatable :: text
       text = ''
-      if (n > most_marks) text = ' every '//to_text((n + most_marks - 1)/most_marks)
+      if (n > most) text = ' every '//to_text((n + most - 1)/most)
    end function thinning
 end module dg_case_pictures
