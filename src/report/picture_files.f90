@@ -14,6 +14,7 @@ module dg_picture_files
    use dg_model, only: model_type
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
+   use dg_uncertainty_picture, only: uncertainty_script
    use dg_text, only: is_separator_free, text_type, to_text
    implicit none
    private
@@ -83,6 +84,17 @@ contains
                   name = 'calibration_'//name//'_'//trim(model_name(calibration%models(k)))
                   call calibration_script(name, job, model, calibration, calibration%models(k), lines)
                   call add(name, 'Friction found from measurements, and the error before and after', 0)
+               end do
+            end associate
+         end do
+      end if
+      if (allocated(job%uncertainties)) then
+         do i = 1, size(job%uncertainties)
+            associate (range => job%uncertainties(i)%range)
+               do k = 1, size(range%models)
+                  name = 'uncertainty_'//range%name//'_'//trim(model_name(range%models(k)))
+                  call uncertainty_script(name, job%units, range, range%models(k), lines)
+                  call add(name, 'What uncertain data make of hook load and torque', 0)
                end do
             end associate
          end do

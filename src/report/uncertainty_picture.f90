@@ -1,0 +1,91 @@
+!> What uncertain data make of hook load and torque against bit depth, from uncertainty_<name>.csv: half of the samples lie below
+!> the middle line, a tenth beyond each of the outer ones.
+module dg_uncertainty_picture
+   use dg_kinds, only: wp
+   use dg_column, only: column_header, column_named, column_type, unit_text
+   use dg_gnuplot_script, only: add_series, colour_of, end_script, legend, panel, plot, series_type, start_script
+   use dg_job, only: model_name
+   use dg_load_case, only: operation_label, operation_name, rotates
+   use dg_sweep, only: sweep_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_uncertainty_file, only: uncertainty_columns
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: uncertainty_script
+
+   integer, parameter :: digits = 8
+   integer, parameter :: width = 1120, height = 600
+   character(*), parameter :: quantile(3) = [character(4) :: '_p10', '_p50', '_p90']
+
+contains
+
+   !> One model's curves.
+   subroutine uncertainty_script(name, units, range, model, lines)
+      character(*), intent(in) :: name      !< of the picture
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: range !< operations and depths
+      integer, intent(in) :: model          !< number of the model
+      type(text_type), allocatable, intent(out) :: lines(:)
+      type(series_type), allocatable :: series(:)
+      real(wp), parameter :: left = 0.075_wp, right = 0.985_wp, gap = 0.035_wp, bottom = 0.12_wp, top = 0.83_wp, &
+                             legend_top = 0.93_wp
+      real(wp) :: wide
+      integer :: i
+      logical :: with_torque
+      with_torque = any(rotates(range%operations)) .or. abs(range%tob) > 0.0_wp
+      call start_script(lines, name, width, height)
+      call append_text(lines, "pick(operation, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
+                       "' && stringcolumn('operation') eq operation ? value : NaN")
+      do i = 1, size(range%operations)
+         call add_series(series, 'NaN', look(i, 2), trim(operation_label(range%operations(i)))//', P50')
+         call add_series(series, 'NaN', look(i, 1), 'P10 and P90')
+      end do
+      call legend(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), series, top, legend_top)
+      call append_text(lines, 'set yrange ['//to_text(maxval(range%depths)/units%length, digits)//':0]')
+      wide = right - left
+      if (with_torque) wide = 0.5_wp*(right - left - gap)
+      call draw(left, 'hook load', 'hookload', 'bit depth ['//trim(units%length_label)//']', .false.)
+      if (with_torque) call draw(left + wide + gap, 'torque at the top', 'torque', '', .true.)
+      call end_script(lines)
+
+   contains
+
+      !> One panel; `turning`: only operations that have torque.
+      subroutine draw(start, label, column, depth_label, turning)
+         real(wp), intent(in) :: start
+         character(*), intent(in) :: label, column, depth_label
+         logical, intent(in) :: turning
+         type(column_type) :: shown
+         integer :: operation, k
+         deallocate (series)
+         allocate (series(0))
+         do operation = 1, size(range%operations)
+            if (turning .and. .not. (rotates(range%operations(operation)) .or. abs(range%tob) > 0.0_wp)) cycle
+            do k = 1, size(quantile)
+               call add_series(series, curve(operation, column//quantile(k)), look(operation, k), '')
+            end do
+         end do
+         shown = column_named(uncertainty_columns, column//quantile(2))
+         call panel(lines, start, start + wide, bottom, top, label//' ['//unit_text(shown%quantity, units)//']', depth_label)
+         call plot(lines, series)
+      end subroutine draw
+
+      pure function curve(operation, column) result(using)
+         integer, intent(in) :: operation
+         character(*), intent(in) :: column
+         character(:), allocatable :: using
+         using = "'../uncertainty_"//range%name//".csv' using (pick('"//trim(operation_name(range%operations(operation)))// &
+            "', column('"//column_header(column_named(uncertainty_columns, column), units)//"'))):(column('"// &
+            column_header(column_named(uncertainty_columns, 'bit_depth'), units)//"'))"
+      end function curve
+   end subroutine uncertainty_script
+
+   !> Look of an operation's quantile: the middle one whole, the outer ones dashed.
+   pure function look(operation, k) result(text)
+      integer, intent(in) :: operation, k
+      character(:), allocatable :: text
+      text = "with lines lw 2.0 lc rgb '"//colour_of(operation)//"'"
+      if (k /= 2) text = "with lines lw 1.3 dt (8,4) lc rgb '"//colour_of(operation)//"'"
+   end function look
+end module dg_uncertainty_picture
