@@ -167,8 +167,8 @@ contains
          call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
          if (lag) then
             total = sum(work%pressing)
-            drift = sum(abs(work%normal - work%pressing))/max(total, tiny(1.0_wp))
-            lag = drift > friction_drift .and. maxval(abs(newton%residual)) > calm_residual*newton%force_scale
+            drift = sum(abs(work%normal - work%pressing))
+            lag = drift > friction_drift*total .and. maxval(abs(newton%residual)) > calm_residual*newton%force_scale
          end if
          if (.not. lag) then
             work%pressing = work%normal

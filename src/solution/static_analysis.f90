@@ -41,6 +41,8 @@ module dg_static_analysis
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
+   !> Of a string without weight and load, which has no scale of its own [N].
+   real(wp), parameter :: least_scale = 1.0_wp
    !> Residual over weight at which a stage before the last is left [-].
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
    !> The same in damped Newton: a string settles among its next to unresisted modes much sooner against a soft wall [-].
@@ -317,7 +319,7 @@ contains
          call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
          allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
          allocate (newton%history(numerics%max_iterations + 1))
-         newton%force_scale = sum(mesh%weight*mesh%length) + abs(load_case%wob)
+         newton%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)
       end associate
    end subroutine prepare
