@@ -109,7 +109,6 @@ contains
       end if
       may_buckle = compressed > buckling_share
       call prepare(model, model%cases(case_index), mesh, newton, work)
-      call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
       call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
@@ -119,6 +118,8 @@ contains
          numerics%max_iterations = min(numerics%max_iterations, newton%iterations + longest_attempt(plan(attempt)))
          if (attempt == count(plan /= nothing)) numerics%max_iterations = model%numerics%max_iterations
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
+         if ((damping .or. compressed > watch_share) .and. .not. allocated(damped%lump)) &
+            call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
          if (plan(attempt) == as_it_whirls .or. (may_buckle .and. all(mesh%frame(3, 1, :) > upright))) &
             call whirling(model, case_index, mesh, work%climb)
          if (any(plan(attempt) == [other_place, other_place_damped])) &

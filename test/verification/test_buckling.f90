@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('lock_up', test_lock_up))
       call suite%addTest(TestMethod('torque_and_compression', test_torque_and_compression))
       call suite%addTest(TestMethod('vertical_by_length', test_vertical_by_length))
+      call suite%addTest(TestMethod('light_column', test_light_column))
       call suite%addTest(TestMethod('regularisation_leaves_no_trace', test_regularisation_leaves_no_trace))
    end function buckling_suite
 
@@ -295,6 +296,26 @@ contains
          end do
       end do
    end subroutine test_vertical_by_length
+
+   !> Half of Euler's load on a string of almost no weight, the wall half a metre away: it is laid as a helix at the start, and has
+   !> to find back to the axis, where it sags as a beam-column does.
+   subroutine test_light_column()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp), parameter :: length = 20.0_wp, weight = 0.1_wp, pipe_od = 0.127_wp, pipe_id = 0.1086_wp
+      real(wp) :: ei, load, sag
+      component = pipe(weight, pipe_od, pipe_id)
+      ei = bending_stiffness(component)
+      load = 0.5_wp*pi**2*ei/length**2
+      sag = weight*ei/load**2*(1.0_wp/cos(0.5_wp*sqrt(load/ei)*length) - 1.0_wp) - weight*length**2/(8.0_wp*load)
+      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], pipe_od + 1.0_wp, 0.0_wp, component)
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%numerics%element_length = 1.0_wp
+      call solve(model, operation_static, load, 0.0_wp, result, 'light column')
+      call assertRelativelyEqual(sag, maxval(result%profile%displacement), 1.0e-3_wp, message='sag')
+   end subroutine test_light_column
 
    !> Other steps, other viscosities on the way: the same rest, to what the tolerance of the residual leaves of it. And no more than
    !> some times the iterations of the string that lies.

@@ -3,11 +3,8 @@
 module dg_test_open_cases
    use funit, only: assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
-   use dg_component, only: bending_stiffness, component_type
-   use dg_constants, only: pi
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
-      operation_trip_out
+   use dg_load_case, only: operation_static, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
    use dg_test_wells, only: new_well, pipe, solve
    implicit none
@@ -21,11 +18,8 @@ contains
    function open_cases_suite() result(suite)
       type(TestSuite) :: suite
       suite = TestSuite('open_cases')
-      call suite%addTest(TestMethod('vertical_with_torque', test_vertical_with_torque))
-      call suite%addTest(TestMethod('light_column', test_light_column))
       call suite%addTest(TestMethod('stiff_walls', test_stiff_walls))
       call suite%addTest(TestMethod('severe_doglegs', test_severe_doglegs))
-      call suite%addTest(TestMethod('straight_up', test_straight_up))
       call suite%addTest(TestMethod('long_blades', test_long_blades))
    end function open_cases_suite
 
@@ -53,51 +47,13 @@ contains
       call assertRelativelyEqual(fine, result%bit_side_force, 0.02_wp, message='side force')
    end subroutine test_long_blades
 
-   !> Collars past Lubinski's load in an exactly vertical hole, with torque on bit: w L - WOB. The buckled string may turn about
-   !> the hole axis at no cost; torque that follows its tangent, or circumferential friction, turns it for ever. Without torque, or
-   !> in a hole of 0.1 deg, it converges.
-   subroutine test_vertical_with_torque()
-      type(model_type) :: model
-      type(case_result_type) :: result
-      real(wp), parameter :: wob = 60.0e3_wp
-      integer :: i
-      call new_well(model, [0.0_wp, 400.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.2159_wp, 0.3_wp, &
-                    pipe(1288.0_wp, 0.17145_wp, 0.0714_wp))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
-      do i = operation_rotary_drilling, operation_sliding_drilling
-         call solve(model, i, wob, 2700.0_wp, result, 'vertical with torque')
-         call assertRelativelyEqual(1288.0_wp*400.0_wp - wob, result%hookload, 1.0e-3_wp, message='hook load')
-      end do
-   end subroutine test_vertical_with_torque
-
-   !> Half of Euler's load on a string of almost no weight, the wall half a metre away. The softest stage of the wall is measured
-   !> by the weight alone, and the helix laid at the start is pressed metres into it by c F**2/(4 EI).
-   subroutine test_light_column()
-      type(model_type) :: model
-      type(case_result_type) :: result
-      type(component_type) :: component
-      real(wp), parameter :: length = 20.0_wp, weight = 0.1_wp
-      real(wp) :: ei, load, sag
-      component = pipe(weight, od, id)
-      ei = bending_stiffness(component)
-      load = 0.5_wp*pi**2*ei/length**2
-      sag = weight*ei/load**2*(1.0_wp/cos(0.5_wp*sqrt(load/ei)*length) - 1.0_wp) - weight*length**2/(8.0_wp*load)
-      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], od + 1.0_wp, 0.0_wp, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
-      model%numerics%element_length = 1.0_wp
-      call solve(model, operation_static, load, 0.0_wp, result, 'light column')
-      call assertRelativelyEqual(sag, maxval(result%profile%displacement), 1.0e-3_wp, message='sag')
-   end subroutine test_light_column
-
-   !> Walls of 1e9 N/m2 and more: round-off of a position times the wall's stiffness is more than 1e-9 of the weight, so
-   !> that the residual stays at 1.3e-9 (1e9), 2e-7 (1e11), 2e-5 (1e13) with nothing else changing.
+   !> Walls of 1e11 N/m2 and more: round-off of a position times the wall's stiffness is more than 1e-9 of the weight. They
+   !> converge to what round-off leaves, and are out of balance by 1.4e-6 (1e11) and 1.7e-4 (1e13) of the weight.
    subroutine test_stiff_walls()
       type(model_type) :: model
       type(case_result_type) :: result
       integer :: i
-      do i = 9, 13, 2
+      do i = 11, 13, 2
          call new_well(model, [0.0_wp, 200.0_wp, 500.0_wp], [20.0_wp, 60.0_wp, 60.0_wp], [350.0_wp, 10.0_wp, 10.0_wp], 0.2_wp, &
                        0.3_wp, pipe(w, od, id))
          model%numerics%gk_contact = 10.0_wp**i
@@ -106,28 +62,14 @@ contains
       end do
    end subroutine test_stiff_walls
 
-   !> Going in through 80 deg at 100, 200 and 300 deg/30 m (coming out and rotating converge).
+   !> Going in through 80 deg at 300 deg/30 m (100 and 200 converge).
    subroutine test_severe_doglegs()
       type(model_type) :: model
       type(case_result_type) :: result
-      integer :: i
-      do i = 1, 3
-         call new_well(model, [0.0_wp, 100.0_wp, 100.0_wp + 24.0_wp/i, 200.0_wp], [0.0_wp, 0.0_wp, 80.0_wp, 80.0_wp], &
-                       spread(0.0_wp, 1, 4), 0.2_wp, 0.3_wp, pipe(w, od, id))
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
-         call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'severe dogleg')
-      end do
-   end subroutine test_severe_doglegs
-
-   !> Straight up, standing on the surface: -w L. The static case converges; friction at a wall touched without weight does not.
-   subroutine test_straight_up()
-      type(model_type) :: model
-      type(case_result_type) :: result
-      call new_well(model, [0.0_wp, 50.0_wp], [180.0_wp, 180.0_wp], [0.0_wp, 0.0_wp], 0.2_wp, 0.3_wp, pipe(w, od, id))
+      call new_well(model, [0.0_wp, 100.0_wp, 108.0_wp, 200.0_wp], [0.0_wp, 0.0_wp, 80.0_wp, 80.0_wp], &
+                    spread(0.0_wp, 1, 4), 0.2_wp, 0.3_wp, pipe(w, od, id))
       model%boundary%top_centred = .true.
       model%boundary%bit_centred = .true.
-      call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'straight up')
-      call assertRelativelyEqual(-50.0_wp*w, result%hookload, 1.0e-2_wp, message='hook load')
-   end subroutine test_straight_up
+      call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'severe dogleg')
+   end subroutine test_severe_doglegs
 end module dg_test_open_cases

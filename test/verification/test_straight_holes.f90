@@ -33,6 +33,7 @@ contains
       call suite%addTest(TestMethod('reaming', test_reaming))
       call suite%addTest(TestMethod('gaps_at_nodes', test_gaps_at_nodes))
       call suite%addTest(TestMethod('uneven_mesh', test_uneven_mesh))
+      call suite%addTest(TestMethod('straight_up', test_straight_up))
    end function straight_holes_suite
 
    subroutine build(model, theta)
@@ -150,4 +151,15 @@ contains
       call assertRelativelyEqual(tob + mu*radius*w*sin(theta)/sqrt(1.0_wp + mu**2)*length, result%torque, 1.0e-6_wp, &
                                  message='torque')
    end subroutine test_uneven_mesh
+
+   !> Straight up, standing on the surface: -w L; friction at a wall that is touched without weight adds next to nothing.
+   subroutine test_straight_up()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      call new_well(model, [0.0_wp, 50.0_wp], [180.0_wp, 180.0_wp], [0.0_wp, 0.0_wp], 0.2_wp, 0.3_wp, pipe(w, 0.127_wp, 0.1086_wp))
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'straight up')
+      call assertRelativelyEqual(-50.0_wp*w, result%hookload, 1.0e-2_wp, message='hook load')
+   end subroutine test_straight_up
 end module dg_test_straight_holes
