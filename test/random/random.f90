@@ -1,4 +1,4 @@
-!> Random wells against what must hold for any well. Arguments: first seed and number of seeds (1 and 6 where none are given).
+!> Random wells against what must hold for any well. Arguments: first seed and number of seeds (1 and 20 where none are given).
 !>
 !> Of every well: the case converges or is marked; every number is one; forces balance; a well turned about the vertical, and
 !> of a string that neither turns nor carries torque the mirror image, give the same; a component in two parts and a station
@@ -31,7 +31,7 @@ program random
    !> mesh's error, of elements up to 30 m; the soft string is integrated finely.
    real(wp), parameter :: tolerance(checks) = [1.0e-7_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
       1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp]
-   integer, parameter :: default_first = 1, default_count = 6
+   integer, parameter :: default_first = 1, default_count = 20
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
    !> Compression over the largest force [-] from which a string counts as compressed.
@@ -146,6 +146,7 @@ contains
          changed%holes%friction_axial = more_friction*model%holes%friction_axial
          call solve(changed, again, good_again)
          associate (way => merge(1.0_wp, -1.0_wp, i == 1))
+            if (good) call note(bounded, (abs(result%friction) - model%holes(1)%friction_axial*result%normal_force)/scale)
             if (good .and. good_free) call note(ordered, way*(free%hookload - result%hookload)/scale)
             if (good .and. good_again) call note(steeper, way*(result%hookload - again%hookload)/scale)
          end associate
