@@ -118,11 +118,12 @@ contains
       character(*), intent(in) :: signal       !< name as `kill` takes it
       type(run_type) :: run
       integer :: command_status
-      ! in the foreground: a shell starts what is behind & with SIGINT ignored
+      ! in the foreground: a shell starts what is behind & with SIGINT ignored; these tests may have been started so, too
       call execute_command_line('(for i in $(seq 500); do [ -e '//results_path//'/'//file//' ] && break; sleep 0.02; done; '// &
-                                'kill -'//signal//' $(cat '//scratch//"/pid)) & sh -c 'echo $$ > "//scratch//'/pid; exec "'// &
-                                program_path()//'" '//deck_path//' --output '//results_path//' '//options//"' > "//scratch// &
-                                '/output.txt 2> '//scratch//'/diagnostics.txt', exitstat=run%status, cmdstat=command_status)
+                                'kill -'//signal//' $(cat '//scratch//"/pid)) & sh -c 'echo $$ > "//scratch//'/pid; '// &
+                                'exec env --default-signal "'//program_path()//'" '//deck_path//' --output '// &
+                                results_path//' '//options//"' > "//scratch//'/output.txt 2> '//scratch//'/diagnostics.txt', &
+                                exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
       run%diagnostics = content(scratch//'/diagnostics.txt')
