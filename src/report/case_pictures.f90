@@ -154,10 +154,14 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
       character(:), allocatable :: title
+      real(wp) :: least, most   !< ends of the axis of force, in the deck's units
+      logical :: limits_show    !< on it
       real(wp), parameter :: left(4) = [0.075_wp, 0.315_wp, 0.545_wp, 0.775_wp], wide = 0.21_wp
       !> Steps between tics: their labels have four letters' room each.
       integer, parameter :: intervals = 5
       call start_script(lines, name, width, height)
+      call append_text(lines, 'from_270(angle) = angle > 270 ? angle - 360 : angle')
+      call find_axial_range()
       call add_axial()
       title = case_title(job%units, load_case)
       if (left_out /= '') title = title//'; no solution:'//left_out
@@ -165,7 +169,7 @@ contains
       call append_text(lines, 'set yrange ['//to_text(load_case%bit_depth/job%units%length, digits)//':0]')
       call panel(lines, left(1), left(1) + wide, panel_bottom, panel_top, axis('effective axial force', 'axial'), &
                  axis('measured depth', 'md'))
-      call set_axial_range()
+      call x_range(lines, least, most, intervals)
       call plot(lines, series)
       if (rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp) then
          call draw_curves(left(2), 'torque', 'torque')
@@ -175,10 +179,8 @@ contains
       call draw_curves(left(3), 'side force', 'side_force')
       call add_clock()
       call panel(lines, left(4), left(4) + wide, panel_bottom, panel_top, 'clock angle of contact [deg]', '')
-      ! a margin, so that marks at 0 show whole
-      call append_text(lines, 'set xrange [-15:375]; set xtics ("0" 0, "90" 90, "180" 180, "270" 270, "360" 360)')
-      call append_text(lines, "set label 2 'high' at 4, graph 0.975 left textcolor rgb '#666666'")
-      call append_text(lines, "set label 3 'low' at 184, graph 0.975 left textcolor rgb '#666666'")
+      ! cut open at 270 deg, not at the high side: a string that lies there is one curve
+      call append_text(lines, 'set xrange [-90:270]; set xtics ("270" -90, "0 high" 0, "90" 90, "180 low" 180, "270" 270)')
       call plot(lines, series)
       call end_script(lines)
 
@@ -192,8 +194,12 @@ contains
             call add_series(series, curve(k, value('axial')), line_style(k), trim(model_name(results(k)%model)))
          end do
          data = "with lines lw 1.2 dt "//limit_dash//" lc rgb '"
-         call add_series(series, curve(1, '-'//value('sinusoidal_load')), data//colour_black//"'", 'sinusoidal buckling')
-         call add_series(series, curve(1, '-'//value('helical_load')), data//colour_grey//"'", 'helical buckling, lower limit')
+         if (limits_show) then
+            call add_series(series, curve(1, '-'//value('sinusoidal_load')), data//colour_black//"'", 'sinusoidal buckling')
+            call add_series(series, curve(1, '-'//value('helical_load')), data//colour_grey//"'", 'helical buckling, lower limit')
+         else
+            call add_series(series, 'NaN', data//colour_black//"'", 'buckling limits lie beyond the axis')
+         end if
       end subroutine add_axial
 
       subroutine draw_curves(start, label, column)
@@ -223,9 +229,10 @@ contains
       subroutine add_clock()
          integer :: k
          if (allocated(series)) deallocate (series)
-         do k = 1, size(results)
-            call add_series(series, curve(k, "stringcolumn('gap_state') eq 'free' ? NaN : "//value('clock'))// &
-                            thinning(size(results(k)%profile%md), most_marks), mark_style(k, 0.35_wp), '')
+         ! the first model on top, those below it larger, so that all can be seen
+         do k = size(results), 1, -1
+            call add_series(series, curve(k, "stringcolumn('gap_state') eq 'free' ? NaN : from_270("//value('clock')//')')// &
+                            thinning(size(results(k)%profile%md), most_marks), mark_style(k, 0.2_wp + 0.12_wp*k), '')
          end do
       end subroutine add_clock
 
@@ -251,25 +258,37 @@ contains
          text = label//' ['//unit_text(quantity_of(column), job%units)//']'
       end function axis
 
-      !> The axial forces, and as much of the limits as does not crush them.
-      subroutine set_axial_range()
-         real(wp) :: low, high, limit, air
-         integer :: k
-         low = 0.0_wp
-         high = 0.0_wp
-         limit = -huge(1.0_wp)
+      !> The axial forces, and those limits that matter, as far as they do not crush them: where the string is nearest to
+      !> buckling, and the least one where it is compressed.
+      subroutine find_axial_range()
+         real(wp) :: air, lowest, limit
+         integer :: k, i
+         !> Part of the forces' own range that limits may add to it.
+         real(wp), parameter :: share = 0.5_wp
+         lowest = 0.0_wp
+         most = 0.0_wp
          do k = 1, size(results)
-            low = min(low, minval(results(k)%profile%axial))
-            high = max(high, maxval(results(k)%profile%axial))
-            if (.not. all(is_missing(alongs(k)%sinusoidal))) &
-               limit = max(limit, -minval(alongs(k)%sinusoidal, mask=.not. is_missing(alongs(k)%sinusoidal)))
+            lowest = min(lowest, minval(results(k)%profile%axial))
+            most = max(most, maxval(results(k)%profile%axial))
          end do
-         ! the nearest limit shows, if it lies within half the forces' own range
-         air = max(high - low, job%units%force)
-         if (limit > -huge(1.0_wp)) low = min(low, max(limit, low - 0.5_wp*air))
-         if (low < 0.0_wp) low = low - 0.15_wp*air
-         call x_range(lines, low/job%units%force, (high + 0.05_wp*air)/job%units%force, intervals)
-      end subroutine set_axial_range
+         air = max(most - lowest, job%units%force)
+         least = lowest
+         limits_show = .false.
+         do k = 1, size(results)
+            associate (along => alongs(k), known => .not. is_missing(alongs(k)%sinusoidal))
+               if (.not. any(known)) cycle
+               limit = along%sinusoidal(minloc(along%buckling_margin, mask=known, dim=1))
+               do i = 1, 2
+                  if (-limit > lowest - share*air) least = min(least, -limit)
+                  limit = minval(along%sinusoidal, mask=known .and. results(k)%profile%axial < 0.0_wp)
+               end do
+               limits_show = limits_show .or. -minval(along%sinusoidal, mask=known) >= least
+            end associate
+         end do
+         if (least < 0.0_wp) least = least - 0.15_wp*air
+         least = least/job%units%force
+         most = (most + 0.05_wp*air)/job%units%force
+      end subroutine find_axial_range
    end subroutine forces_script
 
    !> What a picture of a case is called.

@@ -6,8 +6,8 @@ module dg_gnuplot_script
    implicit none
    private
    public :: colour_of, dash_of, mark_of
-   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, spelled, style_count, &
-             series_type, add_series
+   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, spelled, &
+             style_count, series_type, add_series
    public :: colour_grey, colour_black, colour_measured, limit_dash
 
    !> Different curves that can be told apart.
@@ -202,6 +202,17 @@ contains
       character(:), allocatable :: look
       look = 'with points pt '//to_text(mark_of(n))//' ps '//to_text(size, digits)//" lc rgb '"//colour_of(n)//"'"
    end function mark_style
+
+   !> Look of the n-th of several lines with its marks here and there, for print without colours: in a panel of `points` points.
+   pure function marked_line_style(n, points, width, dash) result(look)
+      integer, intent(in) :: n, points
+      real(wp), intent(in) :: width          !< of the line; 1 is gnuplot's own
+      character(*), intent(in) :: dash
+      character(:), allocatable :: look
+      integer, parameter :: marks_each = 8
+      look = 'with linespoints lw '//to_text(width, digits)//' dt '//dash//' pt '//to_text(mark_of(n))//' ps 0.6 pi '// &
+         to_text(max(1, points/marks_each))//" lc rgb '"//colour_of(n)//"'"
+   end function marked_line_style
 
    !> A text as gnuplot takes it literally.
    pure function spelled(text) result(literal)

@@ -17,8 +17,10 @@ module dg_hookload_picture
 
    integer, parameter :: digits = 8
    integer, parameter :: width = 1120
-   !> Heights [px]: of a case, of title and legend, of the axis below.
-   integer, parameter :: row_height = 26, head_height = 84, foot_height = 62
+   !> Heights [px]: of a case by one model, of each further model, of title and legend, of the axis below.
+   integer, parameter :: row_height = 26, model_height = 6, head_height = 84, foot_height = 62
+   !> Part of a case's height in which the marks of its models stand one below the other: they would hide each other in a row.
+   real(wp), parameter :: spread = 0.6_wp
    !> Width of a letter of the font [px], largest share of the picture that names of cases may take.
    real(wp), parameter :: letter_width = 8.0_wp, most_names = 0.3_wp
    character(*), parameter :: absent = 'NaN'
@@ -37,7 +39,7 @@ contains
       integer :: i, n, panels, at, longest
       character(:), allocatable :: tics
       n = size(model%cases)
-      height = real(head_height + foot_height + row_height*n, wp)
+      height = real(head_height + foot_height + (row_height + model_height*(size(job%models) - 1))*n, wp)
       with_error = any(model%cases%measured_hookload%present)
       with_torque = any(has_torque(model%cases))
       panels = 1 + count([with_error, with_torque])
@@ -57,7 +59,7 @@ contains
       call append_text(lines, 'set datafile separator whitespace')
       ! columns: case, measured, reference, measured torque; then hook load, error, torque of each model
       do i = 1, size(job%models)
-         call add_marks(5 + 3*(i - 1), mark_style(i, 0.8_wp), trim(model_name(job%models(i))))
+         call add_marks(5 + 3*(i - 1), mark_style(i, 0.8_wp), trim(model_name(job%models(i))), i)
       end do
       if (with_error) call add_marks(2, "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_measured//"'", 'measured')
       if (any(model%cases%reference_hookload%present)) &
@@ -73,7 +75,7 @@ contains
       if (with_error) then
          deallocate (series)
          do i = 1, size(job%models)
-            call add_marks(6 + 3*(i - 1), mark_style(i, 0.8_wp), '')
+            call add_marks(6 + 3*(i - 1), mark_style(i, 0.8_wp), '', i)
          end do
          call next_panel('error against measurement [%]')
          call append_text(lines, 'set xrange [0:*]')
@@ -82,7 +84,7 @@ contains
       if (with_torque) then
          deallocate (series)
          do i = 1, size(job%models)
-            call add_marks(7 + 3*(i - 1), mark_style(i, 0.8_wp), '')
+            call add_marks(7 + 3*(i - 1), mark_style(i, 0.8_wp), '', i)
          end do
          if (any(model%cases%measured_torque%present)) &
             call add_marks(4, "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_measured//"'", '')
@@ -94,10 +96,15 @@ contains
 
    contains
 
-      subroutine add_marks(column, look, title)
+      !> Marks on the lines of the cases, those of a model (one of `job%models`) beside them.
+      subroutine add_marks(column, look, title, number)
          integer, intent(in) :: column
          character(*), intent(in) :: look, title
-         call add_series(series, '$cases using '//to_text(column)//':1', look, title)
+         integer, intent(in), optional :: number
+         real(wp) :: beside
+         beside = 0.0_wp
+         if (present(number)) beside = spread*(real(number, wp)/real(size(job%models) + 1, wp) - 0.5_wp)
+         call add_series(series, '$cases using '//to_text(column)//':($1 + '//to_text(beside, digits)//')', look, title)
       end subroutine add_marks
 
       subroutine next_panel(label)

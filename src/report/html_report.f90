@@ -25,9 +25,9 @@ module dg_html_report
       'hookload', 'measured', 'error', 'reference', 'reference_error', 'friction', 'torque', 'normal_force', 'status']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
-   character(*), parameter :: limits_shown(13) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
+   character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
-      'wob_no_hookload', 'rig_margin', 'makeup_margin']
+      'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin']
 
    !> Plain, narrow enough for paper, no colour that means anything alone.
    character(*), parameter :: style(*) = [character(120) :: &
@@ -175,6 +175,9 @@ contains
       call add_line(lines, '<h2>Limits</h2>')
       call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
                     'margin is beyond them. Safety factors stand where the deck gives a yield strength.</p>')
+      call add_line(lines, '<p>neutral top: uppermost depth without axial force. overpull margin: pull that may be added at '// &
+                    'the top before anything yields. wob buckling, no hookload, lockup: weight on bit at which the string '// &
+                    'begins to buckle, that leaves nothing on the hook, and the same with the friction of a coiled string.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])

@@ -9,7 +9,7 @@ module dg_picture_files
    use dg_file_system, only: delete_file, write_text_file
    use dg_folder, only: make_folder
    use dg_hookload_picture, only: hookload_script
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type, model_mcge, model_name
    use dg_legacy_picture, only: legacy_script
    use dg_model, only: model_type
    use dg_study_picture, only: study_script
@@ -126,7 +126,9 @@ contains
             if (results(k)%case_index == i .and. .not. any(rows == k)) left_out = left_out//' '//trim(model_name(results(k)%model))
          end do
          name = model%cases(i)%name
-         call path_script('path_'//name, job, model%cases(i), results(rows(1)), lines)
+         ! contact is what gap elements find; of other models the first
+         k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
+         call path_script('path_'//name, job, model%cases(i), results(k), lines)
          call add('path_'//name, 'Well path with contact of the string', i)
          call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
          call add('forces_'//name, 'Along the string', i)

@@ -72,7 +72,7 @@ contains
          drawn = drawn + 1
          call panel(lines, left(column), left(column) + wide, bottom(row), bottom(row) + tall, &
                     'solution time [s]', 'error of '//trim(names(k))//' [%]')
-         call append_text(lines, "set autoscale y; set format xy '%.0e'")
+         call append_text(lines, "set autoscale y; set format xy '%g'")
          call plot(lines, series)
       end do
       call end_script(lines)

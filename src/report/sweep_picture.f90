@@ -3,8 +3,8 @@
 module dg_sweep_picture
    use dg_kinds, only: wp
    use dg_column, only: column_header, column_named, column_type, unit_text
-   use dg_gnuplot_script, only: add_series, colour_black, colour_of, dash_of, end_script, legend, panel, plot, series_type, &
-                                start_script
+   use dg_gnuplot_script, only: add_series, colour_black, dash_of, end_script, legend, marked_line_style, panel, plot, &
+                                series_type, start_script
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, optional_real, rotates
    use dg_sweep, only: sweep_type
@@ -41,7 +41,7 @@ contains
                        ''' && stringcolumn(''operation'') eq operation && is_friction && stringcolumn(''status'') eq '// &
                        '''converged'' ? value : NaN')
       do i = 1, size(sweep%operations)
-         call add_series(series, 'NaN', "with lines lw 2.2 lc rgb '"//colour_of(i)//"'", &
+         call add_series(series, 'NaN', marked_line_style(i, 1, 2.2_wp, dash_of(1)), &
                          trim(operation_label(sweep%operations(i))))
          if (any(sweep%measured%operation == sweep%operations(i))) &
             call add_series(series, 'NaN', measured_look(i), trim(operation_label(sweep%operations(i)))//', measured')
@@ -73,7 +73,7 @@ contains
             if (turning .and. .not. (rotates(sweep%operations(operation)) .or. abs(sweep%tob) > 0.0_wp)) cycle
             do friction = 1, size(sweep%frictions)
                call add_series(series, curve(operation, friction_test(sweep%frictions(friction)), column), &
-                               "with lines lw 1.6 dt "//dash_of(friction)//" lc rgb '"//colour_of(operation)//"'", '')
+                               marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
             end do
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
                curve(operation, friction_test(sweep%frictions(1)), 'measured_'//column), measured_look(operation), '')

@@ -3,7 +3,8 @@
 module dg_uncertainty_picture
    use dg_kinds, only: wp
    use dg_column, only: column_header, column_named, column_type, unit_text
-   use dg_gnuplot_script, only: add_series, colour_of, end_script, legend, panel, plot, series_type, start_script
+   use dg_gnuplot_script, only: add_series, colour_of, dash_of, end_script, legend, marked_line_style, panel, plot, &
+                                series_type, start_script
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
    use dg_sweep, only: sweep_type
@@ -38,8 +39,8 @@ contains
       call append_text(lines, "pick(operation, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
                        "' && stringcolumn('operation') eq operation ? value : NaN")
       do i = 1, size(range%operations)
-         call add_series(series, 'NaN', look(i, 2), trim(operation_label(range%operations(i)))//', P50')
-         call add_series(series, 'NaN', look(i, 1), 'P10 and P90')
+         call add_series(series, 'NaN', look(i, 2, 1), trim(operation_label(range%operations(i)))//', P50')
+         call add_series(series, 'NaN', look(i, 1, 1), 'P10 and P90')
       end do
       call legend(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), series, top, legend_top)
       call append_text(lines, 'set yrange ['//to_text(maxval(range%depths)/units%length, digits)//':0]')
@@ -63,7 +64,7 @@ contains
          do operation = 1, size(range%operations)
             if (turning .and. .not. (rotates(range%operations(operation)) .or. abs(range%tob) > 0.0_wp)) cycle
             do k = 1, size(quantile)
-               call add_series(series, curve(operation, column//quantile(k)), look(operation, k), '')
+               call add_series(series, curve(operation, column//quantile(k)), look(operation, k, size(range%depths)), '')
             end do
          end do
          shown = column_named(uncertainty_columns, column//quantile(2))
@@ -81,11 +82,14 @@ contains
       end function curve
    end subroutine uncertainty_script
 
-   !> Look of an operation's quantile: the middle one whole, the outer ones dashed.
-   pure function look(operation, k) result(text)
-      integer, intent(in) :: operation, k
+   !> Look of an operation's quantile over so many depths: the middle one whole, with marks, the outer ones dashed.
+   pure function look(operation, k, depths) result(text)
+      integer, intent(in) :: operation, k, depths
       character(:), allocatable :: text
-      text = "with lines lw 2.0 lc rgb '"//colour_of(operation)//"'"
-      if (k /= 2) text = "with lines lw 1.3 dt (8,4) lc rgb '"//colour_of(operation)//"'"
+      if (k == 2) then
+         text = marked_line_style(operation, depths, 2.0_wp, dash_of(1))
+      else
+         text = "with lines lw 1.3 dt (8,4) lc rgb '"//colour_of(operation)//"'"
+      end if
    end function look
 end module dg_uncertainty_picture
