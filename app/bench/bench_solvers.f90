@@ -7,9 +7,10 @@ module dg_bench_solvers
    use dg_block_matrix, only: block_size
    use dg_block_solver, only: block_factor, block_solve, block_solver_type, new_block_solver
    use dg_kinds, only: wp
-   use dg_linear_solver, only: solver_banded, solver_block, solver_count, solver_name, solver_sparse
+   use dg_load_case, only: operation_static
    use dg_model, only: model_type
    use dg_sparse_solver, only: sparse_condition, sparse_factor, sparse_release, sparse_solve, sparse_solver_type
+   use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
    private
    public :: print_solvers
@@ -17,11 +18,28 @@ module dg_bench_solvers
    real(wp), parameter :: microseconds = 1.0e6_wp
    !> Elements that a measurement goes through at least, smaller meshes several times.
    integer, parameter :: least_elements = 20000
+   !> What is compared; both of the last two are the deck's 'sparse', each where it is good.
+   integer, parameter :: by_block = 1, by_band = 2, by_klu = 3, by_ldl = 4
+   character(*), parameter :: names(4) = [character(6) :: 'block', 'banded', 'klu', 'ldl']
 
 contains
 
-   !> One line a mesh and solver, times per element in microseconds.
+   !> The case as it is, then without friction, where the matrix is symmetric.
    subroutine print_solvers(model, case_index, lengths, runs)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: lengths(:)     !< of elements [m]
+      integer, intent(in) :: runs
+      type(model_type), allocatable :: resting
+      call print_table(model, case_index, lengths, runs)
+      allocate (resting, source=model)
+      resting%cases(case_index)%operation = operation_static
+      resting%cases(case_index)%wob = 0.0_wp      ! in a bend it follows the bit, without a potential
+      call print_table(resting, case_index, lengths, runs)
+   end subroutine print_solvers
+
+   !> One line a mesh and solver, times per element in microseconds.
+   subroutine print_table(model, case_index, lengths, runs)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: lengths(:)     !< of elements [m]
@@ -31,7 +49,8 @@ contains
       real(wp), allocatable :: x(:, :), first(:, :)
       real(wp) :: factor, substitution, fill, condition, difference
       integer :: i, kind, info
-      write (output_unit, '(/,a)') 'Linear solvers, '//model%cases(case_index)%name//' at its predicted state'
+      write (output_unit, '(/,a)') 'Linear solvers, '//model%cases(case_index)%name//' at its predicted state'// &
+         merge(', without friction', repeat(' ', 18), model%cases(case_index)%operation == operation_static)
       write (output_unit, '(a)') 'elements solver   factor us/el  substit. us/el  fill entries/el  residual/load  '// &
          'differs from block  condition'
       write (output_unit, '(a)') 'Round-off: where the condition nears 1/epsilon = 4.5e15 the solvers part, '// &
@@ -41,15 +60,15 @@ contains
          call sparse_factor(sparse, chain%matrix, info)
          call sparse_condition(sparse, condition)
          call sparse_release(sparse)
-         do kind = 1, solver_count
+         do kind = 1, merge(by_ldl, by_klu, is_symmetric(chain%matrix))
             call measure(chain, kind, runs, factor, substitution, fill, x)
-            if (kind == 1) first = x
+            if (kind == by_block) first = x
             difference = maxval(abs(x - first))/maxval(abs(first))
-            write (output_unit, '(i8,1x,a6,f15.2,f16.2,f17.1,es15.1,es20.1,es11.1)') chain%mesh%elements, solver_name(kind), &
+            write (output_unit, '(i8,1x,a6,f15.2,f16.2,f17.1,es15.1,es20.1,es11.1)') chain%mesh%elements, names(kind), &
                factor, substitution, fill, remaining(chain, x), difference, condition
          end do
       end do
-   end subroutine print_solvers
+   end subroutine print_table
 
    !> Medians per element [us], entries of the factors per element, and the solution.
    subroutine measure(chain, kind, runs, factor, substitution, fill, x)
@@ -60,28 +79,31 @@ contains
       type(block_solver_type) :: block
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
+      type(symmetric_solver_type) :: symmetric
       real(wp) :: factors(runs), substitutions(runs), start, between
       integer :: run, again, times, info
       allocate (x, mold=chain%residual)
       times = max(1, least_elements/chain%mesh%elements)
-      if (kind == solver_block) call new_block_solver(chain%mesh%nodes, block)
-      if (kind == solver_banded) band = new_band_solver(chain%mesh%nodes)
+      if (kind == by_block) call new_block_solver(chain%mesh%nodes, block)
+      if (kind == by_band) band = new_band_solver(chain%mesh%nodes)
       do run = 1, runs
          start = now()
          do again = 1, times
             select case (kind)
-            case (solver_block); call block_factor(block, chain%matrix, info)
-            case (solver_banded); call band_factor(band, chain%matrix, info)
-            case default; call sparse_factor(sparse, chain%matrix, info)
+            case (by_block); call block_factor(block, chain%matrix, info)
+            case (by_band); call band_factor(band, chain%matrix, info)
+            case (by_klu); call sparse_factor(sparse, chain%matrix, info)
+            case default; call symmetric_factor(symmetric, chain%matrix, info)
             end select
          end do
          between = now()
          do again = 1, times
             x = -chain%residual
             select case (kind)
-            case (solver_block); call block_solve(block, chain%matrix, x)
-            case (solver_banded); call band_solve(band, x)
-            case default; call sparse_solve(sparse, x)
+            case (by_block); call block_solve(block, chain%matrix, x)
+            case (by_band); call band_solve(band, x)
+            case (by_klu); call sparse_solve(sparse, x)
+            case default; call symmetric_solve(symmetric, x)
             end select
          end do
          factors(run) = between - start
@@ -90,10 +112,11 @@ contains
       factor = microseconds*median(factors)/(real(times, wp)*chain%mesh%elements)
       substitution = microseconds*median(substitutions)/(real(times, wp)*chain%mesh%elements)
       select case (kind)
-      case (solver_block); fill = real(block_size**2, wp)      ! beside the matrix itself, which is kept
-      case (solver_banded); fill = real(size(band%band, 1), wp)*block_size
-      case default; fill = real(sparse%fill, wp)/chain%mesh%elements
+      case (by_block); fill = real(block_size**2, wp)      ! beside the matrix itself, which is kept
+      case (by_band); fill = real(size(band%band, 1), wp)*block_size
+      case (by_klu); fill = real(sparse%fill, wp)/chain%mesh%elements
+      case default; fill = real(symmetric%fill, wp)/chain%mesh%elements
       end select
-      if (kind == solver_sparse) call sparse_release(sparse)
+      if (kind == by_klu) call sparse_release(sparse)
    end subroutine measure
 end module dg_bench_solvers

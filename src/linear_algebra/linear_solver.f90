@@ -6,6 +6,7 @@ module dg_linear_solver
    use dg_block_matrix, only: block_matrix_type, block_product
    use dg_block_solver, only: block_back, block_factor, block_solve, block_solver_type, new_block_solver
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
+   use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
    private
    public :: linear_solver_type, new_linear_solver, solve_linear
@@ -13,7 +14,8 @@ module dg_linear_solver
 
    integer, parameter :: solver_block = 1   !< 6 x 6 block elimination
    integer, parameter :: solver_banded = 2  !< LAPACK's band LU
-   integer, parameter :: solver_sparse = 3  !< sparse LU: KLU of SuiteSparse
+   !> Of SuiteSparse: LDL where the matrix is symmetric and positive definite, else KLU, a sparse LU.
+   integer, parameter :: solver_sparse = 3
    integer, parameter :: solver_count = 3
    !> Names in decks, in the order of the numbers above.
    character(*), parameter :: solver_name(solver_count) = [character(6) :: 'block', 'banded', 'sparse']
@@ -27,9 +29,12 @@ module dg_linear_solver
       type(block_solver_type) :: block
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
+      type(symmetric_solver_type) :: symmetric
       real(wp), allocatable :: rhs(:, :)        !< (6,nodes)
       integer :: refinements = 0                !< so far
       integer :: fallbacks = 0                  !< so far
+      !> Negative eigenvalues of the last matrix, where solver_sparse found it symmetric; -1: not known.
+      integer :: negative_pivots = -1
    end type linear_solver_type
 
 contains
@@ -57,6 +62,11 @@ contains
             call block_factor(solver%block, matrix, info, x)
             if (info == 0) call block_back(solver%block, matrix, x)
          else
+            call solve_symmetric(solver, matrix, x, good)
+            if (good) then
+               info = 0
+               return
+            end if
             call sparse_factor(solver%sparse, matrix, info)
             if (info == 0) call sparse_solve(solver%sparse, x)
          end if
@@ -74,6 +84,28 @@ contains
       call band_factor(solver%band, matrix, info)
       if (info == 0) call band_solve(solver%band, x)
    end subroutine solve_linear
+
+   !> Solves by LDL; not good: the matrix is not symmetric, not positive definite, or the residual is not small, and x is as it was.
+   !> For a matrix that is symmetric negative_pivots tells how many negative eigenvalues it has.
+   subroutine solve_symmetric(solver, matrix, x, good)
+      type(linear_solver_type), intent(inout) :: solver
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(inout) :: x(:, :)
+      logical, intent(out) :: good
+      integer :: info
+      solver%negative_pivots = -1
+      good = is_symmetric(matrix)
+      if (.not. good) return
+      call symmetric_factor(solver%symmetric, matrix, info)
+      good = info == 0
+      if (.not. good) return
+      solver%negative_pivots = solver%symmetric%negative_pivots
+      good = solver%negative_pivots == 0
+      if (.not. good) return
+      call symmetric_solve(solver%symmetric, x)
+      call check(solver%rhs, matrix, x, good)
+      if (.not. good) x = solver%rhs
+   end subroutine solve_symmetric
 
    !> One step of iterative refinement with the factors that there are; good: it was enough.
    subroutine refine(solver, matrix, x, good)

@@ -17,15 +17,12 @@ module dg_sparse_matrix
 
 contains
 
-   !> Takes over a block matrix, with `factor` times `added`(6,nodes) on its diagonal where given; `lower` leaves out what
-   !> stands above the diagonal. Room is taken the first time.
-   pure subroutine set_sparse_matrix(matrix, sparse, lower, factor, added)
+   !> Takes over a block matrix; `upper` leaves out what stands below the diagonal. Room is taken the first time.
+   pure subroutine set_sparse_matrix(matrix, sparse, upper)
       type(block_matrix_type), intent(in) :: matrix
       type(sparse_matrix_type), intent(inout) :: sparse
-      logical, intent(in) :: lower
-      real(wp), intent(in), optional :: factor, added(:, :)
-      real(wp) :: value
-      integer :: n, i, j, nodes, place, column, first
+      logical, intent(in) :: upper
+      integer :: n, j, nodes, place, column
       nodes = size(matrix%diagonal, 3)
       if (sparse%unknowns /= block_size*nodes) then
          if (allocated(sparse%columns)) deallocate (sparse%columns, sparse%rows, sparse%values)
@@ -38,42 +35,27 @@ contains
          do j = 1, block_size
             column = block_size*(n - 1) + j
             sparse%columns(column) = int(place, c_int)
-            if (n > 1 .and. .not. lower) call put_block(matrix%upper(:, j, n - 1), n - 1, sparse, place)
-            first = 1
-            if (lower) first = j
-            do i = first, block_size
-               value = matrix%diagonal(i, j, n)
-               if (present(factor) .and. present(added) .and. i == j) value = value + factor*added(i, n)
-               call put_entry(value, block_size*(n - 1) + i, sparse, place)
-            end do
-            if (n < nodes) call put_block(matrix%lower(:, j, n), n + 1, sparse, place)
+            if (n > 1) call put_block(matrix%upper(:, j, n - 1), n - 1, sparse, place)
+            call put_block(matrix%diagonal(:merge(j, block_size, upper), j, n), n, sparse, place)
+            if (n < nodes .and. .not. upper) call put_block(matrix%lower(:, j, n), n + 1, sparse, place)
          end do
       end do
       sparse%columns(sparse%unknowns + 1) = int(place, c_int)
       sparse%entries = place
    end subroutine set_sparse_matrix
 
-   !> A column of the block of node `row` behind the `place` entries that there are.
+   !> A column of a block of node `row`, or the upper part of it, behind the `place` entries that there are; no zeros.
    pure subroutine put_block(values, row, sparse, place)
       real(wp), intent(in) :: values(:)
       integer, intent(in) :: row
       type(sparse_matrix_type), intent(inout) :: sparse
       integer, intent(inout) :: place
       integer :: i
-      do i = 1, block_size
-         call put_entry(values(i), block_size*(row - 1) + i, sparse, place)
+      do i = 1, size(values)
+         if (.not. abs(values(i)) > 0.0_wp) cycle
+         place = place + 1
+         sparse%rows(place) = int(block_size*(row - 1) + i - 1, c_int)
+         sparse%values(place) = values(i)
       end do
    end subroutine put_block
-
-   !> One entry, unless it is zero.
-   pure subroutine put_entry(value, row, sparse, place)
-      real(wp), intent(in) :: value
-      integer, intent(in) :: row
-      type(sparse_matrix_type), intent(inout) :: sparse
-      integer, intent(inout) :: place
-      if (.not. abs(value) > 0.0_wp) return
-      place = place + 1
-      sparse%rows(place) = int(row - 1, c_int)
-      sparse%values(place) = value
-   end subroutine put_entry
 end module dg_sparse_matrix

@@ -34,7 +34,7 @@ contains
       integer, intent(out) :: info
       type(klu_numeric_head_type), pointer :: head
       call sparse_release(solver)
-      call set_sparse_matrix(matrix, solver%matrix, lower=.false.)
+      call set_sparse_matrix(matrix, solver%matrix, upper=.false.)
       info = 1
       if (klu_defaults(solver%common) /= success) return
       solver%common%btf = 0_c_int             ! a string hangs together: there are no blocks to be found

@@ -57,7 +57,7 @@ module dg_column
 
    !> Puts the next value of a row.
    interface put
-      module procedure put_real, put_integer, put_text, put_optional
+      module procedure put_none, put_real, put_integer, put_text, put_optional
    end interface put
 
 contains

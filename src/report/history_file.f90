@@ -11,7 +11,7 @@ module dg_history_file
    private
    public :: write_history, history_columns, history_fields
 
-   type(column_type), parameter :: history_columns(10) = [ &
+   type(column_type), parameter :: history_columns(11) = [ &
       column_type('increment', quantity_none, 'load step'), &
       column_type('iteration', quantity_none, 'counted through all load steps and stages of the wall'), &
       column_type('residual', quantity_force, 'largest nodal force out of balance'), &
@@ -19,6 +19,8 @@ module dg_history_file
       column_type('lateral_step', quantity_width, 'largest lateral change asked for by the step that led here'), &
       column_type('viscosity', quantity_none, 'viscous stiffness that held the string back in that step, in units of '// &
          'F^2/(4 EI)'), &
+      column_type('negative_pivots', quantity_none, 'negative eigenvalues of the matrix of that step: ways in which the string '// &
+         'was unstable; by linear_solver sparse where friction and torque leave the matrix symmetric, else empty'), &
       column_type('contacts', quantity_none, 'gaps that touch'), &
       column_type('flips', quantity_none, 'gaps that changed state after that step'), &
       column_type('moves', quantity_none, 'gaps that moved to another x0 after that step'), &
@@ -56,6 +58,11 @@ contains
       call put(row, step%residual_moment)
       call put(row, step%lateral_step)
       call put(row, step%viscosity)
+      if (step%negative_pivots >= 0) then
+         call put(row, step%negative_pivots)
+      else
+         call put(row)
+      end if
       call put(row, step%contacts)
       call put(row, step%flips)
       call put(row, step%moves)

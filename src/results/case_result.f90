@@ -29,6 +29,7 @@ module dg_case_result
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
       real(wp) :: viscosity = 0.0_wp           !< viscous regularisation, in units of F^2/(4 EI) [-]
+      integer :: negative_pivots = -1          !< negative eigenvalues of the step's matrix; -1: not known
       integer :: contacts = 0                  !< gaps in contact
       integer :: flips = 0                     !< gaps that changed state
       integer :: moves = 0                     !< gaps that moved to another x0

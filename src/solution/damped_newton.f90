@@ -240,6 +240,7 @@ contains
 
       !> Takes the step within its limits, and looks what is there.
       subroutine take_step()
+         row%negative_pivots = newton%solver%negative_pivots
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          share = 1.0_wp/max(1.0_wp, row%lateral_step/damped%step_limit, &
                             maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn)

@@ -111,6 +111,7 @@ contains
             outcome = newton_singular
             return
          end if
+         row%negative_pivots = newton%solver%negative_pivots
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          if (.not. row%lateral_step < huge(row%lateral_step)) then
             outcome = newton_singular
