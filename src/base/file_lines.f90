@@ -10,6 +10,8 @@ module dg_file_lines
    character(*), parameter :: carriage_return = achar(13)
    !> Mark that some editors put before a text in UTF-8.
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+   !> First bytes of UTF-16, which spreadsheets write as 'Unicode text'.
+   character(*), parameter :: wide_little = char(255)//char(254), wide_big = char(254)//char(255)
    integer, parameter :: first_capacity = 256
    integer, parameter :: chunk_length = 512
    !> More is no text that somebody wrote: a device, a picture, a table without line ends.
@@ -72,6 +74,10 @@ contains
       lines = lines(:count)
       if (count > 0) then
          if (index(lines(1)%text, byte_order_mark) == 1) lines(1)%text = lines(1)%text(len(byte_order_mark) + 1:)
+         if (index(lines(1)%text, wide_little) == 1 .or. index(lines(1)%text, wide_big) == 1) then
+            failure = 'cannot be read (its text is UTF-16; save it as UTF-8)'
+            lines = lines(:0)
+         end if
       end if
    end subroutine read_lines
 

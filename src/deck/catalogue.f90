@@ -13,7 +13,7 @@ module dg_catalogue
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
-   public :: catalogue_name, catalogue_variable
+   public :: catalogue_name, catalogue_variable, kind_of_grades
 
    !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder.
    character(*), parameter :: catalogue_name = 'catalogue.csv'

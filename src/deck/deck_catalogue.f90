@@ -2,8 +2,8 @@
 !> the defaults.
 module dg_deck_catalogue
    use dg_kinds, only: wp
-   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, find_catalogue, find_entry, number_of, &
-                           numeric_keys, read_catalogue
+   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, find_catalogue, find_entry, kind_of_grades, &
+                           number_of, numeric_keys, read_catalogue
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, rule_index, text_of
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_text, only: append_text, quoted, suggestion
@@ -92,19 +92,27 @@ contains
       end subroutine fill_text
    end subroutine fill
 
-   !> The entry most like a name, or how to list all.
+   !> The entry most like a name, a pipe with a grade among them, or how to list all.
    function advice(catalogue, name) result(text)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
       character(:), allocatable :: text
       integer, parameter :: longest = 80
-      character(longest), allocatable :: names(:)
-      integer :: i
-      allocate (names(size(catalogue%entries)))
-      do i = 1, size(names)
-         names(i) = catalogue%entries(i)%name
-      end do
-      text = suggestion(name, names)
+      character(longest), allocatable :: names(:), graded(:)
+      integer :: i, k
+      allocate (names(0))
+      associate (entries => catalogue%entries)
+         do i = 1, size(entries)
+            if (entries(i)%kind == kind_of_grades) cycle
+            names = [character(longest) :: names, entries(i)%name]
+         end do
+         allocate (graded, source=names)
+         do k = 1, size(entries)
+            if (entries(k)%kind /= kind_of_grades) cycle
+            graded = [character(longest) :: graded, (trim(names(i))//' '//entries(k)%name, i=1, size(names))]
+         end do
+      end associate
+      text = suggestion(name, graded)
       if (index(text, 'legal:') == 1) text = '--list-catalogue lists what it has'
    end function advice
 end module dg_deck_catalogue

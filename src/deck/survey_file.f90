@@ -6,8 +6,8 @@ module dg_survey_file
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: read_lines
    use dg_las_file, only: is_las, las_table
-   use dg_table_text, only: angle_unit, close_brackets, find_separator, length_unit, split_fields, split_heading, split_unit, &
-                            without_comment
+   use dg_table_text, only: angle_unit, close_brackets, find_separator, length_unit, other_unit, split_fields, split_heading, &
+                            split_unit, without_comment
    use dg_text, only: text_type, lower_case, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -27,9 +27,11 @@ module dg_survey_file
    integer, parameter :: column_md = 1, column_inc = 2, column_azi = 3
    character(*), parameter :: column_name(3) = ['md ', 'inc', 'azi']
    !> Other headings for the same, without blanks and marks, as programs write them.
-   character(*), parameter :: md_names(7) = [character(13) :: 'md', 'measureddepth', 'measdepth', 'mdepth', 'mdrkb', 'mdrt', 'mdkb']
+   character(*), parameter :: md_names(11) = [character(13) :: 'md', 'measureddepth', 'measdepth', 'mdepth', 'mdrkb', 'mdrt', &
+      'mdkb', 'mdbrt', 'depthmd', 'ahdepth', 'ahd']
    character(*), parameter :: inc_names(6) = [character(13) :: 'inc', 'inclination', 'incl', 'inclin', 'deviation', 'devi']
-   character(*), parameter :: azi_names(7) = [character(13) :: 'azi', 'azimuth', 'azim', 'hazi', 'azimuthtn', 'azimuthgn', 'az']
+   character(*), parameter :: azi_names(13) = [character(13) :: 'azi', 'azimuth', 'azim', 'azm', 'hazi', 'az', 'azimuthtn', &
+      'azimuthgn', 'azimuthtrue', 'azimuthgrid', 'azitrue', 'azigrid', 'gridazimuth']
    !> Curves of LAS files that have other names there: the index curve is the measured depth.
    character(*), parameter :: las_md_names(2) = [character(13) :: 'dept', 'depth']
    character(*), parameter :: las_inc_names(1) = [character(13) :: 'dev']
@@ -43,6 +45,7 @@ module dg_survey_file
       real(wp) :: factor(3) = 1.0_wp
       integer :: first_row = 0                   !< line below the header
       character(:), allocatable :: null          !< what stands for no value; '': nothing
+      character(:), allocatable :: foreign       !< a column whose unit is none that is converted here, for a message; '': none
    end type layout_type
 
 contains
@@ -80,6 +83,7 @@ contains
             if (line == layout%first_row .or. n == 0) then
                if (is_unit_row(fields, layout)) then
                   call take_units(layout, fields)
+                  if (layout%foreign /= '') call fault(layout%foreign)
                   cycle
                end if
             end if
@@ -133,6 +137,7 @@ contains
       logical :: found
       sound = .false.
       layout%null = ''
+      layout%foreign = ''
       if (is_las(lines)) then
          call las_table(lines, names, las_units, layout%first_row, layout%null, failure)
          if (failure /= '') then
@@ -144,6 +149,7 @@ contains
          first = layout%first_row - 1
          if (layout%place(column_md) == 0) call fault('the curves name no md (DEPT, DEPTH, MD)')
          if (layout%place(column_inc) == 0) call fault('the curves name no inc (INCL, INC, DEVI, DEV)')
+         if (layout%foreign /= '') call fault(layout%foreign)
          return
       end if
       first = 0
@@ -163,6 +169,7 @@ contains
       sound = .true.
       if (found) then
          call check_once(line)
+         if (layout%foreign /= '') call fault(layout%foreign)
          return
       end if
       line = first
@@ -224,6 +231,7 @@ contains
       logical :: is
       layout%place = 0
       layout%factor = [units%length, units%angle, units%angle]
+      layout%foreign = ''
       do column = 1, 3
          do i = size(names), 1, -1
             select case (column)
@@ -243,18 +251,24 @@ contains
       end do
    end subroutine match_columns
 
-   !> Sets the unit of a column, if it is one that we know ('MD (RKB)' names none).
+   !> Sets the unit of a column, if it is one that we know ('MD (RKB)' names none); one that is not converted is kept for a fault.
    pure subroutine take_unit(layout, column, name)
       type(layout_type), intent(inout) :: layout
       integer, intent(in) :: column
       character(*), intent(in) :: name
       real(wp) :: value
+      logical :: foreign
+      foreign = other_unit(name)
       if (column == column_md) then
          value = length_unit(name)
+         foreign = foreign .or. angle_unit(name) > 0.0_wp
       else
          value = angle_unit(name)
+         foreign = foreign .or. length_unit(name) > 0.0_wp
       end if
       if (value > 0.0_wp) layout%factor(column) = value
+      if (foreign .and. layout%foreign == '') layout%foreign = trim(column_name(column))//' in '//quoted(name)// &
+         '; convert it: md in m, ft or usft, angles in deg or rad'
    end subroutine take_unit
 
    !> Whether a row holds the units of the columns: (m), ft, ...

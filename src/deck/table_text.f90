@@ -5,8 +5,8 @@ module dg_table_text
    use dg_text, only: append_text, lower_case, text_type
    implicit none
    private
-   public :: blank_brackets, close_brackets, find_separator, length_unit, angle_unit, split_fields, split_heading, split_unit, &
-             without_comment
+   public :: blank_brackets, close_brackets, find_separator, length_unit, angle_unit, other_unit, split_fields, split_heading, &
+             split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
    character(*), parameter :: digits = '0123456789'
@@ -66,6 +66,16 @@ contains
          if (scan(whole(i:i), ' _.-') == 0) name = name//whole(i:i)
       end do
    end subroutine split_heading
+
+   !> Whether a heading's text in small letters is a unit of length or angle that is not converted here. Taken for no unit,
+   !> it would make wrong numbers of right ones.
+   pure function other_unit(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      character(*), parameter :: others(16) = [character(7) :: 'gon', 'gons', 'grad', 'grads', 'dms', 'turn', 'rev', 'km', 'hm', &
+         'cm', 'mm', 'in', 'inch', 'yd', 'mi', 'fathom']
+      is = any(others == name)
+   end function other_unit
 
    !> SI value of a unit of length by its name in small letters [m]; 0 where it is none that we know.
    pure function length_unit(name) result(value)

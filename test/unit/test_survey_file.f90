@@ -62,6 +62,7 @@ contains
       call accept('long names, blanks between', 'Measured Depth  Inclination  Azimuth|0 0 90|500 10 90.25|1234.5 45.5 100')
       call accept('short names', 'Meas. Depth;Incl.;Azim.|0;0;90|500;10;90,25|1234,5;45,5;100')
       call accept('no unit we know', 'MD (RKB),Incl (X),Azimuth TN|0,0,90|500,10,90.25|1234.5,45.5,100')
+      call accept('which north', 'Measured Depth;Inclination;Azimuth Grid|0;0;90|500;10;90,25|1234,5;45,5;100')
       call accept('plain name before others', 'deviation,md,inc,azi|9,0,0,90|9,500,10,90.25|9,1234.5,45.5,100')
    end subroutine test_headings
 
@@ -100,6 +101,11 @@ contains
       call refuse('short row', 'md,inc,azi|0,0', 'no value for azi')
       call refuse('no number', 'md,inc,azi|0,0,90|500,ten,90', "inc = 'ten' is no number")
       call refuse('empty', '', 'survey file is empty')
+      call refuse('gons', 'MD (m),Inc (gon),Azi (gon)|0,0,100|500,11.1,100', "inc in 'gon'")
+      call refuse('a length for an angle', 'MD (m),Inc (m),Azi|0,0,90|500,10,90', "inc in 'm'")
+      call refuse('kilometres', 'MD [km],Inc,Azi|0,0,90|0.5,10,90', "md in 'km'")
+      call refuse('gons in the row of units', 'MD,Inc,Azi|m,gon,gon|0,0,100|500,11.1,100', "inc in 'gon'")
+      call refuse('UTF-16', char(255)//char(254)//'m'//char(0)//'d'//char(0), 'UTF-16')
    end subroutine test_faults
 
    subroutine test_numbers()
