@@ -18,13 +18,16 @@ contains
    pure subroutine add_calibrations(lines, job)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(job_type), intent(in) :: job
+      character(:), allocatable :: line
       real(wp) :: where
       integer :: i
       do i = 1, size(job%calibrations)
          associate (calibration => job%calibrations(i))
-            call append_text(lines, 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
                joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
-               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases')
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (calibration%apply) line = line//'; applied'
+            call append_text(lines, line)
          end associate
       end do
       do i = 1, size(job%stickings)

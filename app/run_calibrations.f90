@@ -2,11 +2,11 @@
 module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
-   use dg_calibration, only: calibration_type, factors_of_deck, hookload_datum
+   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
-   use dg_error, only: error_type, raise, status_failure
+   use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_least_squares, fit_without_values
@@ -27,19 +27,25 @@ module dg_run_calibrations
 
 contains
 
-   !> Each calibration with each of its models. `lost` counts those without a fit; `error` tells that a file could not be
-   !> written.
-   subroutine run_calibrations(unit, job, model, lost, error)
+   !> Each calibration with each of its models. `calibrated` is the model with the friction that is to be applied. `lost` counts
+   !> those without a fit; `error` tells that a file could not be written, or that there is nothing to apply. A run that is a
+   !> part of others, or joins them, does what is applied alone, and neither prints nor writes it.
+   subroutine run_calibrations(unit, job, model, calibrated, lost, error)
       integer, intent(in) :: unit
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(model_type), intent(out) :: calibrated
       integer, intent(out) :: lost
       type(error_type), allocatable, intent(out) :: error
       type(calibration_result_type), allocatable :: results(:)
       integer, allocatable :: owner(:)     !< number of the calibration of each result
       type(text_type), allocatable :: lines(:)
       type(text_type), allocatable :: others(:)
+      type(error_type), allocatable :: failure
       integer :: i, j, k, n, n_lost, status
+      logical :: divided
+      calibrated = model
+      divided = job%parts > 0 .or. job%merge > 0
       n = size(job%stickings)
       do i = 1, size(job%calibrations)
          n = n + size(job%calibrations(i)%models)
@@ -49,6 +55,7 @@ contains
       allocate (results(n), owner(n))
       n = 0
       do i = 1, size(job%calibrations)
+         if (divided .and. .not. job%calibrations(i)%apply) cycle
          do j = 1, size(job%calibrations(i)%models)
             call calibrate(model, job%calibrations(i), j, job%threads, results(n + 1))
             if (is_interrupted()) exit
@@ -59,6 +66,12 @@ contains
                write (error_unit, '(a)') program_name//': calibration '//quoted(job%calibrations(i)%name)//', model '// &
                   trim(model_name(results(n)%model))//': no fit; '//results(n)%message
             end if
+            if (job%calibrations(i)%apply .and. results(n)%fit%status == fit_done) call apply_factors(job%calibrations(i), &
+               results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%holes)
+            if (job%calibrations(i)%apply .and. results(n)%fit%status /= fit_done .and. .not. allocated(error)) &
+               call raise(error, status_not_converged, 'calibration '//quoted(job%calibrations(i)%name)// &
+                          ' has found no friction to apply, so what is to use it was not run')
+            if (divided) cycle
             allocate (lines, source=calibration_table(job%units, model, job%calibrations(i), results(n)))
             do k = 1, size(lines)
                write (unit, '(a)', iostat=status) lines(k)%text
@@ -68,11 +81,15 @@ contains
          end do
       end do
       n_lost = lost
-      call run_stickings(unit, job, model, others, lost)
-      lost = lost + n_lost
-      call write_calibrations(job, model, owner(:n), results(:n), others, error)
+      if (.not. divided) then
+         allocate (others(0))
+         if (.not. allocated(error)) call run_stickings(unit, job, calibrated, others, lost)
+         lost = lost + n_lost
+         call write_calibrations(job, model, owner(:n), results(:n), others, failure)
+         if (allocated(failure)) call move_alloc(failure, error)
+      end if
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
-         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done; calibration.csv holds these')
+         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done')
    end subroutine run_calibrations
 
    !> One calibration with one model.

@@ -43,10 +43,11 @@ contains
 
    !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
    !> `status` is the exit status: the gravest of what happened.
-   subroutine run_deck(job, model, status)
+   subroutine run_deck(job, given, status)
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(model_type), intent(in) :: given        !< as the deck has it
       integer, intent(out) :: status
+      type(model_type) :: model                    !< with friction that calibrations apply
       type(sweep_run_type), allocatable :: sweeps(:)
       type(uncertainty_run_type), allocatable :: uncertainties(:)
       type(case_result_type), allocatable :: results(:)
@@ -54,10 +55,19 @@ contains
       type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
       integer :: i, lost, rows
+      logical :: calibrated_first
 
       status = status_ok
-      call check_memory(job, model, error)
+      calibrated_first = any(job%calibrations%apply)
+      call check_memory(job, given, error)
       if (.not. allocated(error)) call make_folder(job%output_dir, error)
+      call watch_for_signals()
+      if (calibrated_first .and. .not. allocated(error)) then
+         call run_calibrations(output_unit, job, given, model, lost, error)
+         if (lost > 0) status = status_not_converged
+      else
+         model = given
+      end if
       if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
       if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, error)
       if (allocated(error)) then
@@ -65,13 +75,12 @@ contains
          status = error%status
          return
       end if
-      call watch_for_signals()
       rows = 0
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(job, model, results, alongs, wholes, status)
-      if (job%parts == 0 .and. job%merge == 0 .and. .not. is_interrupted()) then
-         call run_calibrations(output_unit, job, model, lost, error)
+      if (job%parts == 0 .and. job%merge == 0 .and. .not. (is_interrupted() .or. calibrated_first)) then
+         call run_calibrations(output_unit, job, given, model, lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end if

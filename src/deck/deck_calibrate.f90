@@ -1,8 +1,9 @@
 !> The groups &calibrate of a deck: which factors are looked for, and whether its measurements can tell them.
 module dg_deck_calibrate
    use dg_kinds, only: wp
-   use dg_calibration, only: calibration_type, offset_name, parameter_name, set_data, set_unknowns, tells, unknown_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of, texts_of
+   use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
+                             offset_name, parameter_name, set_data, set_unknowns, tells, unknown_type
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_hole_section, only: hole_section_type
@@ -39,6 +40,7 @@ contains
          if (.not. is_calibration(groups(i))) cycle
          n = n + 1
          call take_one(draft, groups(i), n, calibrations(n), faults)
+         call check_apply(draft, groups(i), calibrations(:n), faults)
          do j = 1, n - 1
             if (lower_case(calibrations(j)%name) /= lower_case(calibrations(n)%name)) cycle
             call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &calibrate: name '// &
@@ -90,6 +92,7 @@ contains
                         trim(not_for_friction(i))//' has no meaning with parameter = '// &
                         quoted(trim(parameter_name(calibration%parameter)))//'; leave it out')
       end do
+      calibration%apply = logical_of(group, 'apply', .false.)
       call take_models(group, calibration%models)
       if (is_sound(group, 'hookload_deviation')) &
          calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
@@ -229,6 +232,45 @@ contains
          call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)
       end subroutine fault
    end subroutine lay_out
+
+   !> What is applied must be one factor a hole section, must not be overruled by its own load cases, and must not be two.
+   subroutine check_apply(draft, group, calibrations, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(calibration_type), intent(in) :: calibrations(:)      !< up to that of the group
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, j
+      associate (mine => calibrations(size(calibrations)))
+         if (.not. (mine%apply .and. allocated(mine%holes))) return
+         if (mine%by_operation .or. mine%by_depth) call fault("apply needs separate = 'none' or 'holes': a factor of an "// &
+            'operation or depth has no place in a hole section; put it into load cases by hand')
+         if (size(mine%models) > 1) call fault('apply needs one model, to tell whose factors are meant')
+         do i = 1, size(mine%cases)
+            associate (case => draft%cases(mine%cases(i)))
+               if (case%load_case%friction_axial%present .and. mine%parameter /= calibrate_friction_rotary .or. &
+                   case%load_case%friction_rotary%present .and. mine%parameter /= calibrate_friction_axial) &
+                  call fault('load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)//') has friction of '// &
+                             'its own, which stands above that of the hole; leave it out there, or leave out apply')
+            end associate
+         end do
+         do i = 1, size(calibrations) - 1
+            if (.not. (calibrations(i)%apply .and. allocated(calibrations(i)%holes))) cycle
+            if (mine%parameter /= calibrate_friction .and. calibrations(i)%parameter /= calibrate_friction .and. &
+                mine%parameter /= calibrations(i)%parameter) cycle
+            do j = 1, size(mine%holes)
+               if (any(calibrations(i)%holes == mine%holes(j))) exit
+            end do
+            if (j > size(mine%holes)) cycle
+            call fault('calibration '//quoted(calibrations(i)%name)//' applies friction of hole section '// &
+                       quoted(draft%holes(mine%holes(j))%section%name)//' already; keep one')
+         end do
+      end associate
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'apply'), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine check_apply
 
    !> What an unknown is, for messages.
    function unknown_words(draft, unknown) result(words)

@@ -12,6 +12,7 @@ module dg_calibration
    public :: calibration_type, unknown_type, datum_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
+   public :: apply_factors, applied_factor
    public :: offset_none, offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
@@ -50,6 +51,7 @@ module dg_calibration
       integer, allocatable :: holes(:)       !< numbers of hole sections whose friction is looked for
       logical :: by_hole = .true., by_operation = .false., by_depth = .false. !< what has a factor of its own
       integer :: offset = offset_none        !< whether the gauge may show too much
+      logical :: apply = .false.             !< the rest of the run uses what is found
       type(optional_real) :: hookload_deviation !< standard deviation of a measured hook load [N]; absent: not known
       type(optional_real) :: torque_deviation   !< of a measured torque [N.m]
       type(unknown_type), allocatable :: unknowns(:)
@@ -61,6 +63,10 @@ module dg_calibration
    !> Standard deviation where the deck tells none, over the mean of the measured values of a kind [-]. It only weighs hook
    !> loads against torques: intervals then come from the residuals.
    real(wp), parameter :: usual_deviation = 0.02_wp
+
+   !> A factor is applied as it is printed, with four decimals: it is never known better, the printed one gives the same
+   !> results when a deck names it, and machines that differ in the last bit agree, as parts of a divided sweep must.
+   real(wp), parameter :: applied_steps = 1.0e4_wp
 
 contains
 
@@ -197,6 +203,32 @@ contains
          end associate
       end do
    end function with_factors
+
+   !> Gives hole sections the friction found: factors of sections, or one of all. Those that the data do not feel stay.
+   pure subroutine apply_factors(calibration, factors, felt, holes)
+      type(calibration_type), intent(in) :: calibration
+      real(wp), intent(in) :: factors(:)         !< one an unknown
+      logical, intent(in) :: felt(:)             !< one an unknown
+      type(hole_section_type), intent(inout) :: holes(:)
+      integer :: j, u
+      do u = 1, size(calibration%unknowns)
+         if (calibration%unknowns(u)%is_offset .or. .not. felt(u)) cycle
+         do j = 1, size(calibration%holes)
+            if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
+            associate (hole => holes(calibration%holes(j)))
+               if (calibration%parameter /= calibrate_friction_rotary) hole%friction_axial = applied_factor(factors(u))
+               if (calibration%parameter /= calibrate_friction_axial) hole%friction_rotary = applied_factor(factors(u))
+            end associate
+         end do
+      end do
+   end subroutine apply_factors
+
+   !> A factor as it is applied.
+   elemental function applied_factor(factor) result(applied)
+      real(wp), intent(in) :: factor
+      real(wp) :: applied
+      applied = anint(factor*applied_steps)/applied_steps
+   end function applied_factor
 
    !> The factors that the deck gives, as a start: the mean over the hole sections and cases of each unknown.
    pure function factors_of_deck(calibration, holes, load_cases) result(factors)

@@ -2,7 +2,7 @@
 !> after, and in plain words what the data cannot tell. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
-   use dg_calibration, only: calibration_type, hookload_datum, parameter_name, unknown_type
+   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
@@ -10,7 +10,7 @@ module dg_calibration_table
    use dg_least_squares, only: fit_done
    use dg_load_case, only: given, operation_label, optional_real
    use dg_missing, only: is_missing
-   use dg_model, only: model_type
+   use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -42,6 +42,7 @@ contains
       call append_factors(lines, units, model, calibration, result)
       call append_data(lines, units, model, calibration, result)
       call append_warnings(lines, units, model, calibration, result)
+      if (calibration%apply) call append_applied(lines, model, calibration, result)
       call append_text(lines, to_text(result%fit%iterations)//' iterations, '//to_text(result%solutions)//' solutions, '// &
                        to_text(result%seconds, 3)//' s')
    end function calibration_table
@@ -186,6 +187,28 @@ contains
          to_text(result%statistics%scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
          'what was measured')
    end subroutine append_warnings
+
+   !> What the rest of the run uses, one line a hole section.
+   subroutine append_applied(lines, model, calibration, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      type(model_type) :: applied
+      character(:), allocatable :: head
+      integer :: i
+      call copy_without_cases(model, applied)
+      call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%holes)
+      head = 'Applied to all that follows:'
+      if (any(calibration%unknowns%is_offset)) head = 'Applied to all that follows, without the offset:'
+      call append_text(lines, head)
+      do i = 1, size(calibration%holes)
+         associate (hole => applied%holes(calibration%holes(i)))
+            call append_text(lines, '  '//hole%name//': friction '//trim(adjustl(fixed_cell(hole%friction_axial, cell_width, &
+               factor_digits)))//' along, '//trim(adjustl(fixed_cell(hole%friction_rotary, cell_width, factor_digits)))//' around')
+         end associate
+      end do
+   end subroutine append_applied
 
    !> What a factor is for.
    function unknown_text(units, model, unknown) result(text)

@@ -17,6 +17,7 @@ contains
       use dg_test_study_runs, only: study_runs_suite
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
+      use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
       type(TestSuite) :: suite
@@ -30,6 +31,7 @@ contains
       call suite%addTest(study_runs_suite())
       call suite%addTest(sweep_runs_suite())
       call suite%addTest(calibration_runs_suite())
+      call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())
    end function load_tests

@@ -1,0 +1,142 @@
+!> Friction that a calibration applies: all that follows uses it, as if the deck had named it; what cannot be applied is refused.
+module dg_test_applied_friction
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_kinds, only: wp
+   use dg_program_run, only: csv_field, deck_path, replaced, result_lines, results_path, run_deck_text, run_program, run_type
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: applied_friction_suite
+
+   character(*), parameter :: newline = achar(10)
+   !> Straight hole of 1000 m at 60 deg, pipe of 20 kg/m without mud: weight along the hole and across it [kN].
+   real(wp), parameter :: along = 20.0_wp*9.80665_wp*0.5_wp, across = 20.0_wp*9.80665_wp*0.8660254037844386_wp
+   character(*), parameter :: applied = "&calibrate name = 'k', apply = .true. /"
+   integer, parameter :: parts = 3
+
+contains
+
+   function applied_friction_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('applied_friction')
+      call suite%addTest(TestMethod('used_by_all', test_used))
+      call suite%addTest(TestMethod('parts', test_parts))
+      call suite%addTest(TestMethod('nothing_to_apply', test_nothing))
+      call suite%addTest(TestMethod('refused', test_refused))
+   end function applied_friction_suite
+
+   !> Friction 0.2 down to 400 m and 0.3 below, as hook loads of tripping out at 500 and 1000 m tell it; 0.1 in the deck. What uses
+   !> friction stands in line 9, a calibration in line 10.
+   function deck(calibrate) result(text)
+      character(*), intent(in) :: calibrate
+      character(:), allocatable :: text
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory md = 0, 1000, inc = 60, 60, azi = 0, 0 /"//newline// &
+         "&hole name = 'upper', md_bottom = 400, diameter = 220, friction = 0.1 /"//newline// &
+         "&hole name = 'lower', md_bottom = 1000, diameter = 215.9, friction = 0.11 /"//newline// &
+         "&fluid density = 0 /"//newline//"&component od = 127, id = 108.6, mass = 20 /"//newline// &
+         "&load_case name = 'a', operation = 'up', bit_depth = 500, measured_hookload = "// &
+         to_text(0.5_wp*along + 0.11_wp*across)//" /"//newline// &
+         "&load_case name = 'b', operation = 'up', bit_depth = 1000, measured_hookload = "//to_text(along + 0.26_wp*across)// &
+         " /"//newline//"&sweep name = 's', bit_depth_step = 250 / &uncertainty name = 'u', bit_depth_step = 500, samples = 9, "// &
+         "friction_deviation = 0.02 / &sweep name = 'own', bit_depth_step = 500, frictions = 0.15 /"//newline//calibrate//newline
+   end function deck
+
+   !> The same deck with the factors in its hole sections and without calibration gives the same files; a sweep with friction of
+   !> its own keeps it.
+   subroutine test_used()
+      character(*), parameter :: files(4) = [character(17) :: 'summary.csv', 'sweep_s.csv', 'sweep_own.csv', 'uncertainty_u.csv']
+      type(run_type) :: run
+      type(text_type), allocatable :: found(:), named(:), lines(:)
+      run = run_deck_text(deck(applied))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'lower: friction 0.3000 along, 0.3000 around') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Calibration k') < index(run%output, 'Model soft'), message='calibrated first')
+      allocate (lines, source=result_lines('calibration.csv'))
+      call assertEqual('0.2000000000', csv_field(lines(2)%text, 28), message=lines(2)%text)
+      call assertEqual('0.3000000000', csv_field(lines(3)%text, 28), message=lines(3)%text)
+      allocate (found, source=contents())
+      run = run_deck_text(replaced(replaced(deck(''), 'friction = 0.11', 'friction = 0.3'), 'friction = 0.1 ', 'friction = 0.2 '))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (named, source=contents())
+      call compare(found, named)
+   contains
+      !> The files one after the other, of the summary what comes before the status and the seconds.
+      function contents() result(all_lines)
+         type(text_type), allocatable :: all_lines(:)
+         type(text_type), allocatable :: one(:)
+         integer :: i, k
+         allocate (all_lines(0))
+         do i = 1, size(files)
+            allocate (one, source=result_lines(trim(files(i))))
+            do k = 1, size(one)
+               if (i == 1) one(k)%text = one(k)%text(:index(one(k)%text//',converged', ',converged'))
+            end do
+            all_lines = [all_lines, one]
+            deallocate (one)
+         end do
+      end function contents
+   end subroutine test_used
+
+   !> Parts find the same friction each, and join.
+   subroutine test_parts()
+      type(run_type) :: run
+      type(text_type), allocatable :: whole(:), joined(:)
+      integer :: i
+      run = run_deck_text(deck(applied))
+      allocate (whole, source=result_lines('sweep_s.csv'))
+      do i = 1, parts
+         run = run_program(deck_path//' --output '//results_path//' --part '//to_text(i)//'/'//to_text(parts))
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call assertEqual(0, index(run%output, 'Calibration'), message='nothing told twice')
+      end do
+      run = run_program(deck_path//' --output '//results_path//' --merge '//to_text(parts))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (joined, source=result_lines('sweep_s.csv'))
+      call compare(whole, joined)
+   end subroutine test_parts
+
+   !> No fit: nothing is run with friction that was not asked for.
+   subroutine test_nothing()
+      type(run_type) :: run
+      logical :: there
+      run = run_deck_text(replaced(deck("&calibrate name = 'k', apply = .true., model = 'mcge' / &solver max_iterations = 1 /"), &
+                                   "name = 's'", "name = 's', model = 'soft'"))
+      call assertEqual(3, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'calibration ''k'' has found no friction to apply') > 0, message=run%diagnostics)
+      inquire (file=results_path//'/sweep_s.csv', exist=there)
+      call assertFalse(there, message='no sweep')
+      inquire (file=results_path//'/calibration.csv', exist=there)
+      call assertTrue(there, message='what was tried is written')
+   end subroutine test_nothing
+
+   subroutine test_refused()
+      call refuse("separate = 'depths', apply = .true.", 'apply needs separate = ''none'' or ''holes''')
+      call refuse("model = 'soft', 'rigid', apply = .true.", 'apply needs one model')
+      call refuse("apply = .true. / &calibrate separate = 'none', parameter = 'friction_axial', apply = .true.", &
+                  'calibration ''1'' applies friction of hole section ''upper'' already')
+      call refuse("parameter = 'sticking', sticking_depth = 300, apply = .true.", 'apply has no meaning with parameter')
+      call refuse("apply = 1", 'apply = 1')
+      call refuse("apply = .true. / &load_case name = 'c', operation = 'down', bit_depth = 900, friction = 0.2, "// &
+                  "measured_hookload = 60", 'load case ''c'' (line 10) has friction of its own')
+   end subroutine test_refused
+
+   subroutine refuse(keys, expected)
+      character(*), intent(in) :: keys, expected
+      type(run_type) :: run
+      run = run_deck_text(deck('&calibrate '//keys//' /'))
+      call assertEqual(2, run%status, message=expected)
+      call assertTrue(index(run%diagnostics, deck_path//':10: group &calibrate: ') > 0 .and. &
+                      index(run%diagnostics, expected) > 0, message='wanted '//expected//'; got: '//run%diagnostics)
+      call assertFalse(run%has_results, message='no folder of results: '//expected)
+   end subroutine refuse
+
+   subroutine compare(one, two)
+      type(text_type), intent(in) :: one(:), two(:)
+      integer :: i
+      call assertEqual(size(one), size(two))
+      do i = 1, min(size(one), size(two))
+         call assertEqual(one(i)%text, two(i)%text)
+      end do
+   end subroutine compare
+end module dg_test_applied_friction
