@@ -5,7 +5,8 @@ module dg_run_uncertainties
    use dg_case_result, only: case_result_type, result_converged, result_not_converged
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
-   use dg_job, only: job_type
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: operation_name
    use dg_model, only: model_type
    use dg_model_text, only: uncertainty_lines
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
@@ -78,9 +79,8 @@ contains
                ' solutions were there before, in '//run%keeper%path)
             seconds = 0.0_wp
             if (job%merge == 0) call solve_samples(job, model, uncertainty, run, seconds)
-            lost = count(is_solved(run%pieces) .and. run%pieces%status /= result_converged)
-            if (lost > 0) call tell_lost(name, run%pieces, lost)
             lost = count(run%pieces%status == result_not_converged)
+            if (lost > 0) call tell_lost(uncertainty, run%pieces, lost)
             if (job%merge == 0 .and. is_interrupted()) then
                call write_record(run%keeper, run%pieces, error)
                if (.not. allocated(error)) call raise(error, status_failure, what//' '//quoted(name)//': ended by '// &
@@ -205,19 +205,26 @@ contains
       if (result%status /= result_converged) found%message = result%message
    end subroutine solve_point
 
-   !> Tells how many solutions are none, and why the first is none.
-   subroutine tell_lost(name, pieces, lost)
-      character(*), intent(in) :: name
+   !> Tells how many solutions are none, and of the first what it is and why it is none, so that it can be looked into.
+   subroutine tell_lost(uncertainty, pieces, lost)
+      type(uncertainty_type), intent(in) :: uncertainty
       type(sweep_result_type), intent(in) :: pieces(:)
       integer, intent(in) :: lost
+      type(point_type) :: point
       character(:), allocatable :: text
-      integer :: i
-      do i = 1, size(pieces)
-         if (is_solved(pieces(i)) .and. pieces(i)%status /= result_converged) exit
+      integer :: first, sample
+      do first = 1, size(pieces)
+         if (pieces(first)%status == result_not_converged) exit
       end do
-      text = what//' '//quoted(name)//': '//to_text(lost)//' of '//to_text(count(is_solved(pieces)))// &
-         ' solutions are none and are left out of the quantiles'
-      if (allocated(pieces(i)%message)) text = text//'; the first: '//pieces(i)%message
+      sample = modulo(first - 1, uncertainty%samples) + 1
+      associate (range => uncertainty%range)
+         point = point_at(range, (first - 1)/uncertainty%samples + 1)
+         text = what//' '//quoted(range%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(pieces)))// &
+                ' solutions did not converge and are left out of the quantiles; the first: '// &
+                trim(model_name(range%models(point%model)))//', '//trim(operation_name(range%operations(point%operation)))// &
+                ', bit at '//to_text(range%depths(point%depth), 7)//' m, sample '//to_text(sample)
+      end associate
+      if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message
       call tell(text)
    end subroutine tell_lost
 

@@ -16,21 +16,24 @@ module dg_uncertainty_file
    public :: uncertainty_columns, write_uncertainty
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: uncertainty_columns(14) = [ &
+   type(column_type), parameter :: uncertainty_columns(16) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
-      column_type('samples', quantity_none, 'samples that have a solution; the others are left out'), &
-      column_type('hookload_p10', quantity_force, 'hook load under which 10 % of the samples lie'), &
+      column_type('samples', quantity_none, 'samples that have a solution'), &
+      column_type('hookload_p10', quantity_force, 'hook load under which 10 % of the samples lie; empty where so many lock up'), &
       column_type('hookload_p50', quantity_force, 'the same for half of them'), &
       column_type('hookload_p90', quantity_force, 'the same for 90 %'), &
-      column_type('hookload_mean', quantity_force, 'mean of the samples'), &
+      column_type('hookload_mean', quantity_force, 'mean of the samples that have a solution'), &
       column_type('hookload_deviation', quantity_force, 'their standard deviation'), &
       column_type('torque_p10', quantity_moment, 'torque at the top under which 10 % of the samples lie'), &
       column_type('torque_p50', quantity_moment, 'the same for half of them'), &
       column_type('torque_p90', quantity_moment, 'the same for 90 %'), &
-      column_type('torque_mean', quantity_moment, 'mean of the samples'), &
-      column_type('torque_deviation', quantity_moment, 'their standard deviation')]
+      column_type('torque_mean', quantity_moment, 'mean of the samples that have a solution'), &
+      column_type('torque_deviation', quantity_moment, 'their standard deviation'), &
+      column_type('locked_up', quantity_none, 'samples that lock up: below all others in quantiles of the hook load, and above '// &
+                  'them in torque where the string turns'), &
+      column_type('not_converged', quantity_none, 'samples without solution, left out of all')]
 
 contains
 
@@ -56,6 +59,8 @@ contains
          call put(row, statistics(i)%solved)
          call put_distribution(row, statistics(i)%hookload)
          call put_distribution(row, statistics(i)%torque)
+         call put(row, statistics(i)%locked_up)
+         call put(row, statistics(i)%not_converged)
          lines(i)%text = csv_row(uncertainty_columns, job%units, row%fields)
       end do
       call write_text_file(path, lines, error)

@@ -18,7 +18,7 @@ module dg_uncertainty_table
    integer, parameter :: depth_width = 10, cell_width = 10
    !> Rows of a table: a page shows the shape of a curve, the file has every depth.
    integer, parameter :: most_rows = 25
-   integer, parameter :: digits = 4
+   integer, parameter :: digits = 4, depth_digits = 7
 
 contains
 
@@ -71,7 +71,7 @@ contains
       character(:), allocatable :: head, rule
       type(point_type) :: point
       type(optional_real) :: measured
-      integer :: i, k, n, rows
+      integer :: i, k, n, rows, first, last
       call append_text(lines, '')
       call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
                        trim(model_name(uncertainty%range%models(curve%model)))//': hook load, '//trim(units%force_label)// &
@@ -98,11 +98,30 @@ contains
          associate (found => statistics(point_number(uncertainty%range, point)))
             call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
                              cells(found%hookload, units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
-                             cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width))
+                             cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width)// &
+                             trim(merge('!', ' ', found%not_converged > 0)))
          end associate
       end do
       call append_text(lines, rule)
       if (rows < n) call append_text(lines, to_text(rows)//' of '//to_text(n)//' depths; the file has them all')
+      point%depth = 1
+      first = point_number(uncertainty%range, point)
+      point%depth = n
+      last = point_number(uncertainty%range, point)
+      associate (curve_points => statistics(first:last))
+         if (any(curve_points%not_converged > 0)) call append_text(lines, &
+            '! samples without solution are left out: '//most(curve_points%not_converged)//'; the numbers are those of the others')
+         if (any(curve_points%locked_up > 0)) call append_text(lines, &
+            'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others, where quantiles have no number')
+      end associate
+   contains
+      !> How many samples at the depth that has most of them.
+      pure function most(counts) result(text)
+         integer, intent(in) :: counts(:)
+         character(:), allocatable :: text
+         text = to_text(maxval(counts))//' of '//to_text(uncertainty%samples)//' with the bit at '// &
+                to_text(uncertainty%range%depths(maxloc(counts, dim=1))/units%length, depth_digits)//' '//trim(units%length_label)
+      end function most
    end subroutine append_curve
 
    pure function cells(distribution, unit, decimals) result(text)

@@ -3,7 +3,9 @@ module dg_sample_statistics
    use dg_kinds, only: wp
    use dg_missing, only: missing
    use dg_sampled_model, only: draw_of, quantity_hookload, quantity_torque
-   use dg_case_result, only: result_converged
+   use dg_case_result, only: result_converged, result_locked_up, result_not_converged
+   use dg_load_case, only: rotates
+   use dg_sweep, only: point_at, point_type
    use dg_sweep_result, only: sweep_result_type
    use dg_uncertainty, only: piece_number, uncertainty_type
    implicit none
@@ -20,9 +22,13 @@ module dg_sample_statistics
       real(wp) :: deviation = missing        !< standard deviation
    end type distribution_type
 
-   !> A point of the range over all samples that have a solution.
+   !> A point of the range over all samples. Those that lock up count: their hook load lies below every other, since no push brings
+   !> the string down, and where it turns their torque above. A quantile that falls among them has no number. Samples without
+   !> solution are left out.
    type :: point_statistics_type
       integer :: solved = 0
+      integer :: locked_up = 0
+      integer :: not_converged = 0
       type(distribution_type) :: hookload    !< [N]
       type(distribution_type) :: torque      !< [N.m]
    end type point_statistics_type
@@ -35,46 +41,65 @@ contains
       integer, intent(in) :: point                        !< its number in the range
       type(sweep_result_type), intent(in) :: results(:)   !< all
       type(point_statistics_type) :: statistics
-      integer :: samples(uncertainty%samples), pieces(uncertainty%samples), sample
+      integer :: samples(uncertainty%samples), pieces(uncertainty%samples), sample, tight
+      type(point_type) :: place
       samples = [(sample, sample=1, size(samples))]
-      samples = pack(samples, results(piece_number(uncertainty, point, samples))%status == result_converged, &
-                     spread(0, 1, size(samples)))
+      pieces = piece_number(uncertainty, point, samples)
+      statistics%locked_up = count(results(pieces)%status == result_locked_up)
+      statistics%not_converged = count(results(pieces)%status == result_not_converged)
+      samples = pack(samples, results(pieces)%status == result_converged, spread(0, 1, size(samples)))
       statistics%solved = count(samples > 0)
       pieces = piece_number(uncertainty, point, max(samples, 1))
+      place = point_at(uncertainty%range, point)
+      tight = 0
+      if (rotates(uncertainty%range%operations(place%operation))) tight = statistics%locked_up
       associate (solved => samples(:statistics%solved), places => pieces(:statistics%solved))
          statistics%hookload = find_distribution(results(places)%hookload + uncertainty%hookload_deviation* &
-                                                 draw_of(uncertainty, solved, quantity_hookload, point))
+                                                 draw_of(uncertainty, solved, quantity_hookload, point), &
+                                                 below=statistics%locked_up)
          statistics%torque = find_distribution(results(places)%torque + uncertainty%torque_deviation* &
-                                               draw_of(uncertainty, solved, quantity_torque, point))
+                                               draw_of(uncertainty, solved, quantity_torque, point), above=tight)
       end associate
    end function find_point_statistics
 
-   !> Of a list of numbers; nothing of an empty one.
-   pure function find_distribution(numbers) result(distribution)
+   !> Of a list of numbers; nothing of an empty one. Beside them there may be some of which no more is known than that they lie
+   !> below or above all: they count for quantiles, not for mean and deviation.
+   pure function find_distribution(numbers, below, above) result(distribution)
       real(wp), intent(in) :: numbers(:)
+      integer, intent(in), optional :: below, above
       type(distribution_type) :: distribution
       real(wp) :: sorted(size(numbers))
-      integer :: n
+      integer :: n, low, high
       n = size(numbers)
       if (n == 0) return
+      low = 0
+      high = 0
+      if (present(below)) low = below
+      if (present(above)) high = above
       sorted = numbers
       call sort(sorted)
-      distribution%quantiles = quantile(sorted, shares)
+      distribution%quantiles = quantile(sorted, shares, low, high)
       distribution%mean = sum(sorted)/real(n, wp)
       if (n > 1) distribution%deviation = norm2(sorted - distribution%mean)/sqrt(real(n - 1, wp))
    end function find_distribution
 
-   !> The number under which a share of sorted numbers lies, by straight lines between neighbours (type 7 of Hyndman & Fan 1996).
-   pure function quantile(sorted, share) result(numbers)
+   !> The number under which a share of sorted numbers lies, by straight lines between neighbours (type 7 of Hyndman & Fan 1996);
+   !> missing where it lies among, or next to, those that are only known to be below or above all.
+   pure function quantile(sorted, share, below, above) result(numbers)
       real(wp), intent(in) :: sorted(:)      !< ascending, at least one
       real(wp), intent(in) :: share(:)       !< 0 to 1
+      integer, intent(in) :: below, above    !< how many more lie below and above the sorted ones
       real(wp) :: numbers(size(share))
       real(wp) :: place
-      integer :: i, below
+      integer :: i, low, next
       do i = 1, size(share)
-         place = 1.0_wp + share(i)*real(size(sorted) - 1, wp)
-         below = min(int(place), size(sorted))
-         numbers(i) = sorted(below) + (place - below)*(sorted(min(below + 1, size(sorted))) - sorted(below))
+         numbers(i) = missing
+         place = 1.0_wp + share(i)*real(below + size(sorted) + above - 1, wp)
+         low = int(place) - below
+         place = place - below
+         next = merge(low + 1, low, place > real(low, wp))
+         if (low < 1 .or. next > size(sorted)) cycle
+         numbers(i) = sorted(low) + (place - low)*(sorted(next) - sorted(low))
       end do
    end function quantile
 

@@ -3,7 +3,7 @@
 module dg_test_uncertainty
    use, intrinsic :: iso_fortran_env, only: int64
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
-   use dg_case_result, only: result_converged, result_not_converged
+   use dg_case_result, only: result_converged, result_locked_up, result_not_converged
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_counter_random, only: normal_number, philox
@@ -11,7 +11,7 @@ module dg_test_uncertainty
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_sample_statistics, only: distribution_type, find_distribution, find_point_statistics, p10, p50, p90, &
       point_statistics_type, quantile
@@ -102,13 +102,38 @@ contains
       call assertEqual([10.0_wp, 50.0_wp, 90.0_wp], found%quantiles, round_off*100.0_wp)
       call assertEqual(50.0_wp, found%mean, round_off*100.0_wp)
       call assertEqual(sqrt(1100.0_wp), found%deviation, round_off*100.0_wp)
-      call assertEqual([1.25_wp], quantile([1.0_wp, 2.0_wp], [0.25_wp]), round_off)
+      call assertEqual([1.25_wp], quantile([1.0_wp, 2.0_wp], [0.25_wp], 0, 0), round_off)
+      call check_bounded([0.0_wp, 10.0_wp, 20.0_wp, 30.0_wp, 40.0_wp, 50.0_wp, 60.0_wp, 70.0_wp, 80.0_wp], 2, 0, &
+                         [missing, 30.0_wp, 70.0_wp])
+      call check_bounded([0.0_wp, 10.0_wp, 20.0_wp, 30.0_wp, 40.0_wp, 50.0_wp, 60.0_wp, 70.0_wp, 80.0_wp, 90.0_wp], 0, 1, &
+                         [10.0_wp, 50.0_wp, 90.0_wp])
+      call check_bounded([0.0_wp, 10.0_wp], 9, 0, [missing, missing, 0.0_wp])
+      call check_bounded([0.0_wp, 10.0_wp], 1, 2, [missing, 10.0_wp, missing])
       found = find_distribution([3.0_wp])
       call assertEqual([3.0_wp, 3.0_wp, 3.0_wp], found%quantiles, round_off)
       call assertTrue(is_missing(found%deviation))
       found = find_distribution([real(wp) ::])
       call assertTrue(is_missing(found%quantiles(p50)))
    end subroutine test_quantiles
+
+   !> Of eleven (five) numbers, some only known to lie below or above all: P10 is the second (between first and second), P50 the sixth
+   !> (third), P90 the tenth (between fourth and fifth), where these are known. Mean and deviation are of those that are.
+   subroutine check_bounded(numbers, below, above, expected)
+      real(wp), intent(in) :: numbers(:)
+      integer, intent(in) :: below, above
+      real(wp), intent(in) :: expected(3)
+      type(distribution_type) :: found
+      integer :: k
+      found = find_distribution(numbers, below, above)
+      do k = 1, 3
+         if (is_missing(expected(k))) then
+            call assertTrue(is_missing(found%quantiles(k)), message='no number')
+         else
+            call assertEqual(expected(k), found%quantiles(k), round_off*100.0_wp)
+         end if
+      end do
+      call assertEqual(sum(numbers)/size(numbers), found%mean, round_off*100.0_wp)
+   end subroutine check_bounded
 
    !> Two sections, a survey through north in a vertical and an inclined part.
    subroutine build(model, uncertainty)
@@ -210,6 +235,13 @@ contains
       found = find_point_statistics(uncertainty, 2, pieces)
       call assertEqual(40, found%solved)
       call assertEqual(80.5_wp, found%hookload%quantiles(p50), round_off*100.0_wp, message='of 61 to 100')
+      call assertEqual([0, 10], [found%locked_up, found%not_converged])
+      pieces(61:70)%status = result_locked_up
+      found = find_point_statistics(uncertainty, 2, pieces)
+      call assertEqual([30, 10, 10], [found%solved, found%locked_up, found%not_converged])
+      call assertEqual(80.5_wp, found%hookload%quantiles(p50), round_off*100.0_wp, message='ten below 71 to 100')
+      call assertTrue(is_missing(found%hookload%quantiles(p10)), message='a quarter locks up')
+      call assertEqual(0.0_wp, found%torque%quantiles(p10), message='nothing turns')
       pieces%hookload = 5.0_wp
       uncertainty%hookload_deviation = 2.0_wp
       found = find_point_statistics(uncertainty, 1, pieces)
