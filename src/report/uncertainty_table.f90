@@ -112,7 +112,7 @@ contains
          if (any(curve_points%not_converged > 0)) call append_text(lines, &
             '! samples without solution are left out: '//most(curve_points%not_converged)//'; the numbers are those of the others')
          if (any(curve_points%locked_up > 0)) call append_text(lines, &
-            'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others, where quantiles have no number')
+            'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others; - : among them')
       end associate
    contains
       !> How many samples at the depth that has most of them.
