@@ -116,8 +116,8 @@ contains
       call assertTrue(is_missing(found%quantiles(p50)))
    end subroutine test_quantiles
 
-   !> Of eleven (five) numbers, some only known to lie below or above all: P10 is the second (between first and second), P50 the sixth
-   !> (third), P90 the tenth (between fourth and fifth), where these are known. Mean and deviation are of those that are.
+   !> Of eleven (five) numbers, some only known to lie below or above all: P10 is the second (between first and second), P50 the
+   !> sixth (third), P90 the tenth (between fourth and fifth), where these are known. Mean and deviation are of those that are.
    subroutine check_bounded(numbers, below, above, expected)
       real(wp), intent(in) :: numbers(:)
       integer, intent(in) :: below, above
