@@ -79,6 +79,7 @@ contains
 
    subroutine test_catalogue_faults()
       call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
+      call refuse("catalogue = 'DP 5 19.5 NC50 S-135'", "did you mean 'DP 5 19.50 NC50 S135'?")
       call refuse("catalogue = 'something else altogether'", '--list-catalogue lists what it has')
       call refuse("catalogue = 'S135'", "input/catalogue.csv has no 'S135'")
       call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")

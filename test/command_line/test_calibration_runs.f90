@@ -2,9 +2,9 @@
 !> refused.
 module dg_test_calibration_runs
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_file_lines, only: read_lines
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type
+   use dg_result_rows, only: field, lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -59,7 +59,7 @@ contains
       call assertTrue(index(run%output, 'Calibration k, model soft: friction_axial from 3 measured values') > 0, &
                       message=run%output)
       call assertTrue(index(run%output, 'they fit as they must') > 0, message=run%output)
-      allocate (lines, source=lines_of('calibration.csv'))
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual(4, size(lines))
       if (size(lines) /= 4) return
       call assertEqual('upper', field(lines(2)%text, 4))
@@ -67,7 +67,7 @@ contains
       call assertEqual(lower, number(lines(3)%text, 8), at_rest)
       call assertEqual(gauge, number(lines(4)%text, 15), at_rest*along)
       deallocate (lines)
-      allocate (lines, source=lines_of('calibration_data.csv'))
+      allocate (lines, source=lines_of(results_path//'/calibration_data.csv'))
       call assertEqual(4, size(lines))
       if (size(lines) /= 4) return
       ! before: friction 0.1, no offset
@@ -89,18 +89,18 @@ contains
          deck = replaced(replaced(deck, "'soft'", "'"//trim(models(m))//"'"), 'wob = 20.0', 'wob = 0')
          run = run_deck_text(deck)
          call assertEqual(0, run%status, message=run%diagnostics)
-         allocate (lines, source=lines_of('summary.csv'))
+         allocate (lines, source=lines_of(results_path//'/summary.csv'))
          deck = replaced(replaced(deck, 'bit_depth = 900.0', 'bit_depth = 900, measured_hookload = '//field(lines(2)%text, 8)), &
                          'wob = 0', 'measured_torque = '//field(lines(3)%text, 14))
          deck = replaced(replaced(deck, 'friction = 0.25', 'friction = 0.2'), 'friction = 0.3', 'friction = 0.2')
          run = run_deck_text(deck//"&calibrate model = '"//trim(models(m))//"' /"//newline)
          call assertEqual(0, run%status, message=run%diagnostics)
-         allocate (found, source=lines_of('calibration_data.csv'))
+         allocate (found, source=lines_of(results_path//'/calibration_data.csv'))
          call assertEqual(3, size(found))
          call assertTrue(number(found(2)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(2)%text)
          call assertTrue(number(found(3)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(3)%text)
          deallocate (found)
-         allocate (found, source=lines_of('calibration.csv'))
+         allocate (found, source=lines_of(results_path//'/calibration.csv'))
          call assertEqual('not_felt', field(found(2)%text, 12), message=found(2)%text)
          call assertEqual(0.2_wp, number(found(2)%text, 8))
          call assertEqual(0.3_wp, number(found(3)%text, 8), at_rest, message=found(3)%text)
@@ -115,9 +115,9 @@ contains
       type(text_type), allocatable :: one(:), two(:)
       integer :: i
       run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 1')
-      allocate (one, source=lines_of('calibration.csv'))
+      allocate (one, source=lines_of(results_path//'/calibration.csv'))
       run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 2')
-      allocate (two, source=lines_of('calibration.csv'))
+      allocate (two, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual(5, size(one), message=run%diagnostics)
       do i = 1, min(size(one), size(two))
          call assertEqual(one(i)%text, two(i)%text)
@@ -131,7 +131,7 @@ contains
       run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, "&calibrate cases = 'b', 'c' /"))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'cannot tell these factors apart') > 0, message=run%output)
-      allocate (lines, source=lines_of('calibration.csv'))
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual('not_separated', field(lines(2)%text, 12), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 9), message='no interval')
    end subroutine test_not_separated
@@ -145,10 +145,10 @@ contains
       call assertEqual(3, run%status, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'calibration ''k'', model mcge: no fit; load case ''a'' has no solution') > 0, &
                       message=run%diagnostics)
-      allocate (lines, source=lines_of('calibration.csv'))
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual('no_fit', field(lines(2)%text, 12), message=lines(2)%text)
       deallocate (lines)
-      allocate (lines, source=lines_of('calibration_data.csv'))
+      allocate (lines, source=lines_of(results_path//'/calibration_data.csv'))
       call assertEqual('', field(lines(2)%text, 7), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 8), message=lines(2)%text)
    end subroutine test_no_fit
@@ -183,37 +183,4 @@ contains
                       message='wanted '//expected//'; got: '//run%diagnostics)
       call assertFalse(run%has_results, message='no folder of results: '//expected)
    end subroutine refuse
-
-   function lines_of(name) result(lines)
-      character(*), intent(in) :: name
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-      call read_lines(results_path//'/'//name, lines, failure)
-      call assertEqual('', failure, message=name)
-   end function lines_of
-
-   function number(line, place) result(value)
-      character(*), intent(in) :: line
-      integer, intent(in) :: place
-      real(wp) :: value
-      character(:), allocatable :: text
-      integer :: status
-      value = 0.0_wp
-      text = field(line, place)
-      read (text, *, iostat=status) value
-      call assertEqual(0, status, message='a number in '//line)
-   end function number
-
-   !> One field of a row.
-   pure function field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i, first
-      first = 1
-      do i = 1, number - 1
-         first = first + index(line(first:), ',')
-      end do
-      text = line(first:first + index(line(first:)//',', ',') - 2)
-   end function field
 end module dg_test_calibration_runs

@@ -2,9 +2,9 @@
 !> pull, and a weightless string in an arc, where a pull dies away as exp(-mu beta).
 module dg_test_stuck_runs
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_file_lines, only: read_lines
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, results_path, run_deck_text, run_type
+   use dg_result_rows, only: field, lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -55,7 +55,7 @@ contains
          "&calibrate parameter = 'sticking', sticking_depth = 600, model = 'soft', 'rigid', hookload_deviation = 1 /"//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'resistance at 600 m') > 0, message=run%output)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual(5, size(lines))
       if (size(lines) /= 5) return
       do i = 2, 4, 2
@@ -75,7 +75,7 @@ contains
          "&calibrate parameter = 'free_point', stretch = "//to_text(100.0_wp*640.0_wp/stiffness)//" /"//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'with friction, model soft:      640 m') > 0, message=run%output)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual(640.0_wp, number(lines(2)%text, depth), 1.0e-2_wp)
       call assertEqual(640.0_wp, number(lines(2)%text, frictionless), 1.0e-2_wp)
    end subroutine test_straight_free_point
@@ -90,7 +90,7 @@ contains
       run = run_deck_text(deck('0, 90', '0', '0.3')//pulls()//'&solver element_length = 10 /'//newline// &
          "&calibrate parameter = 'free_point', stretch = "//to_text(100.0_wp*apparent/stiffness)//" /"//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       ! straight lines between points of the profile, 10 m apart: (mu h/R)^2/12 of the stretch, 2 mm; the search 1 mm
       call assertEqual(held, number(lines(2)%text, depth), 4.0e-3_wp)
       call assertEqual(apparent, number(lines(2)%text, frictionless), 1.0e-2_wp)
@@ -105,7 +105,7 @@ contains
          "&calibrate parameter = 'free_point', stretch = "//to_text(101.0_wp*1000.0_wp/stiffness)//" /"//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'below the bit') > 0, message=run%output)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       call assertEqual('below_bit', field(lines(2)%text, verdict))
       call assertEqual('', field(lines(2)%text, depth))
    end subroutine test_below_bit
@@ -145,36 +145,4 @@ contains
                       index(run%diagnostics, expected) > 0, message='wanted '//expected//'; got: '//run%diagnostics)
       call assertFalse(run%has_results, message='no folder of results: '//expected)
    end subroutine refuse
-
-   function lines_of() result(lines)
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-      call read_lines(results_path//'/calibration.csv', lines, failure)
-      call assertEqual('', failure)
-   end function lines_of
-
-   function number(line, place) result(value)
-      character(*), intent(in) :: line
-      integer, intent(in) :: place
-      real(wp) :: value
-      character(:), allocatable :: text
-      integer :: status
-      value = 0.0_wp
-      text = field(line, place)
-      read (text, *, iostat=status) value
-      call assertEqual(0, status, message='a number in '//line)
-   end function number
-
-   !> One field of a row.
-   pure function field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i, first
-      first = 1
-      do i = 1, number - 1
-         first = first + index(line(first:), ',')
-      end do
-      text = line(first:first + index(line(first:)//',', ',') - 2)
-   end function field
 end module dg_test_stuck_runs

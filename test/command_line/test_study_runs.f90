@@ -4,6 +4,7 @@ module dg_test_study_runs
    use dg_file_lines, only: read_lines
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, good_deck, results_path, run_deck_text, run_type
+   use dg_result_rows, only: field, number
    use dg_text, only: text_type
    implicit none
    private
@@ -71,29 +72,4 @@ contains
                       message='wanted '//expected//'; got: '//run%diagnostics)
       call assertFalse(run%has_results, message='no folder of results: '//expected)
    end subroutine refuse
-
-   function number(line, place) result(value)
-      character(*), intent(in) :: line
-      integer, intent(in) :: place
-      real(wp) :: value
-      character(:), allocatable :: text
-      integer :: status
-      value = 0.0_wp
-      text = field(line, place)
-      read (text, *, iostat=status) value
-      call assertEqual(0, status, message='a number in '//line)
-   end function number
-
-   !> One field of a row.
-   pure function field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i, first
-      first = 1
-      do i = 1, number - 1
-         first = first + index(line(first:), ',')
-      end do
-      text = line(first:first + index(line(first:)//',', ',') - 2)
-   end function field
 end module dg_test_study_runs

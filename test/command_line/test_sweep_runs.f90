@@ -3,9 +3,9 @@
 module dg_test_sweep_runs
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
-   use dg_file_lines, only: read_lines
    use dg_file_system, only: delete_file, write_text_file
    use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, run_program, run_type
+   use dg_result_rows, only: field, lines_of
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
@@ -36,15 +36,6 @@ contains
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
    end function sweep_runs_suite
 
-   !> The lines of a file.
-   function lines_of(path) result(lines)
-      character(*), intent(in) :: path
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-      call read_lines(path, lines, failure)
-      call assertEqual('', failure, message=path)
-   end function lines_of
-
    subroutine compare(wanted, found, message)
       type(text_type), intent(in) :: wanted(:), found(:)
       character(*), intent(in) :: message
@@ -54,19 +45,6 @@ contains
          if (wanted(i)%text /= found(i)%text) call assertEqual(wanted(i)%text, found(i)%text, message=message)
       end do
    end subroutine compare
-
-   !> Field `number` of a line of a CSV file.
-   pure function field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i
-      text = line
-      do i = 2, number
-         text = text(index(text, ',') + 1:)
-      end do
-      text = text(:index(text//',', ',') - 1)
-   end function field
 
    !> A deck whose load cases are points of its sweep, with friction given, gives the same hook loads and torques to the digit.
    subroutine test_points()

@@ -7,6 +7,7 @@ module dg_test_uncertainty_runs
    use dg_file_system, only: write_text_file
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, results_path, run_deck_text, run_program, run_type, replaced
+   use dg_result_rows, only: field, lines_of, number
    use dg_sample_statistics, only: distribution_type, find_distribution, p10, p50, p90
    use dg_sampled_model, only: quantity_friction, quantity_hookload
    use dg_text, only: text_type, to_text
@@ -56,7 +57,7 @@ contains
                                "samples = "//to_text(samples)))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Uncertainty m: 4000 samples, seed 5') > 0, message=run%output)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/uncertainty_m.csv'))
       call assertEqual(3, size(lines))
       if (size(lines) /= 3) return
       friction = find_distribution(0.3_wp + deviation*normal_number(5, [(i, i=1, samples)], quantity_friction, 1))
@@ -79,7 +80,7 @@ contains
       integer :: i
       run = run_deck_text(deck("operations = 'static', bit_depth_from = 1000, hookload_deviation = 3, samples = 500"))
       call assertEqual(0, run%status, message=run%diagnostics)
-      allocate (lines, source=lines_of())
+      allocate (lines, source=lines_of(results_path//'/uncertainty_m.csv'))
       gauge = find_distribution(10.0_wp*9.80665_wp + 3.0_wp*normal_number(1, [(i, i=1, 500)], quantity_hookload, 1))
       call assertEqual(gauge%quantiles(p10), number(lines(2)%text, 5), printed*100.0_wp)
       call assertEqual(gauge%quantiles(p90), number(lines(2)%text, 7), printed*100.0_wp)
@@ -98,14 +99,14 @@ contains
       type(text_type), allocatable :: one(:), two(:)
       run = run_deck_text(all_unsure(), '--threads 1')
       call assertEqual(0, run%status, message=run%diagnostics)
-      allocate (one, source=lines_of())
+      allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
       call assertEqual(1 + 2*3*3, size(one))
       run = run_deck_text(all_unsure(), '--threads 2')
-      allocate (two, source=lines_of())
+      allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
       call compare(one, two)
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 30, seed = 2'))
       deallocate (two)
-      allocate (two, source=lines_of())
+      allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
       call assertTrue(one(2)%text /= two(2)%text, message='another seed')
    end subroutine test_threads
 
@@ -116,7 +117,7 @@ contains
       type(text_type), allocatable :: one(:), two(:)
       integer :: i
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 31'))
-      allocate (one, source=lines_of())
+      allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 31'), '--part 1/3')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'part 1 of 3: 186 of 558 solutions') > 0, message=run%output)
@@ -129,7 +130,7 @@ contains
       end do
       run = run_program(again//'--merge 3')
       call assertEqual(0, run%status, message=run%diagnostics)
-      allocate (two, source=lines_of())
+      allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
       call compare(one, two)
    end subroutine test_parts
 
@@ -144,7 +145,7 @@ contains
       type(error_type), allocatable :: error
       character(:), allocatable :: failure
       run = run_deck_text(all_unsure())
-      allocate (one, source=lines_of())
+      allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
       run = run_program(again//'--part 1/1')
       call assertEqual(0, run%status, message=run%diagnostics)
       call read_lines(whole, lines, failure)
@@ -156,7 +157,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'uncertainty ''m'': ') > 0, message=run%diagnostics)
       call assertTrue(index(run%output, to_text(kept + 1)//' solutions in') > 0, message=run%output)
-      allocate (two, source=lines_of())
+      allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
       call compare(one, two)
       call write_text_file(partial, lines, error)
       call write_text_file(deck_path, [deck_lines('seed = 2, torque_deviation = 0.2')], error)
@@ -205,36 +206,4 @@ contains
                       index(run%diagnostics, expected) > 0, message='wanted '//expected//'; got: '//run%diagnostics)
       call assertFalse(run%has_results, message='no folder of results: '//expected)
    end subroutine refuse
-
-   function lines_of() result(lines)
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-      call read_lines(results_path//'/uncertainty_m.csv', lines, failure)
-      call assertEqual('', failure)
-   end function lines_of
-
-   function number(line, place) result(value)
-      character(*), intent(in) :: line
-      integer, intent(in) :: place
-      real(wp) :: value
-      character(:), allocatable :: text
-      integer :: status
-      value = 0.0_wp
-      text = field(line, place)
-      read (text, *, iostat=status) value
-      call assertEqual(0, status, message='a number in '//line)
-   end function number
-
-   !> One field of a row.
-   pure function field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i, first
-      first = 1
-      do i = 1, number - 1
-         first = first + index(line(first:), ',')
-      end do
-      text = line(first:first + index(line(first:)//',', ',') - 2)
-   end function field
 end module dg_test_uncertainty_runs

@@ -1,0 +1,47 @@
+!> Rows of the CSV files that a run left, for tests that look into them.
+module dg_result_rows
+   use funit, only: assertEqual
+   use dg_file_lines, only: read_lines
+   use dg_kinds, only: wp
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: lines_of, field, number
+
+contains
+
+   !> The lines of a file; a file that cannot be read fails the test.
+   function lines_of(path) result(lines)
+      character(*), intent(in) :: path
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: failure
+      call read_lines(path, lines, failure)
+      call assertEqual('', failure, message=path)
+   end function lines_of
+
+   !> One field of a row, counted from 1.
+   pure function field(line, place) result(text)
+      character(*), intent(in) :: line
+      integer, intent(in) :: place
+      character(:), allocatable :: text
+      integer :: i, first
+      first = 1
+      do i = 1, place - 1
+         first = first + index(line(first:), ',')
+      end do
+      text = line(first:first + index(line(first:)//',', ',') - 2)
+   end function field
+
+   !> The number in a field; anything else there fails the test.
+   function number(line, place) result(value)
+      character(*), intent(in) :: line
+      integer, intent(in) :: place
+      real(wp) :: value
+      character(:), allocatable :: text
+      integer :: status
+      value = 0.0_wp
+      text = field(line, place)
+      read (text, *, iostat=status) value
+      call assertEqual(0, status, message='a number in '//line)
+   end function number
+end module dg_result_rows
