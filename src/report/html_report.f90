@@ -5,7 +5,7 @@ module dg_html_report
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
-   use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type
+   use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_model, only: model_type
@@ -118,7 +118,7 @@ contains
          if (.not. any_yet) call add_line(lines, '<h2>Warnings</h2><ul>')
          any_yet = .true.
          call add_line(lines, '<li>'//html_safe(model%cases(results(i)%case_index)%name)//', '// &
-                          trim(model_name(results(i)%model))//', '//spoken(trim(result_status_name(results(i)%status)))//': '// &
+                          trim(model_name(results(i)%model))//', '//spaced(trim(result_status_name(results(i)%status)))//': '// &
                           html_safe(results(i)%message)//'</li>')
       end do
       if (any_yet) then
@@ -284,15 +284,4 @@ contains
       end do
       call append_preformatted(lines, deck)
    end subroutine append_deck
-
-   !> A status in words.
-   pure function spoken(status) result(words)
-      character(*), intent(in) :: status
-      character(len(status)) :: words
-      integer :: i
-      words = status
-      do i = 1, len(status)
-         if (status(i:i) == '_') words(i:i) = ' '
-      end do
-   end function spoken
 end module dg_html_report

@@ -9,7 +9,7 @@ module dg_html_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg
+   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg, spaced
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'

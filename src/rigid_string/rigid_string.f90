@@ -5,17 +5,14 @@
 module dg_rigid_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_case_result, only: case_result_type
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
    use dg_job, only: model_rigid
    use dg_model, only: model_type
-   use dg_profile, only: state_elastic, state_free
    use dg_rigid_string_loads, only: rigid_string_at
-   use dg_soft_string, only: check_string_case, fill_profile, subdivided
+   use dg_soft_string, only: check_string_case, subdivided, take_profile, take_totals
    use dg_soft_string_loads, only: breakpoints, soft_totals_type
-   use dg_string_range, only: range_warning
-   use dg_trajectory, only: inclination_of, position_at
    implicit none
    private
    public :: solve_rigid_string, solve_at_changes
@@ -48,36 +45,12 @@ contains
       type(case_result_type), intent(out) :: result
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), bending(:), shear(:)
       type(soft_totals_type) :: totals
-      character(120) :: text
-      real(wp) :: position(3), tangent(3)
-      associate (load_case => model%cases(case_index))
-         md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-         allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)), &
-                   shear(size(md)))
-         call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
-         call position_at(model%trajectory, load_case%bit_depth, position, tangent)
-         result%case_index = case_index
-         result%inclination = inclination_of(tangent)
-         result%hookload = axial(1)
-         result%friction = totals%weight - load_case%wob - axial(1)
-         result%torque = torque(1)
-         result%normal_force = totals%normal_force
-         result%elements = totals%steps
-         result%status = result_converged
-         result%message = range_warning(model, case_index, md, axial)
-         if (totals%runaway) then
-            result%status = result_locked_up
-            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
-               ' m; lower the friction or the curvature'
-            result%message = trim(text)
-         end if
-      end associate
-      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)), shear(size(md)))
+      call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
+      call take_totals(model, case_index, md, axial, torque, totals, result)
+      call take_profile(model, case_index, md, axial, torque, contact, result)
       result%profile%bending = bending
       result%profile%shear = shear
-      result%states = 0
-      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
-      result%states(state_free) = count(result%profile%gap_state == state_free)
-      allocate (result%history(0))
    end subroutine solve_at_changes
 end module dg_rigid_string

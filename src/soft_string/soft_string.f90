@@ -17,7 +17,7 @@ module dg_soft_string
    private
    public :: solve_soft_string
    ! What the stiff string does alike.
-   public :: subdivided, fill_profile, check_string_case
+   public :: subdivided, fill_profile, check_string_case, take_totals, take_profile
 
    !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp
@@ -36,43 +36,20 @@ contains
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
       type(soft_totals_type) :: totals
       integer(int64) :: start, finish, rate
-      character(120) :: text
-      real(wp) :: position(3), tangent(3)
       logical :: with_profile
       call system_clock(start, rate)
       with_profile = .true.
       if (present(totals_only)) with_profile = .not. totals_only
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
-      associate (load_case => model%cases(case_index))
-         md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-         allocate (axial(size(md)), torque(size(md)))
-         if (with_profile) allocate (contact(3, size(md)))   ! else absent below
-         call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
-         call position_at(model%trajectory, load_case%bit_depth, position, tangent)
-         result%case_index = case_index
-         result%model = model_soft
-         result%inclination = inclination_of(tangent)
-         result%hookload = axial(1)
-         result%friction = totals%weight - load_case%wob - axial(1)
-         result%torque = torque(1)
-         result%normal_force = totals%normal_force
-         result%elements = totals%steps
-         result%status = result_converged
-         result%message = range_warning(model, case_index, md, axial)
-         if (totals%runaway) then
-            result%status = result_locked_up
-            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
-               ' m; lower the friction or the curvature'
-            result%message = trim(text)
-         end if
-      end associate
-      allocate (result%history(0))
+      md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      allocate (axial(size(md)), torque(size(md)))
+      if (with_profile) allocate (contact(3, size(md)))   ! else absent below
+      call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
+      call take_totals(model, case_index, md, axial, torque, totals, result)
+      result%model = model_soft
       if (.not. with_profile) return
-      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
-      result%states = 0
-      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
-      result%states(state_free) = count(result%profile%gap_state == state_free)
+      call take_profile(model, case_index, md, axial, torque, contact, result)
       call system_clock(finish)
       result%seconds = real(finish - start, wp)/real(rate, wp)
    end subroutine solve_soft_string
@@ -109,6 +86,50 @@ contains
       end do
       fine(k + 1) = md(size(md))
    end function subdivided
+
+   !> What a string on the hole axis gives as a whole; a bend in which friction outgrows all bounds makes it `locked_up`.
+   pure subroutine take_totals(model, case_index, md, axial, torque, totals, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md(:)            !< from the top down [m]
+      real(wp), intent(in) :: axial(:)         !< [N]
+      real(wp), intent(in) :: torque(:)        !< [N.m]
+      type(soft_totals_type), intent(in) :: totals
+      type(case_result_type), intent(inout) :: result
+      character(120) :: text
+      real(wp) :: position(3), tangent(3)
+      associate (load_case => model%cases(case_index))
+         call position_at(model%trajectory, load_case%bit_depth, position, tangent)
+         result%case_index = case_index
+         result%inclination = inclination_of(tangent)
+         result%hookload = axial(1)
+         result%friction = totals%weight - load_case%wob - axial(1)
+         result%torque = torque(1)
+         result%normal_force = totals%normal_force
+         result%elements = totals%steps
+         result%status = result_converged
+         result%message = range_warning(model, case_index, md, axial)
+         if (totals%runaway) then
+            result%status = result_locked_up
+            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
+               ' m; lower the friction or the curvature'
+            result%message = trim(text)
+         end if
+      end associate
+      allocate (result%history(0))
+   end subroutine take_totals
+
+   !> Profile of such a string, and how many of its points touch.
+   pure subroutine take_profile(model, case_index, md, axial, torque, contact, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md(:), axial(:), torque(:), contact(:, :)   !< as for fill_profile
+      type(case_result_type), intent(inout) :: result
+      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      result%states = 0
+      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
+      result%states(state_free) = count(result%profile%gap_state == state_free)
+   end subroutine take_profile
 
    !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is the one that
    !> the hole's curvature asks of the body: a soft string carries none, a real one that follows the hole does.
