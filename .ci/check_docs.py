@@ -32,8 +32,8 @@ COLUMNS = {
     "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",
 }
-# Keys whose default the table of keys leaves to the code that makes use of them.
-DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}}
+# Keys whose default the table of keys leaves to the code that makes use of them; '' where another key sets it.
+DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}, "element_length": {"10.0": ""}}
 
 
 def source(name):
@@ -154,7 +154,8 @@ def key_table(group, rules, labels, factors, numerics):
         default = unquoted(named.get("default", ""))
         if group == "solver" and not default:
             value = DEFAULTS_ELSEWHERE.get(key, {}).get(numerics[key], numerics[key])
-            default = value if kind in ("kind_text", "kind_logical") else shown(float(value)/factors.get(unit, 1.0))
+            if value:
+                default = value if kind in ("kind_text", "kind_logical") else shown(float(value)/factors.get(unit, 1.0))
         if named.get("required") == ".true.":
             default = "*required*"
         elif kind == "kind_text" and default:

@@ -156,7 +156,8 @@ module dg_deck_keys
    type(key_rule_type), parameter :: solver_keys(22) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='sets element_length where that is not given: 30, 60, 10, 1 m; fast also gap_location and tolerance'), &
-      key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, meaning='longest element'), &
+      key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
+         meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
          meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
