@@ -4,6 +4,7 @@ module dg_run_deck
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
+   use dg_file_system, only: delete_file
    use dg_folder, only: make_folder
    use dg_history_file, only: write_history
    use dg_interruption, only: interruption_name, is_interrupted, watch_for_signals
@@ -33,6 +34,9 @@ module dg_run_deck
    implicit none
    private
    public :: run_deck
+
+   ! Files of one case.
+   integer, parameter :: profile_file = 1, view_file = 2, history_file = 3
 
    !> What prevented a result, if anything did.
    type :: failure_type
@@ -113,6 +117,7 @@ contains
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
       integer :: i
+      call remove_earlier(job, model)
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
@@ -220,21 +225,64 @@ contains
       type(along_string_type), intent(in) :: along
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
-      character(:), allocatable :: ending
-      ending = '_'//model%cases(result%case_index)%name//'_'//trim(model_name(result%model))
-      if (job%profiles) then
-         call write_profile(in_folder(job, 'profile'//ending//'.csv'), job, result, along, error)
-         call note_failure(error, status)
-      end if
-      if (job%plots) then
-         call write_paraview(in_folder(job, 'view'//ending//'.vtkhdf'), job, result, along, error)
-         call note_failure(error, status)
-      end if
-      if (model%numerics%history .and. allocated(result%history)) then
-         call write_history(in_folder(job, 'history'//ending//'.csv'), job, result, error)
-         call note_failure(error, status)
-      end if
+      associate (case => model%cases(result%case_index)%name, number => result%model)
+         if (job%profiles) then
+            call write_profile(in_folder(job, case_file(profile_file, case, number)), job, result, along, error)
+            call note_failure(error, status)
+         end if
+         if (job%plots) then
+            call write_paraview(in_folder(job, case_file(view_file, case, number)), job, result, along, error)
+            call note_failure(error, status)
+         end if
+         if (model%numerics%history .and. allocated(result%history)) then
+            call write_history(in_folder(job, case_file(history_file, case, number)), job, result, error)
+            call note_failure(error, status)
+         end if
+      end associate
    end subroutine write_case_files
+
+   !> Removes what an earlier run left under the names of this one's results, so that a folder never holds results of two runs
+   !> side by side, whatever ends this one.
+   subroutine remove_earlier(job, model)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      character(*), parameter :: files(5) = [character(11) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
+                                                        'study.csv']
+      integer :: i, j, k
+      do i = 1, size(files)
+         call delete_file(in_folder(job, trim(files(i))))
+      end do
+      do i = 1, size(job%sweeps)
+         call delete_file(in_folder(job, 'sweep_'//job%sweeps(i)%name//'.csv'))
+      end do
+      do i = 1, size(job%uncertainties)
+         call delete_file(in_folder(job, 'uncertainty_'//job%uncertainties(i)%range%name//'.csv'))
+      end do
+      do j = 1, size(job%models)
+         do i = 1, size(model%cases)
+            do k = profile_file, history_file
+               call delete_file(in_folder(job, case_file(k, model%cases(i)%name, job%models(j))))
+            end do
+         end do
+      end do
+   end subroutine remove_earlier
+
+   !> Name of a file of one case and model.
+   pure function case_file(kind, case, number) result(name)
+      integer, intent(in) :: kind               !< profile_file, ...
+      character(*), intent(in) :: case
+      integer, intent(in) :: number             !< of the model
+      character(:), allocatable :: name
+      name = '_'//case//'_'//trim(model_name(number))
+      select case (kind)
+      case (profile_file)
+         name = 'profile'//name//'.csv'
+      case (view_file)
+         name = 'view'//name//'.vtkhdf'
+      case default
+         name = 'history'//name//'.csv'
+      end select
+   end function case_file
 
    !> Tells an error, if there is one, and raises the exit status by it.
    subroutine note_failure(error, status)

@@ -59,11 +59,19 @@ contains
          result%message = 'numbers beyond all bounds: the iteration ran away; try shorter elements or more load_steps'
       end if
       if (.not. allocated(result%message)) result%message = ''
-      if (is_interrupted() .and. result%status == result_not_converged) &
+      if (is_interrupted() .and. result%status == result_not_converged) then
+         call empty(result)     ! half an iteration is no result to show
          result%message = 'ended by '//interruption_name()//' before it was solved'
+      end if
       result%case_index = case_index
       result%model = number
    end subroutine solve_case
+
+   !> A result without numbers, marked.
+   subroutine empty(result)
+      type(case_result_type), intent(out) :: result
+      result%status = result_not_converged
+   end subroutine empty
 
    !> Whether every number of a result is one: no NaN, no infinity.
    pure function is_finite(result) result(is)

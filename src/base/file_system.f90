@@ -20,12 +20,13 @@ module dg_file_system
          integer(c_int) :: status
       end function c_rename
 
-      function c_remove(path) result(status) bind(c, name='remove')
+      ! not C's remove, which removes folders, too
+      function c_unlink(path) result(status) bind(c, name='unlink')
          import :: c_char, c_int
          implicit none
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: status
-      end function c_remove
+      end function c_unlink
    end interface
 
 contains
@@ -78,7 +79,7 @@ contains
    subroutine delete_file(path)
       character(*), intent(in) :: path
       integer(c_int) :: status
-      status = c_remove(c_text(path))
+      status = c_unlink(c_text(path))
       if (status /= 0) return ! absent, or not ours to remove: nothing that a caller could do about it
    end subroutine delete_file
 end module dg_file_system

@@ -36,6 +36,10 @@ contains
       logical :: is
       run = run_deck_text(long_deck(), '--check')
       call assertEqual(0, run%status, message=run%diagnostics)
+      ! as an earlier run could have left it
+      call execute_command_line('mkdir '//results_path//' && echo old > '//results_path//'/profile_last_mcge.csv', &
+                                exitstat=run%status)
+      call assertEqual(0, run%status, message='an earlier result')
       run = run_interrupted('--threads 1', 'view_u_mcge.vtkhdf', signal)
       call assertEqual(1, run%status, message=run%diagnostics)
       call assertEqual('drillgap: ended by SIG'//signal//': 1 of 5 results are there, the others are marked not_converged'// &
@@ -47,11 +51,15 @@ contains
       if (size(lines) /= 6) return
       call assertTrue(index(lines(2)%text, ',converged,') > 0, message=lines(2)%text)
       call assertTrue(index(lines(3)%text, ',not_converged,') > 0, message=lines(3)%text)
+      call assertTrue(index(lines(3)%text, 's,,mcge,sliding_drilling,800.0000000,,20.00000000,,') == 1, &
+                      message='numbers of half an iteration: '//lines(3)%text)
       call assertTrue(index(lines(6)%text, 'ended by SIG'//signal//' before it was solved') > 0, message=lines(6)%text)
       inquire (file=results_path//'/results.h5', exist=is)
       call assertTrue(is, message='results.h5')
       inquire (file=results_path//'/profile_last_mcge.csv', exist=is)
-      call assertFalse(is, message='a profile of a case that was not begun')
+      call assertFalse(is, message='a profile of a case that was not begun, or of an earlier run')
+      inquire (file=results_path//'/profile_s_mcge.csv', exist=is)
+      call assertFalse(is, message='a profile of a case that was not finished')
       call execute_command_line('ls '//results_path//' | grep -q unfinished && exit 1 || exit 0', exitstat=run%status)
       call assertEqual(0, run%status, message='unfinished files')
    end subroutine end_by
