@@ -1,0 +1,248 @@
+#!/usr/bin/env python3
+"""Ends runs of a built drillgap at random moments, and starts them again: nothing half done may look done, nothing is lost.
+
+Usage: interruptions.py PATH_TO_DRILLGAP [--count N] [--seed S]
+
+A deck with load cases, a sweep and an uncertainty is run to its end once. Then N times, each in a fresh folder: it is started,
+ended after a random part of that time by SIGINT, SIGTERM or SIGKILL (which no program can answer), sometimes two or three times
+over, and at last left to end by itself. After each ending:
+
+  SIGINT, SIGTERM   exit status 1 and a message, or 0 where the run was done first; no file under an unfinished name
+  whatever signal   every file under its final name is whole: profiles, sweeps and pictures are those of the undisturbed run,
+                    summary.csv has a row for every case, each solved as undisturbed or marked
+at the end          every file is that of the undisturbed run but for times, nothing else is left
+Other lives:        the output folder is removed during the run, and a real disk runs full in it (where mounting is allowed):
+                    exit status 1 with a message, no traceback, nothing half done under a final name
+Ends in 'N passed, N failed'.
+"""
+import argparse
+import csv
+import io
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+DECK = """&job models = 'mcge', 'soft', plots = {plots} /
+&trajectory md = 0, 600, 1200, 3000, inc = 0, 0, 45, 45, azi = 4*10 /
+&hole diameter = 215.9, friction = 0.25 /
+&fluid density = 1200 /
+&component kind = 'collar', length = 60, od = 165.1, id = 71.4 /
+&component od = 127, id = 108.6, joint_od = 168.3 /
+&load_case name = 'up', operation = 'up', bit_depth = 3000 /
+&load_case name = 'down', operation = 'down', bit_depth = 3000 /
+&load_case name = 'drill', operation = 'rotary', bit_depth = 2900, wob = 20 /
+&solver element_length = {length} /
+&sweep name = 's', operations = 'up', 'down', bit_depth_from = 100, bit_depth_to = 3000, bit_depth_step = 200,
+  frictions = 0.1, 0.3, model = 'mcge' /
+&uncertainty name = 'u', operations = 'up', 'down', bit_depth_from = 1500, bit_depth_step = 500, samples = 10, seed = 3,
+  friction_deviation = 0.03 /
+"""
+TIME_LIMIT = 120
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
+UNFINISHED = ".unfinished"
+
+
+def without_times(path):
+    """What a file says, but for seconds and dates."""
+    data = path.read_bytes()
+    if path.name == "summary.csv":
+        rows = list(csv.DictReader(io.StringIO(data.decode())))
+        return [{k: v for k, v in row.items() if k != "seconds"} for row in rows]
+    if path.suffix in (".h5", ".html", ".vtkhdf"):                 # hold times and dates: that they are whole is asked
+        return path.name
+    return re.sub(rb"<desc>.*?</desc>", b"", data)
+
+
+def faults_of(data, name):
+    """Whether a file of HDF5 or HTML is whole."""
+    if name.endswith((".h5", ".vtkhdf")):
+        # the superblock holds where the file ends: at byte 40 in its first two versions, at 28 in later ones
+        at = 40 if data[8:9] < b"\2" else 28
+        whole = data[:8] == b"\x89HDF\r\n\x1a\n" and int.from_bytes(data[at:at + 8], "little") == len(data)
+    else:
+        whole = data.rstrip().endswith(b"</html>")
+    return [] if whole else [f"{name} is not whole"]
+
+
+class Place:
+    """A folder with the deck, in which runs begin and end."""
+
+    def __init__(self, program, deck, out=None):
+        self.program = program
+        self.home = pathlib.Path(tempfile.mkdtemp(prefix="interrupted_"))
+        (self.home / "deck.nml").write_text(deck, encoding="utf-8")
+        self.out = out or self.home / "out"
+
+    def start(self):
+        with open(self.home / "told", "wb") as told:
+            return subprocess.Popen([self.program, self.home / "deck.nml", "--output", self.out, "--threads", "2"],
+                                    stdout=subprocess.DEVNULL, stderr=told, stdin=subprocess.DEVNULL)
+
+    def told(self):
+        return (self.home / "told").read_text(errors="replace")
+
+    def files(self):
+        return {str(p.relative_to(self.out)): p for p in self.out.rglob("*") if p.is_file()} if self.out.is_dir() else {}
+
+
+def faults_of_files(place, whole, killed):
+    """Files that are not what they look like; `whole` is the undisturbed run's."""
+    faults = []
+    for name, path in place.files().items():
+        if name.endswith(UNFINISHED):
+            if not killed:
+                faults.append(f"{name} is left")
+            continue
+        if ".partial" in name:
+            continue
+        if name not in whole:
+            faults.append(f"{name} is a stranger")
+        elif name.endswith((".h5", ".html", ".vtkhdf")):
+            faults += faults_of(path.read_bytes(), name)
+        elif name == "summary.csv":
+            for row, good in zip(without_times(path), whole[name], strict=True):
+                if row["status"] != "not_converged" and row != good:
+                    faults.append(f"summary.csv: {row} instead of {good}")
+                if row["status"] == "not_converged" and "ended by" not in row["message"]:
+                    faults.append(f"summary.csv: marked without its reason, {row}")
+        elif name == "limits.csv" or name.startswith("pictures"):
+            if not path.read_bytes().strip():
+                faults.append(f"{name} is empty")
+        elif without_times(path) != whole[name]:
+            faults.append(f"{name} is not that of the undisturbed run")
+    return faults
+
+
+def interrupted(program, deck, whole, seconds, rng):
+    """One life of a run that is ended some times, with the faults found."""
+    place, faults, story = Place(program, deck), [], []
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        number = rng.choice(SIGNALS)
+        process = place.start()
+        after = rng.uniform(0.0, 1.05) * seconds
+        time.sleep(after)
+        process.send_signal(number)
+        try:
+            status = process.wait(TIME_LIMIT)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            return place, [*story, "does not end"]
+        story.append(f"{number.name} after {after:.2f} s: {status}")
+        killed = status in (-signal.SIGKILL, -number)     # a signal before the program watches for it ends it, too
+        if status not in (0, 1) and not killed:
+            faults.append(f"exit status {status}: {place.told()[:300]}")
+        if status == 1 and "ended by SIG" not in place.told():
+            faults.append(f"no word of the signal: {place.told()[:300]}")
+        if "Backtrace" in place.told() or "rror termination" in place.told():
+            faults.append(place.told()[:300])
+        faults += faults_of_files(place, whole, killed)
+        if faults:
+            return place, [*story, *faults]
+    process = place.start()
+    status = process.wait(TIME_LIMIT)
+    if status:
+        faults.append(f"left alone: exit status {status}: {place.told()[:300]}")
+    files = place.files()
+    faults += [f"{name} is missing" for name in whole if name not in files]
+    faults += [f"{name} is left over" for name in files if name not in whole]
+    faults += [f"{name} is not that of the undisturbed run" for name in whole
+               if name in files and not name.startswith("pictures") and without_times(files[name]) != whole[name]]
+    return place, [*story, *faults] if faults else []
+
+
+def folder_removed(program, deck, whole, seconds, rng):
+    place = Place(program, deck)
+    process = place.start()
+    time.sleep(rng.uniform(0.1, 0.8) * seconds)
+    if process.poll() is not None:
+        return place, []                                # it was faster
+    shutil.rmtree(place.out, ignore_errors=True)
+    status = process.wait(TIME_LIMIT)
+    faults = []
+    if status not in (0, 1) or (status == 1 and not place.told()):
+        faults.append(f"exit status {status}: {place.told()[:300]}")
+    if "Backtrace" in place.told() or "rror termination" in place.told():
+        faults.append(place.told()[:300])
+    if status == 0 and set(whole) - set(place.files()):
+        faults.append(f"exit status 0 with {len(set(whole) - set(place.files()))} files missing")
+    return place, faults + [fault for fault in faults_of_files(place, whole, False) if "is not that" in fault]
+
+
+def disk_full(program, deck, whole, rng):
+    """A small file system of its own as output folder, filled to a random degree; None where mounting is not allowed."""
+    place = Place(program, deck)
+    place.out.mkdir()
+    size = rng.randrange(8, 1600, 4)
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "tmpfs", place.out], capture_output=True, check=False).returncode:
+        return place, None
+    try:
+        process = place.start()
+        status = process.wait(TIME_LIMIT)
+        story = [f"disk of {size} kB: exit status {status}"]
+        faults = faults_of_files(place, whole, False)
+        if status not in (0, 1):
+            faults.append(f"exit status {status}")
+        if status == 1 and not place.told():
+            faults.append("no message")
+        if status == 0 and set(whole) - set(place.files()):
+            faults.append(f"exit status 0 without {sorted(set(whole) - set(place.files()))[:3]}")
+        if "Backtrace" in place.told() or "rror termination" in place.told() or "HDF5-DIAG" in place.told():
+            faults.append(place.told()[:300])
+    finally:
+        subprocess.run(["umount", place.out], check=False)
+    return place, [*story, *faults] if faults else []
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=20, help="runs that are ended by signals")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--plots", action="store_true", help="with pictures, page and files for ParaView")
+    options = parser.parse_args()
+    program = str(pathlib.Path(options.program).resolve())
+    deck = DECK.format(plots=".true." if options.plots else ".false.", length=15.0)
+    place = Place(program, deck)
+    begin = time.monotonic()
+    if place.start().wait(TIME_LIMIT):
+        print(f"FAIL the undisturbed run: {place.told()}\n0 passed, 1 failed")
+        return 1
+    seconds = time.monotonic() - begin
+    whole = {name: without_times(path) for name, path in place.files().items()}
+    shutil.rmtree(place.home)
+    print(f"undisturbed: {seconds:.1f} s, {len(whole)} files")
+    passed = failed = skipped = 0
+    lives = [("signals", seed) for seed in range(options.count)]
+    lives += [(kind, seed) for kind in ("folder removed", "disk full") for seed in range(max(1, options.count // 4))]
+    for kind, seed in lives:
+        rng = random.Random(f"{options.seed} {kind} {seed}")
+        if kind == "signals":
+            place, faults = interrupted(program, deck, whole, seconds, rng)
+        elif kind == "folder removed":
+            place, faults = folder_removed(program, deck, whole, seconds, rng)
+        else:
+            place, faults = disk_full(program, deck, whole, rng)
+        if faults is None:
+            skipped += 1
+        elif faults:
+            failed += 1
+            print(f"FAIL {kind} {seed} (kept in {place.home}): " + "; ".join(faults), flush=True)
+            continue
+        else:
+            passed += 1
+        shutil.rmtree(place.home, ignore_errors=True)
+    if skipped:
+        print(f"{skipped} full disks not tried: no right to mount")
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
