@@ -9,6 +9,7 @@ module dg_predictor
    use dg_beam_element, only: membrane_length
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
+   use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
@@ -19,6 +20,8 @@ module dg_predictor
    private
    public :: predict, whirling
 
+   !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over.
+   real(wp), parameter :: shortest_bend = 0.5_wp
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
    !> Compression over the coiling load from which a rotating string may whirl [-].
@@ -142,15 +145,42 @@ contains
       swing = factor*(compression/onset)**exponent_of_ratio*(compression/onset - 1.0_wp)**exponent_of_excess
    end function snake_swing
 
-   !> Slopes of lateral offsets (2,nodes) by differences along depth.
+   !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes closer than `shortest_bend` to one above, as where a
+   !> component ends beside a station, are laid on the cubic through their neighbours: the offset may jump there with the
+   !> clearance, and a sliver between two such nodes would start with millions of times the force that it can carry.
    pure subroutine slopes_of(md, offset, slope)
-      real(wp), intent(in) :: md(:), offset(:, :)
+      real(wp), intent(in) :: md(:)
+      real(wp), intent(inout) :: offset(:, :)
       real(wp), intent(out) :: slope(:, :)
-      integer :: i, before, after
-      do i = 1, size(md)
-         before = max(i - 1, 1)
-         after = min(i + 1, size(md))
-         slope(:, i) = (offset(:, after) - offset(:, before))/(md(after) - md(before))
+      real(wp) :: xi, length, shape(4), rise(4)
+      integer :: knot(size(md)), knots, i, k, before, after
+      knots = 1
+      knot(1) = 1
+      do i = 2, size(md)
+         if (md(i) - md(knot(knots)) < shortest_bend .and. knots > 1) then
+            if (i == size(md)) knot(knots) = i
+            cycle
+         end if
+         knots = knots + 1
+         knot(knots) = i
+      end do
+      do k = 1, knots
+         before = knot(max(k - 1, 1))
+         after = knot(min(k + 1, knots))
+         slope(:, knot(k)) = (offset(:, after) - offset(:, before))/(md(after) - md(before))
+      end do
+      do k = 2, knots
+         before = knot(k - 1)
+         after = knot(k)
+         length = md(after) - md(before)
+         do i = before + 1, after - 1
+            xi = (md(i) - md(before))/length
+            shape = hermite_value(xi, length)
+            rise = hermite_slope(xi, length)
+            slope(:, i) = rise(1)*offset(:, before) + rise(2)*slope(:, before) + rise(3)*offset(:, after) + rise(4)*slope(:, after)
+            offset(:, i) = shape(1)*offset(:, before) + shape(2)*slope(:, before) + shape(3)*offset(:, after) &
+                           + shape(4)*slope(:, after)
+         end do
       end do
    end subroutine slopes_of
 
