@@ -156,6 +156,12 @@ contains
                lag = .true.
             end if
             call go_back(damped%old)
+            if (damped%viscosity >= viscosity_most) then      ! no step leads down any more
+               row%iteration = newton%iterations
+               newton%history(newton%iterations + 1) = row
+               outcome = newton_exhausted
+               return
+            end if
          end if
       end do
 

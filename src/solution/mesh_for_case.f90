@@ -12,7 +12,7 @@ module dg_mesh_for_case
    use dg_trajectory, only: arc_at
    implicit none
    private
-   public :: mesh_for_case
+   public :: mesh_for_case, shortest
 
    !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
    !> element buckles between its nodes, where no gap can hold it, and the iteration ends nowhere.

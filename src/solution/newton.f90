@@ -14,6 +14,7 @@ module dg_newton
    use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_release_front, only: forget_fronts, release_ahead, release_front_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
@@ -43,6 +44,7 @@ module dg_newton
       type(linear_solver_type) :: solver
       real(wp), allocatable :: residual(:, :)     !< (6,nodes)
       real(wp), allocatable :: step(:, :)         !< (6,nodes)
+      type(release_front_type) :: front           !< of release
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
       type(iteration_type), allocatable :: history(:)
@@ -66,10 +68,11 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      integer :: info, stalled, rounds
+      integer :: info, stalled, rounds, opened
       logical :: near
       row%increment = increment
       stalled = 0
+      call forget_fronts(newton%front)
       call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
       rounds = 0
       do
@@ -119,7 +122,10 @@ contains
          end if
          state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
+         newton%front%before = gaps%state
          call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
+         call release_ahead(newton%front, row%flips, gaps, opened)
+         row%flips = row%flips + opened
       end do
    end subroutine iterate
 

@@ -20,8 +20,9 @@ module dg_predictor
    private
    public :: predict, whirling
 
-   !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over.
-   real(wp), parameter :: shortest_bend = 0.5_wp
+   !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
+   !> joint is long.
+   real(wp), parameter :: shortest_bend = 0.1_wp
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
    !> Compression over the coiling load from which a rotating string may whirl [-].

@@ -4,25 +4,28 @@ module dg_static_analysis
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_block_matrix, only: new_block_matrix
-   use dg_case_result, only: case_result_type, result_converged, scale_count
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_damped_newton, only: iterate_damped
    use dg_error, only: error_type
-   use dg_gap_state, only: gap_law_type, state_free
-   use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_gap_state, only: state_free
+   use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type, rotates
    use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
-   use dg_mesh_for_case, only: mesh_for_case
+   use dg_mesh_for_case, only: mesh_for_case, shortest
    use dg_model, only: model_type
    use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
+   use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin, is_stable, push_off
    use dg_static_result, only: fill_result, look_outside, outcome_outside, result_of_lock_up
    use dg_viscosity, only: damped_type, new_damped
+   use dg_text, only: to_text
+   use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
@@ -31,13 +34,6 @@ module dg_static_analysis
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
    !> string within micrometres of the axis, not so stiff as to spoil the matrix.
    real(wp), parameter :: support_length = 1.0_wp
-   !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
-   !> are between two contacts, so that no single gap matters.
-   real(wp), parameter :: soft_penetration = 0.1_wp
-   !> Largest ratio of stiffness from one stage to the next [-]: 30 to 100 cost the same, more loses cases.
-   real(wp), parameter :: largest_stiffening = 50.0_wp
-   !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
-   real(wp), parameter :: gentle_stiffening = 15.0_wp
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
@@ -70,19 +66,55 @@ module dg_static_analysis
    real(wp), parameter :: much_finer = 2.5_wp
    integer, parameter :: coarse_iterations = 60
    real(wp), parameter :: coarse_tolerance = 1.0e-6_wp
-   !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
-   real(wp), parameter :: middle = 0.5_wp
-   real(wp), parameter :: lower_node = 1.0_wp
+   !> Where that many iterations, or half of those allowed, found no rest, elements so much shorter have the others. A string that
+   !> is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
+   integer, parameter :: enough = 300
+   real(wp), parameter :: finer = 0.25_wp
+   !> Digits of a length in a message.
+   integer, parameter :: shown = 2
 
 contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
-   !> with its reason, no error; `error` stands for what prevents any result.
+   !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no rest a finer one
+   !> has what is left of the iterations.
    subroutine solve_static_analysis(model, case_index, result, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      type(iteration_type), allocatable :: history(:)
+      integer(int64) :: ticks, start, rate
+      integer :: most, given_up
+      real(wp) :: length
+      call system_clock(start, rate)
+      most = model%numerics%max_iterations
+      allocate (history(0))
+      call solve_on_mesh(model, case_index, model%numerics%element_length, min(most, max(enough, most/2)), history, result)
+      length = finer*min(model%numerics%element_length, result%element_lengths(2))
+      if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
+          .not. is_interrupted()) then
+         history = result%history
+         given_up = result%iterations
+         call solve_on_mesh(model, case_index, length, most, history, result)
+         if (result%status == result_converged) then
+            if (result%message /= '') result%message = result%message//'; '
+            result%message = result%message//'converged with elements of at most '//to_text(length, shown)// &
+                             ' m: longer ones found no rest in '//to_text(given_up)//' iterations'
+         end if
+      end if
+      call system_clock(ticks)
+      result%seconds = real(ticks - start, wp)/real(rate, wp)
+   end subroutine solve_static_analysis
+
+   !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
+   subroutine solve_on_mesh(model, case_index, element_length, most, history, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: element_length       !< [m]
+      integer, intent(in) :: most                  !< iterations, those in `history` included
+      type(iteration_type), intent(in) :: history(:)
+      type(case_result_type), intent(out) :: result
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
       type(newton_type) :: newton
@@ -91,7 +123,6 @@ contains
       type(load_type) :: loads
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
-      integer(int64) :: ticks, start, rate
       type(soft_totals_type) :: totals
       real(wp) :: worst, pressing, compressed, waves
       logical :: may_buckle, started, damping, stable
@@ -99,24 +130,24 @@ contains
       integer :: shortened(scale_count)
       integer :: plan(3)
       integer :: attempt, outcome, place
-      call system_clock(start, rate)
-      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
+      call mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
       if (totals%runaway) then
          call result_of_lock_up(model, case_index, result)
-         call system_clock(ticks)
-         result%seconds = real(ticks - start, wp)/real(rate, wp)
          return
       end if
       may_buckle = compressed > buckling_share
       call prepare(model, model%cases(case_index), mesh, newton, work)
+      newton%iterations = size(history)
+      newton%history(:size(history)) = history
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
-      call start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
+      started = .false.
+      if (size(history) == 0) call start_from_coarse(model, case_index, mesh, waves > most_waves, state, gap_states, started)
       plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation))
       do attempt = 1, count(plan /= nothing)
          numerics = model%numerics
-         numerics%max_iterations = min(numerics%max_iterations, newton%iterations + longest_attempt(plan(attempt)))
-         if (attempt == count(plan /= nothing)) numerics%max_iterations = model%numerics%max_iterations
+         numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
+         if (attempt == count(plan /= nothing)) numerics%max_iterations = most
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
          if ((damping .or. compressed > watch_share) .and. .not. allocated(damped%lump)) &
             call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
@@ -132,7 +163,7 @@ contains
                call push_off(newton, damped, model%trajectory, mesh, push, state, work, outcome)
                if (outcome /= newton_converged) exit
                gap_states = gaps%state
-               numerics%max_iterations = min(model%numerics%max_iterations, newton%iterations + longest_attempt(damped_briefly))
+               numerics%max_iterations = min(most, newton%iterations + longest_attempt(damped_briefly))
                call go_through_increments(model, case_index, numerics, pressing, .true., gap_states, .true., mesh, newton, &
                                           damped, gaps, state, work, loads, outcome)
             end if
@@ -141,7 +172,7 @@ contains
             call look_outside(model, mesh, work, worst, place)
             if (worst > largest_excess) outcome = outcome_outside
          end if
-         if (outcome == newton_converged .or. newton%iterations >= model%numerics%max_iterations) exit
+         if (outcome == newton_converged .or. newton%iterations >= most) exit
       end do
       if (is_interrupted()) outcome = newton_exhausted     ! what an attempt that was cut short led to does not count
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
@@ -153,9 +184,7 @@ contains
          result%message = 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
                                                              numerics%gap_location == gap_at_nodes))// &
          ': with the place asked for the iteration found no rest; shorter elements may help'
-      call system_clock(ticks)
-      result%seconds = real(ticks - start, wp)/real(rate, wp)
-   end subroutine solve_static_analysis
+   end subroutine solve_on_mesh
 
    !> The attempts in their order.
    pure function plan_of(may_buckle, buckles, rotating) result(plan)
@@ -173,12 +202,12 @@ contains
    end function plan_of
 
    !> Solves the case on the coarsest mesh that the local scale bears, where the mesh asked for is much finer and the string
-   !> not near buckling, and takes its shape over as a start.
-   subroutine start_from_coarse(model, case_index, mesh, may_buckle, state, gap_states, started)
+   !> does not buckle, and takes its shape over as a start.
+   subroutine start_from_coarse(model, case_index, mesh, buckles, state, gap_states, started)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
-      logical, intent(in) :: may_buckle
+      logical, intent(in) :: buckles
       real(wp), intent(inout) :: state(:, :)
       integer, intent(inout) :: gap_states(:)
       logical, intent(out) :: started
@@ -194,7 +223,7 @@ contains
       real(wp) :: pressing, compressed, waves
       integer :: outcome, shortened(scale_count), none(0)
       started = .false.
-      if (may_buckle .or. model%numerics%load_steps > 1) return
+      if (buckles .or. model%numerics%load_steps > 1) return
       numerics = settings_of('auto')
       if (.not. model%numerics%element_length*much_finer < numerics%element_length) return
       call mesh_for_case(model, case_index, numerics%element_length, coarse, totals, compressed, waves, pressing, shortened)
@@ -233,7 +262,7 @@ contains
       integer :: increment, stage
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
-      call stage_walls(model, mesh, pressing, merge(gentle_stiffening, largest_stiffening, damping), walls)
+      call stage_walls(model, mesh, pressing, damping, walls)
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
@@ -257,56 +286,6 @@ contains
       end do
    end subroutine go_through_increments
 
-   !> Wall stiffnesses to go through over the final one [-], ending in 1. A stiff wall is a hard start: every gap that
-   !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
-   !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
-   !> stiffer wall then starts from the state before.
-   pure subroutine stage_walls(model, mesh, pressing, largest, walls)
-      type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
-      real(wp), intent(in) :: largest    !< ratio of a wall's stiffness to the one before [-]
-      real(wp), allocatable, intent(out) :: walls(:)
-      real(wp) :: soft, stiff, ratio
-      integer :: stages, i
-      soft = pressing/soft_penetration
-      stiff = maxval(mesh%wall)
-      stages = 1
-      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))
-      allocate (walls(stages), source=1.0_wp)
-      if (stages == 1) return
-      ratio = (soft/stiff)**(1.0_wp/(stages - 1))
-      do i = 1, stages - 1
-         walls(i) = ratio**(stages - i)
-      end do
-   end subroutine stage_walls
-
-   !> Gives every gap its wall, `scale` times the final stiffness.
-   pure subroutine set_walls(model, mesh, scale, gaps)
-      type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: scale
-      type(gap_table_type), intent(inout) :: gaps
-      gaps%law%contact = scale*mesh%wall*mesh%length
-      gaps%law%maximum = scale*max(model%numerics%gk_max, mesh%wall)*mesh%length
-   end subroutine set_walls
-
-   !> A table of free gaps with their laws, at their first places.
-   pure subroutine lay_out_gaps(numerics, mesh, gaps)
-      type(numerics_type), intent(in) :: numerics
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(out) :: gaps
-      type(gap_law_type), allocatable :: laws(:)
-      integer :: e
-      allocate (laws(mesh%elements))
-      do e = 1, mesh%elements
-         laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
-            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
-            r_n0=numerics%r_n0)
-      end do
-      gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
-   end subroutine lay_out_gaps
-
    !> Room for the solution and the iteration's scales.
    subroutine prepare(model, load_case, mesh, newton, work)
       type(model_type), intent(in) :: model
@@ -319,6 +298,7 @@ contains
          newton%matrix = new_block_matrix(mesh%nodes)
          call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
          allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
+         call new_release_front(mesh%elements, newton%front)
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)

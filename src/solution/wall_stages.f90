@@ -1,0 +1,76 @@
+!> The wall of the hole as the gap elements have it: its stages of stiffness, and the gaps' laws.
+module dg_wall_stages
+   use dg_kinds, only: wp
+   use dg_gap_state, only: gap_law_type
+   use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_numerics, only: gap_at_nodes, numerics_type
+   implicit none
+   private
+   public :: stage_walls, set_walls, lay_out_gaps
+
+   !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
+   !> are between two contacts, so that no single gap matters.
+   real(wp), parameter :: soft_penetration = 0.1_wp
+   !> Largest ratio of stiffness from one stage to the next [-]: 30 to 100 cost the same, more loses cases.
+   real(wp), parameter :: largest_stiffening = 50.0_wp
+   !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
+   real(wp), parameter :: gentle_stiffening = 15.0_wp
+   !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
+   real(wp), parameter :: middle = 0.5_wp
+   real(wp), parameter :: lower_node = 1.0_wp
+
+contains
+
+   !> Wall stiffnesses to go through over the final one [-], ending in 1. A stiff wall is a hard start: every gap that
+   !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
+   !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
+   !> stiffer wall then starts from the state before.
+   pure subroutine stage_walls(model, mesh, pressing, damping, walls)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
+      logical, intent(in) :: damping     !< for damped Newton
+      real(wp), allocatable, intent(out) :: walls(:)
+      real(wp) :: soft, stiff, ratio, largest
+      integer :: stages, i
+      soft = pressing/soft_penetration
+      stiff = maxval(mesh%wall)
+      largest = merge(gentle_stiffening, largest_stiffening, damping)
+      stages = 1
+      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))
+      allocate (walls(stages), source=1.0_wp)
+      if (stages == 1) return
+      ratio = (soft/stiff)**(1.0_wp/(stages - 1))
+      do i = 1, stages - 1
+         walls(i) = ratio**(stages - i)
+      end do
+   end subroutine stage_walls
+
+   !> Gives every gap its wall, `scale` times the final stiffness.
+   pure subroutine set_walls(model, mesh, scale, gaps)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: scale
+      type(gap_table_type), intent(inout) :: gaps
+      gaps%law%contact = scale*mesh%wall*mesh%length
+      gaps%law%maximum = scale*max(model%numerics%gk_max, mesh%wall)*mesh%length
+   end subroutine set_walls
+
+   !> A table of free gaps with their laws, at their first places.
+   pure subroutine lay_out_gaps(numerics, mesh, gaps)
+      type(numerics_type), intent(in) :: numerics
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(out) :: gaps
+      type(gap_law_type), allocatable :: laws(:)
+      integer :: e
+      allocate (laws(mesh%elements))
+      do e = 1, mesh%elements
+         laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
+            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
+            r_n0=numerics%r_n0)
+      end do
+      gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
+   end subroutine lay_out_gaps
+end module dg_wall_stages
