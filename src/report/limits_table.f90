@@ -93,11 +93,11 @@ contains
       depths = wholes%buckling_margin_md
       call append_least(lines, units, names, 'Least margin to buckling', quantity_force, 1, numbers, depths, .false.)
       numbers = wholes%wob_buckling
-      call append_least(lines, units, names, 'Buckling begins at wob', quantity_force, 1, numbers, nowhere, .false.)
+      call append_least(lines, units, names, 'Most wob before buckling', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%wob_no_hookload
-      call append_least(lines, units, names, 'No hook load left at wob', quantity_force, 1, numbers, nowhere, .false.)
+      call append_least(lines, units, names, 'Most wob till slack hook', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%wob_lockup
-      call append_least(lines, units, names, 'The same, coils rubbing', quantity_force, 1, numbers, nowhere, .false.)
+      call append_least(lines, units, names, 'Most wob before lock-up', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
          call append_text(lines, '  buckled by the limits: '//names(i)%text//', '//trim(buckling_name(wholes(i)%buckling))// &
