@@ -4,7 +4,7 @@ module dg_deck_echo
    use dg_calibration_echo, only: add_calibrations
    use dg_component, only: component_type
    use dg_deck_schema, only: unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_wall
+      unit_speed, unit_stress, unit_wall
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type, boundary_type
@@ -60,6 +60,8 @@ contains
       call append_text(lines, 'models      '//models)
       call append_text(lines, 'units       '//trim(job%units%name))
       call append_text(lines, 'results in  '//job%output_dir)
+      if (job%rig_limit%present) call append_text(lines, 'rig         '// &
+         quantity(job%rig_limit%value, job%units%force, unit_label(job%units, unit_force))//' of hook load')
       call add_hole(lines, job%units, model)
       do i = 1, size(model%strings)
          call add_string(lines, job%units, model, i)
@@ -125,7 +127,9 @@ contains
                   quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
                   quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
                   quantity(part%density, units%density, unit_label(units, unit_density))// &
-                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter)))
+                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))// &
+                  optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
+                  optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment)))
             end associate
          end do
       end associate
@@ -143,7 +147,10 @@ contains
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
          optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &
-         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force)))
+         optional(', ', case%trip_speed, units%trip_speed, unit_label(units, unit_speed))// &
+         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
+         given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &
+         given_text(', reference ', case%reference_hookload, units%force, unit_label(units, unit_force)))
    end subroutine add_case
 
    !> Settings of the solver.
@@ -151,11 +158,14 @@ contains
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
-      character(:), allocatable :: location
+      character(:), allocatable :: location, joints
       location = 'extremum'
       if (numerics%gap_location == gap_at_nodes) location = 'nodes'
+      joints = ''
+      if (numerics%discrete_joints) joints = ', tool joints one by one'
+      if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
       call append_text(lines, 'solver      elements to '// &
-         quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location// &
+         quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location//joints// &
          ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
          ', load steps '//to_text(numerics%load_steps))
       call append_text(lines, '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &

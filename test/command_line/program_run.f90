@@ -10,7 +10,7 @@ module dg_program_run
    implicit none
    private
    public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
-      clear_scratch, result_lines, csv_field
+      clear_scratch
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
@@ -155,27 +155,6 @@ contains
       at = index(path, '/test/', back=.true.)
       path = path(:max(at, 1) - 1)//'/app/drillgap'
    end function program_path
-
-   !> Lines of a file of results, none where it is not there.
-   function result_lines(name) result(lines)
-      character(*), intent(in) :: name
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-      call read_lines(results_path//'/'//name, lines, failure)
-   end function result_lines
-
-   !> One field of a row of a CSV file without quotes.
-   pure function csv_field(line, number) result(text)
-      character(*), intent(in) :: line
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer :: i, first
-      first = 1
-      do i = 1, number - 1
-         first = first + index(line(first:), ',')
-      end do
-      text = line(first:first + index(line(first:)//',', ',') - 2)
-   end function csv_field
 
    !> A whole file; '' where there is none.
    function content(path) result(text)

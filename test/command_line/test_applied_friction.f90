@@ -2,7 +2,8 @@
 module dg_test_applied_friction
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: csv_field, deck_path, replaced, result_lines, results_path, run_deck_text, run_program, run_type
+   use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type
+   use dg_result_rows, only: field, lines_of
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -52,9 +53,9 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'lower: friction 0.3000 along, 0.3000 around') > 0, message=run%output)
       call assertTrue(index(run%output, 'Calibration k') < index(run%output, 'Model soft'), message='calibrated first')
-      allocate (lines, source=result_lines('calibration.csv'))
-      call assertEqual('0.2000000000', csv_field(lines(2)%text, 28), message=lines(2)%text)
-      call assertEqual('0.3000000000', csv_field(lines(3)%text, 28), message=lines(3)%text)
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      call assertEqual('0.2000000000', field(lines(2)%text, 28), message=lines(2)%text)
+      call assertEqual('0.3000000000', field(lines(3)%text, 28), message=lines(3)%text)
       allocate (found, source=contents())
       run = run_deck_text(replaced(replaced(deck(''), 'friction = 0.11', 'friction = 0.3'), 'friction = 0.1 ', 'friction = 0.2 '))
       call assertEqual(0, run%status, message=run%diagnostics)
@@ -68,9 +69,9 @@ contains
          integer :: i, k
          allocate (all_lines(0))
          do i = 1, size(files)
-            allocate (one, source=result_lines(trim(files(i))))
+            allocate (one, source=lines_of(results_path//'/'//trim(files(i))))
             do k = 1, size(one)
-               if (i == 1) one(k)%text = one(k)%text(:index(one(k)%text//',converged', ',converged'))
+               if (i == 1) one(k)%text = one(k)%text(:index(one(k)%text//',converged', ',converged') - 1)
             end do
             all_lines = [all_lines, one]
             deallocate (one)
@@ -84,7 +85,7 @@ contains
       type(text_type), allocatable :: whole(:), joined(:)
       integer :: i
       run = run_deck_text(deck(applied))
-      allocate (whole, source=result_lines('sweep_s.csv'))
+      allocate (whole, source=lines_of(results_path//'/sweep_s.csv'))
       do i = 1, parts
          run = run_program(deck_path//' --output '//results_path//' --part '//to_text(i)//'/'//to_text(parts))
          call assertEqual(0, run%status, message=run%diagnostics)
@@ -92,7 +93,7 @@ contains
       end do
       run = run_program(deck_path//' --output '//results_path//' --merge '//to_text(parts))
       call assertEqual(0, run%status, message=run%diagnostics)
-      allocate (joined, source=result_lines('sweep_s.csv'))
+      allocate (joined, source=lines_of(results_path//'/sweep_s.csv'))
       call compare(whole, joined)
    end subroutine test_parts
 
