@@ -9,6 +9,9 @@ module dg_beam_angle
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
    real(wp), parameter :: series_limit = 0.02_wp
    integer, parameter :: series_terms = 8
+   !> Least square of the sine, of an element that a wild step has folded back on itself: such a state is never kept, but its
+   !> numbers must stay in range. What depends on it grows by no more than its fifth power of the root.
+   real(wp), parameter :: folded = 1.0e-20_wp
    !> n!/(2n+1)!!: alpha/sin(alpha) = sum c_n u**n.
    real(wp), parameter :: c(0:series_terms) = [1.0_wp, 1.0_wp/3.0_wp, 2.0_wp/15.0_wp, 2.0_wp/35.0_wp, 8.0_wp/315.0_wp, &
       8.0_wp/693.0_wp, 16.0_wp/3003.0_wp, 16.0_wp/6435.0_wp, 128.0_wp/109395.0_wp]
@@ -34,7 +37,7 @@ contains
          end do
          dg = -dg                            ! d/dcos = -d/du
       else
-         sine_square = max(u*(1.0_wp + cosine), tiny(u))
+         sine_square = max(u*(1.0_wp + cosine), folded)
          g = acos(max(cosine, -1.0_wp))/sqrt(sine_square)
          dg = (g*cosine - 1.0_wp)/sine_square
          ddg = (3.0_wp*cosine*dg + g)/sine_square

@@ -14,7 +14,7 @@ module dg_mesh
    use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths, subdivided
+   public :: mesh_type, new_mesh, node_depths, subdivided, graded
 
    type :: mesh_type
       integer :: nodes = 0
@@ -185,6 +185,50 @@ contains
          finer(n) = depths(i + 1)
       end do
    end function subdivided
+
+   !> Depths with every interval cut into parts no longer than `longest` of that interval [m], as by subdivided, and beside
+   !> intervals that had to be cut shorter still: an element is no longer than `growth` times theirs where it adjoins them, and
+   !> every next one that times the one before.
+   pure function graded(depths, longest, growth) result(finer)
+      real(wp), intent(in) :: depths(:), longest(:)
+      real(wp), intent(in) :: growth       !< > 1 [-]
+      real(wp), allocatable :: finer(:)
+      real(wp), allocatable :: bound(:), parts(:)
+      integer :: i, n
+      n = size(depths)
+      allocate (bound(n), source=huge(1.0_wp))   ! length of an element that begins or ends here
+      do i = 1, n - 1
+         if (longest(i) < depths(i + 1) - depths(i)) bound(i:i + 1) = min(bound(i:i + 1), growth*longest(i))
+      end do
+      do i = 1, n - 1      ! lengths that grow by a factor grow linearly with distance
+         bound(i + 1) = min(bound(i + 1), bound(i) + (growth - 1.0_wp)*(depths(i + 1) - depths(i)))
+      end do
+      do i = n - 1, 1, -1
+         bound(i) = min(bound(i), bound(i + 1) + (growth - 1.0_wp)*(depths(i + 1) - depths(i)))
+      end do
+      allocate (finer(0))
+      do i = 1, n - 1
+         call grade_interval(depths(i:i + 1), longest(i), bound(i:i + 1), growth, parts)
+         finer = [finer, parts(:size(parts) - 1)]
+      end do
+      finer = [finer, depths(n)]
+   end function graded
+
+   !> One interval cut into equal parts, and these in halves until all keep the bounds that grow from both ends.
+   pure subroutine grade_interval(ends, longest, bound, growth, parts)
+      real(wp), intent(in) :: ends(2), longest, bound(2), growth
+      real(wp), allocatable, intent(out) :: parts(:)
+      real(wp), allocatable :: length(:), most(:)
+      integer :: n
+      parts = subdivided(ends, [longest])
+      do
+         n = size(parts) - 1
+         length = parts(2:) - parts(:n)
+         most = min(bound(1) + (growth - 1.0_wp)*(parts(:n) - ends(1)), bound(2) + (growth - 1.0_wp)*(ends(2) - parts(2:)))
+         if (.not. any(most < (1.0_wp - merge_share)*length)) return
+         parts = subdivided(parts, merge(0.5_wp*length, length, most < (1.0_wp - merge_share)*length))
+      end do
+   end subroutine grade_interval
 
    !> Elements in a piece of string, none longer than asked for beyond round-off.
    pure function piece_count(length, element_length) result(pieces)

@@ -6,7 +6,7 @@ module dg_case_result
    implicit none
    private
    public :: case_result_type, gap_row_type, iteration_type
-   public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_count, scale_name
+   public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
 
    integer, parameter :: result_converged = 1
@@ -16,10 +16,11 @@ module dg_case_result
    character(*), parameter :: result_status_name(3) = [character(13) :: 'converged', 'not_converged', 'locked_up']
 
    !> Local scales that may ask for shorter elements, and their names in reports.
-   integer, parameter :: scale_compression = 1, scale_bend = 2, scale_load = 3, scale_joint = 4, scale_end = 5
-   integer, parameter :: scale_count = 5
-   character(*), parameter :: scale_name(scale_count) = [character(12) :: 'compression', 'bends', 'side load', 'tool joints', &
-      'free ends']
+   integer, parameter :: scale_compression = 1, scale_bend = 2, scale_load = 3, scale_joint = 4, scale_end = 5, &
+                         scale_neighbour = 6
+   integer, parameter :: scale_count = 6
+   character(*), parameter :: scale_name(scale_count) = [character(18) :: 'compression', 'bends', 'side load', 'tool joints', &
+      'free ends', 'shorter neighbours']
 
    !> One row of the iteration history.
    type :: iteration_type
@@ -58,7 +59,7 @@ module dg_case_result
       integer :: iterations = 0
       integer :: elements = 0
       real(wp) :: element_lengths(2) = 0.0_wp  !< shortest and longest element [m]; 0 where the model has none
-      integer :: shortened(scale_count) = 0    !< intervals cut finer than asked for, by the local scale that asked
+      integer :: shortened(scale_count) = 0    !< intervals cut finer, by the local scale that asked; elements that grading added
       real(wp) :: seconds = 0.0_wp             !< wall time of this case's solution alone
       type(profile_type) :: profile
       !> State table summary: gaps by state at the end (free, elastic, rigid), and flips and moves in all.

@@ -1,12 +1,14 @@
 !> Element lengths from the local scale of the problem, known from the soft string before anything is solved.
 !>
 !> One element carries one gap: it sees the wall at one place. Between two gaps the string must therefore not be able to
-!> leave the hole, neither by its own sag nor by running straight where the hole bends, nor may it buckle.
+!> leave the hole, neither by its own sag nor by running straight where the hole bends, nor may it buckle. Lengths grow gradually
+!> from short elements to long ones.
 module dg_mesh_for_case
    use dg_kinds, only: wp
-   use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load
+   use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load, &
+                             scale_neighbour
    use dg_constants, only: pi
-   use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
+   use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
@@ -31,6 +33,11 @@ module dg_mesh_for_case
    real(wp), parameter :: body_share = 0.25_wp
    !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
+   !> Length of an element over that of a shorter neighbour, at most [-]. A string does not end to bend where the hole does: it
+   !> leaves its wall there and goes over to the other within lengths such as the bend's own elements have. Long elements next to
+   !> them made the torque behind a bend of 67 deg/30 m wrong by 5 %, these by 0.2 %; 1.5 and 1.25 did not make it better, and cost
+   !> twice and four times as much.
+   real(wp), parameter :: growth = 2.0_wp
 
 contains
 
@@ -45,7 +52,7 @@ contains
       real(wp), intent(out) :: waves           !< of buckling, sqrt(2 EI/F) 2 pi long, in the string beyond the sinusoidal limit [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
-      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:)
+      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:)
       real(wp) :: curvature, compression, side_load, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
@@ -80,7 +87,14 @@ contains
             compressed = max(compressed, share)
             if (share > snake_share) waves = waves + mesh%length(e)*sqrt(0.5_wp*compression/mesh%ei(e))/(2.0_wp*pi)
          end do
-         if (any(longest < mesh%length)) call new_mesh(model, load_case, subdivided(mesh%md, longest), mesh)
+         depths = subdivided(mesh%md, longest)
+         ! where joints touch their spacing rules, and nothing else bends the string as shortly
+         if (.not. model%numerics%discrete_joints) then
+            e = size(depths)
+            depths = graded(mesh%md, longest, growth)
+            shortened(scale_neighbour) = size(depths) - e
+         end if
+         if (size(depths) > mesh%nodes) call new_mesh(model, load_case, depths, mesh)
       end associate
    end subroutine mesh_for_case
 

@@ -11,7 +11,7 @@ module dg_test_mesh
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_out
-   use dg_mesh, only: mesh_type, new_mesh, node_depths, subdivided
+   use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_predictor, only: predict
    use dg_soft_string_loads, only: soft_string_at
@@ -29,6 +29,7 @@ contains
       call suite%addTest(TestMethod('nodes_at_every_change', test_nodes_at_every_change))
       call suite%addTest(TestMethod('no_sliver', test_no_sliver))
       call suite%addTest(TestMethod('subdivided', test_subdivided))
+      call suite%addTest(TestMethod('graded', test_graded))
       call suite%addTest(TestMethod('properties', test_properties))
       call suite%addTest(TestMethod('geometry', test_geometry))
       call suite%addTest(TestMethod('predicted_start', test_predicted_start))
@@ -94,6 +95,27 @@ contains
                        subdivided([0.0_wp, 3.0_wp, 6.0_wp], [1.0_wp, 2.9_wp]), 1.0e-15_wp)
       call assertEqual([2.0_wp, 3.0_wp], subdivided([2.0_wp, 3.0_wp], [1.0_wp]), 1.0e-15_wp)
    end subroutine test_subdivided
+
+   !> 4 m cut to elements of 1 m, with 32 m before it and 35 m behind it: elements of at most 2, 4, 8 and 16 m from there on. A
+   !> short interval that was not cut, the third, makes none of its neighbours short.
+   subroutine test_graded()
+      real(wp), parameter :: depths(6) = [0.0_wp, 32.0_wp, 36.0_wp, 71.0_wp, 71.5_wp, 100.0_wp]
+      real(wp), allocatable :: finer(:), length(:)
+      integer :: e
+      finer = graded(depths, [40.0_wp, 1.0_wp, 40.0_wp, 40.0_wp, 40.0_wp], 2.0_wp)
+      length = finer(2:) - finer(:size(finer) - 1)
+      do e = 1, size(depths)
+         call assertLessThan(minval(abs(finer - depths(e))), 1.0e-12_wp, message='kept')
+      end do
+      call assertEqual([16.0_wp, 8.0_wp, 4.0_wp, 2.0_wp, 2.0_wp], length(:5), 1.0e-12_wp, message='before')
+      call assertEqual(1.0_wp, length(6:9), 1.0e-12_wp, message='what was cut')
+      do e = 10, size(length) - 2
+         call assertLessThan(length(e), 2.01_wp*length(e - 1), message='behind')
+      end do
+      call assertEqual([0.5_wp, 28.5_wp], length(size(length) - 1:), 1.0e-12_wp, message='far behind')
+      call assertEqual(subdivided(depths, [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp]), &
+                       graded(depths, [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp], 2.0_wp), 1.0e-12_wp, message='short everywhere')
+   end subroutine test_graded
 
    subroutine test_properties()
       type(model_type) :: model
