@@ -84,7 +84,7 @@ contains
       call run_deck(job, model, status)
    end subroutine work
 
-   !> What this version leaves undone although the deck asks for it.
+   !> What is legal in the deck but hardly meant.
    subroutine print_notes(notes)
       type(text_type), intent(in) :: notes(:)
       integer :: i

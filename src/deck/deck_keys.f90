@@ -103,7 +103,7 @@ module dg_deck_keys
          meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='0 on the last one: to surface'), &
-      key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=0.0_wp, open=.true., high=widest, &
+      key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='outside diameter of the body'), &
       key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
       key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &

@@ -13,6 +13,7 @@ module dg_read_deck
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
+   use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
@@ -36,7 +37,7 @@ module dg_read_deck
 contains
 
    !> Reads the deck `path`. `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
-   !> this version will leave undone although the deck asks for it.
+   !> is legal but hardly meant.
    subroutine read_deck(path, model, job, notes, faults)
       character(*), intent(in) :: path
       type(model_type), intent(out) :: model
@@ -83,6 +84,7 @@ contains
       call take_uncertainties(draft, checked, job%models, job%uncertainties, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       if (faults%count == 0) call build_model(draft, model, faults)
+      if (faults%count == 0) call note_oddities(draft, job, notes)
    end subroutine read_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.

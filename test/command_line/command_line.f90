@@ -10,6 +10,7 @@ contains
       use funit, only: TestSuite
       use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
+      use dg_test_odd_decks, only: odd_decks_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
       use dg_test_interruption, only: interruption_suite
@@ -24,6 +25,7 @@ contains
       suite = TestSuite('command_line')
       call suite%addTest(actions_suite())
       call suite%addTest(bad_decks_suite())
+      call suite%addTest(odd_decks_suite())
       call suite%addTest(program_suite())
       call suite%addTest(legacy_runs_suite())
       call suite%addTest(threads_suite())

@@ -112,7 +112,7 @@ contains
    end subroutine test_keys
 
    subroutine test_values()
-      call refuse("od = 127.0", "od = 'wide'", 13, "od = 'wide' is no number; needs a number, > 0")
+      call refuse("od = 127.0", "od = 'wide'", 13, "od = 'wide' is no number; needs a number, 1 to 5000 mm")
       call refuse("od = 127.0", "od = wide", 13, 'od = wide is no number')
       call refuse("od = 127.0", "od = 12O.0", 13, 'od = 12O.0 is no number')
       call refuse("od = 127.0", "od = nan", 13, 'od = nan is no number')

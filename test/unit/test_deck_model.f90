@@ -143,7 +143,7 @@ contains
       call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' /")
       call read_text(lines, model, job, notes)
       if (.not. allocated(model%cases)) return
-      call assertEqual(0, size(notes))
+      call assertEqual(1, size(notes), message='string main is used by no case')
       call assertEqual(2, job%threads)
       call assertEqual('x/y', job%output_dir)
       call assertFalse(job%profiles)

@@ -1,0 +1,137 @@
+!> What is legal in a deck but hardly meant: numbers that look like a slip of units, and parts that no case uses. The program
+!> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
+module dg_deck_notes
+   use dg_kinds, only: wp
+   use dg_component, only: contact_diameter, tube_area
+   use dg_constants, only: degree
+   use dg_deck_draft, only: draft_component_type, draft_type
+   use dg_job, only: job_type
+   use dg_survey, only: tangent_of
+   use dg_text, only: append_text, quoted, text_type, to_text
+   implicit none
+   private
+   public :: note_oddities
+
+   !> Mud lighter than any foam that is pumped [kg/m3]: specific gravity, or another unit's number.
+   real(wp), parameter :: lightest_mud = 300.0_wp
+   !> Holes wider than so many strings: inches or metres among millimetres.
+   real(wp), parameter :: widest_hole = 12.0_wp
+   !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53); pounds
+   !> a foot are 0.67 of kilogrammes a metre, these 1.49 of those.
+   real(wp), parameter :: least_mass = 0.75_wp, most_mass = 1.6_wp
+   !> Young's moduli of what strings are made of [Pa]: glass fibre has 45, steel 206.
+   real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
+   !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
+   real(wp), parameter :: sharpest = 310.0_wp*degree/30.0_wp
+   !> Deeper than any hole so far [m]: feet among metres.
+   real(wp), parameter :: deepest = 16.0e3_wp
+   !> To compare with: water [kg/m3] and steel [Pa].
+   real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
+   integer, parameter :: digits = 6, few_digits = 4
+
+contains
+
+   !> Adds to `notes` what is odd in a deck that is without fault.
+   subroutine note_oddities(draft, job, notes)
+      type(draft_type), intent(in) :: draft
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      associate (units => draft%units)
+         if (draft%mud_density > 0.0_wp .and. draft%mud_density < lightest_mud) call append_text(notes, &
+            'group &fluid: density = '//to_text(draft%mud_density/units%density, digits)// &
+            ' is that of a gas or of foam; water has '//to_text(water/units%density, few_digits))
+      end associate
+      call note_path(draft, notes)
+      do i = 1, size(draft%components)
+         call note_component(draft, draft%components(i), notes)
+         call note_unused(draft, job, i, notes)
+      end do
+   end subroutine note_oddities
+
+   !> A survey that goes deeper, or turns more sharply, than any hole does.
+   subroutine note_path(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: above(3), below(3), curvature
+      integer :: i, before
+      associate (stations => draft%stations, units => draft%units)
+         do i = 2, size(stations%md)
+            before = i - 1
+            above = tangent_of(stations%inclination(before), stations%azimuth(before))
+            below = tangent_of(stations%inclination(i), stations%azimuth(i))
+            curvature = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(below - above)))/(stations%md(i) - stations%md(before))
+            if (curvature <= sharpest) cycle
+            call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
+                             to_text(stations%md(i)/units%length, digits)//' '//trim(units%length_label)//' the hole turns by '// &
+                             to_text(curvature/units%curvature, few_digits)//' '//trim(units%curvature_label)// &
+                             ', more than results were ever checked for; is a depth or an angle mistyped?')
+            exit
+         end do
+         if (stations%md(size(stations%md)) > deepest) call append_text(notes, 'group &trajectory: the last station lies at '// &
+            to_text(stations%md(size(stations%md))/units%length, digits)//' '//trim(units%length_label)// &
+            ', deeper than any hole so far; mind the units')
+      end associate
+   end subroutine note_path
+
+   !> Numbers of a component that do not go together.
+   subroutine note_component(draft, item, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: tube, hole
+      associate (part => item%component, units => draft%units)
+         hole = minval(draft%holes%section%diameter)
+         if (hole > widest_hole*contact_diameter(part)) call note('it is '// &
+            to_text(contact_diameter(part)/units%diameter, digits)//' '//trim(units%diameter_label)//' wide in holes of '// &
+            to_text(hole/units%diameter, digits)//' '//trim(units%diameter_label)//' and more; mind the units')
+         tube = part%density*tube_area(part%od, part%id)
+         if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) call note( &
+            'mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and density has '// &
+            to_text(tube/units%mass_per_length, few_digits)//'; mind the units, and the density of what is not steel')
+         if (part%youngs < softest .or. part%youngs > stiffest) call note('youngs = '// &
+            to_text(part%youngs/units%modulus, digits)//'; steel has '//to_text(steel/units%modulus, few_digits))
+      end associate
+   contains
+      subroutine note(text)
+         character(*), intent(in) :: text
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)//': '//text)
+      end subroutine note
+   end subroutine note_component
+
+   !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.
+   subroutine note_unused(draft, job, number, notes)
+      type(draft_type), intent(in) :: draft
+      type(job_type), intent(in) :: job
+      integer, intent(in) :: number
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: deepest_bit, below
+      integer :: i
+      deepest_bit = -1.0_wp
+      below = 0.0_wp
+      associate (item => draft%components(number))
+         do i = 1, size(draft%cases)
+            if (draft%cases(i)%load_case%string == item%string) deepest_bit = max(deepest_bit, draft%cases(i)%load_case%bit_depth)
+         end do
+         do i = 1, size(job%sweeps)
+            if (job%sweeps(i)%string == item%string) deepest_bit = max(deepest_bit, maxval(job%sweeps(i)%depths))
+         end do
+         do i = 1, size(job%uncertainties)
+            associate (range => job%uncertainties(i)%range)
+               if (range%string == item%string) deepest_bit = max(deepest_bit, maxval(range%depths))
+            end associate
+         end do
+         do i = 1, number - 1
+            if (draft%components(i)%string == item%string) below = below + draft%components(i)%component%length
+         end do
+         if (deepest_bit < 0.0_wp) then
+            call append_text(notes, 'group &component in line '//to_text(item%line)//': string '//quoted(item%string)// &
+                             ' is used by no case and no sweep')
+         else if (below >= deepest_bit) then
+            call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
+                             ' never enters the hole: the components below it are '// &
+                             to_text(below/draft%units%length, digits)//' '//trim(draft%units%length_label)//' long')
+         end if
+      end associate
+   end subroutine note_unused
+end module dg_deck_notes

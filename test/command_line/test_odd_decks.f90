@@ -1,0 +1,49 @@
+!> Decks that are legal but hardly meant: they are run, and the program says what is odd. The good deck is not odd.
+module dg_test_odd_decks
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: good_deck, replaced, run_deck_text, run_type
+   implicit none
+   private
+   public :: odd_decks_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function odd_decks_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('odd_decks')
+      call suite%addTest(TestMethod('slips_of_units', test_units))
+      call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
+   end function odd_decks_suite
+
+   subroutine test_units()
+      type(run_type) :: run
+      run = run_deck_text(good_deck(), '--check')
+      call assertEqual(0, index(run%output, 'note '), message=run%output)
+      call note('density = 1200.0', 'density = 1.2', 'that of a gas')
+      call note('od = 127.0, id = 108.6'//newline//'  joint_od = 168.3', 'od = 5.0, id = 4.276'//newline//'  joint_od = 6.63', &
+                'it is 6.63 mm wide in holes of 215.9 mm and more')
+      ! 29 kg/m in pounds a foot: below three quarters of what the tube weighs
+      call note('joint_od = 168.3', 'joint_od = 168.3, mass = 19.5', 'mass = 19.5, but a tube')
+      call note('joint_od = 168.3', 'joint_od = 168.3, youngs = 30', 'youngs = 30')
+      call note('md  = 0.0, 500.0, 900.0', 'md  = 0.0, 899.0, 900.0', 'the hole turns by 900 deg_30m')
+      call note('od = 171.45', 'mass = 136.0, density = 2800.0, od = 171.45', 'mass = 136')
+   end subroutine test_units
+
+   subroutine test_unused()
+      call note('length = 100.0', 'length = 900.0', "'drillpipe' never enters the hole")
+      call note("&boundary", "&component string = 'liner', od = 139.7, id = 121.4 /"//newline//"&boundary", &
+                "string 'liner' is used by no case")
+   end subroutine test_unused
+
+   !> The good deck with `old` changed to `new` passes, with a note that holds `expected`.
+   subroutine note(old, new, expected)
+      character(*), intent(in) :: old, new, expected
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), old, new), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'note ') > 0 .and. index(run%output, expected) > 0, &
+                      message='wanted: '//expected//'; got: '//run%output)
+   end subroutine note
+end module dg_test_odd_decks
