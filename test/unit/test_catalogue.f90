@@ -43,6 +43,7 @@ contains
       call strength('DP 3-1/2 13.30 NC38 E75', 271570.0_wp)
       call strength('DP 3-1/2 15.50 NC38 E75', 322780.0_wp)
       call strength('DP 4 14.00 NC40 E75', 285360.0_wp)
+      call strength('DP 4 15.70 NC40 E75', 324120.0_wp)
       call strength('DP 4-1/2 16.60 NC46 E75', 330560.0_wp)
       call strength('DP 4-1/2 20.00 NC50 E75', 412360.0_wp)
       call strength('DP 5 19.50 NC50 E75', 395600.0_wp)
