@@ -1,9 +1,11 @@
 !> What a calibration found, from calibration.csv and calibration_data.csv: friction factors with their 95 % intervals beside
-!> those of the deck, and the error of every load case before and after.
+!> those of the deck, the gauge's offsets where they were looked for, and the error of every load case before and after.
 module dg_calibration_picture
    use dg_kinds, only: wp
-   use dg_calibration, only: calibration_type
+   use dg_calibration, only: calibration_type, unknown_type
+   use dg_calibration_file, only: factor_columns
    use dg_calibration_table, only: unknown_text
+   use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, series_type, spelled, &
                                 start_script
    use dg_job, only: job_type, model_name
@@ -28,20 +30,15 @@ contains
       type(series_type), allocatable :: series(:)
       real(wp), parameter :: left(2) = [0.21_wp, 0.67_wp], right(2) = [0.55_wp, 0.985_wp], bottom = 0.125_wp, top = 0.84_wp, &
                              legend_top = 0.92_wp
+      !> Height of an axis with its labels, between two panels.
+      real(wp), parameter :: axis_height = 0.13_wp
       character(*), parameter :: factors = "'../calibration.csv'", data = "'../calibration_data.csv'"
-      character(:), allocatable :: deck, found, interval, factor_tics, case_tics
-      integer :: i, rows
+      character(:), allocatable :: deck, found, interval, tics, case_tics
+      real(wp) :: middle, share
+      integer :: i, rows, offsets
       deck = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
       found = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
       interval = "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'"
-      rows = 0
-      factor_tics = ''
-      do i = 1, size(calibration%unknowns)
-         if (calibration%unknowns(i)%is_offset) cycle
-         rows = rows + 1
-         factor_tics = factor_tics//merge('  ', ', ', rows == 1)//spelled(unknown_text(job%units, model, &
-                       calibration%unknowns(i)))//' '//to_text(rows)
-      end do
       case_tics = ''
       do i = 1, size(calibration%data)
          case_tics = case_tics//merge('  ', ', ', i == 1)// &
@@ -50,21 +47,23 @@ contains
       call start_script(lines, name, width, height)
       call append_text(lines, "mine(x) = stringcolumn('calibration') eq '"//calibration%name//"' && stringcolumn('model') eq '"// &
                        trim(model_name(number))//"'")
-      call append_text(lines, "factor(value) = mine(0) && strlen(stringcolumn('value')) > 0 ? (n = n + 1, value) : NaN")
+      call append_text(lines, 'row(name, value) = mine(0) && strlen(stringcolumn(name)) > 0 ? (n = n + 1, value) : NaN')
       call append_text(lines, 'only(value) = mine(0) ? value : NaN')
       call append_text(lines, 'datum(value) = mine(0) ? (n = n + 1, value) : NaN')
       call add_series(series, 'NaN', deck, 'before')
       call add_series(series, 'NaN', found, 'after')
       call add_series(series, 'NaN', "with lines lw 1.4 lc rgb '"//colour_of(1)//"'", '95 % interval')
       call legend(lines, 'Calibration '//calibration%name//', model '//trim(model_name(number)), series, top, legend_top)
-      deallocate (series)
-      call add_series(series, 'n = 0, '//factors//" using (factor(column('start'))):(n)", deck, '')
-      call add_series(series, 'n = 0, '//factors//" using (factor(column('value'))):(n)", found, '')
-      call add_series(series, 'n = 0, '//factors//" using (factor(column('value'))):(n):(only(column('lower'))):"// &
-                      "(only(column('upper')))", &
-                      interval, '')
-      call panel(lines, left(1), right(1), bottom, top, 'friction factor', ' ')
-      call draw(rows, factor_tics)
+      ! friction above, offsets of the gauge below, each with the height that its rows ask for
+      offsets = count(calibration%unknowns%is_offset)
+      middle = bottom
+      if (offsets > 0) then
+         share = real(offsets, wp)/real(size(calibration%unknowns), wp)
+         middle = bottom + share*(top - bottom - axis_height) + axis_height
+      end if
+      call draw_factors('friction factor', .false., 'value', 'lower', 'upper', middle, top)
+      if (offsets > 0) call draw_factors('offset of the gauge ['//trim(job%units%force_label)//']', .true., heading('offset'), &
+                                         heading('offset_lower'), heading('offset_upper'), bottom, middle - axis_height)
       deallocate (series)
       call add_series(series, 'n = 0, '//data//" using (datum(column('before_error_pct'))):(n)", deck, '')
       call add_series(series, 'n = 0, '//data//" using (datum(column('after_error_pct'))):(n)", found, '')
@@ -74,6 +73,40 @@ contains
       call end_script(lines)
 
    contains
+
+      !> Factors of one kind, their intervals and, of friction, what the deck has.
+      subroutine draw_factors(label, is_offset, value, lower, upper, low, high)
+         character(*), intent(in) :: label
+         logical, intent(in) :: is_offset
+         character(*), intent(in) :: value, lower, upper   !< columns
+         real(wp), intent(in) :: low, high                 !< ends of the panel
+         type(unknown_type) :: unknown
+         character(:), allocatable :: using
+         if (allocated(series)) deallocate (series)
+         rows = 0
+         tics = ''
+         do i = 1, size(calibration%unknowns)
+            unknown = calibration%unknowns(i)
+            if (unknown%is_offset .neqv. is_offset) cycle
+            unknown%is_offset = .false.    ! the axis says so
+            rows = rows + 1
+            tics = tics//merge('  ', ', ', rows == 1)//spelled(unknown_text(job%units, model, unknown))//' '//to_text(rows)
+         end do
+         if (rows == 0) return
+         using = 'n = 0, '//factors//" using (row('"//value//"', column('"
+         if (.not. is_offset) call add_series(series, using//"start'))):(n)", deck, '')
+         call add_series(series, using//value//"'))):(n)", found, '')
+         call add_series(series, using//value//"'))):(n):(only(column('"//lower//"'))):(only(column('"//upper//"')))", interval, '')
+         call panel(lines, left(1), right(1), low, high, label, ' ')
+         call draw(rows, tics)
+      end subroutine draw_factors
+
+      !> Heading of a column of calibration.csv.
+      pure function heading(column) result(text)
+         character(*), intent(in) :: column
+         character(:), allocatable :: text
+         text = column_header(column_named(factor_columns, column), job%units)
+      end function heading
 
       !> The curves over so many named rows, the first on top.
       subroutine draw(rows, tics)
