@@ -6,7 +6,7 @@ module dg_calibration_picture
    use dg_calibration_file, only: factor_columns
    use dg_calibration_table, only: unknown_text
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, series_type, spelled, &
+   use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, row_tics, series_type, &
                                 start_script
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
@@ -33,16 +33,15 @@ contains
       !> Height of an axis with its labels, between two panels.
       real(wp), parameter :: axis_height = 0.13_wp
       character(*), parameter :: factors = "'../calibration.csv'", data = "'../calibration_data.csv'"
-      character(:), allocatable :: deck, found, interval, tics, case_tics
+      character(:), allocatable :: deck, found, interval
+      type(text_type) :: names(size(calibration%data))
       real(wp) :: middle, share
       integer :: i, rows, offsets
       deck = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
       found = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
       interval = "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'"
-      case_tics = ''
       do i = 1, size(calibration%data)
-         case_tics = case_tics//merge('  ', ', ', i == 1)// &
-            spelled(model%cases(calibration%cases(calibration%data(i)%case))%name)//' '//to_text(i)
+         names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
       end do
       call start_script(lines, name, width, height)
       call append_text(lines, "mine(x) = stringcolumn('calibration') eq '"//calibration%name//"' && stringcolumn('model') eq '"// &
@@ -69,7 +68,7 @@ contains
       call add_series(series, 'n = 0, '//data//" using (datum(column('after_error_pct'))):(n)", found, '')
       call panel(lines, left(2), right(2), bottom, top, 'error against measurement [%]', ' ')
       call append_text(lines, 'set xrange [0:*]')
-      call draw(size(calibration%data), case_tics)
+      call draw(size(calibration%data), row_tics(names, left(2) - right(1), width))
       call end_script(lines)
 
    contains
@@ -81,16 +80,16 @@ contains
          character(*), intent(in) :: value, lower, upper   !< columns
          real(wp), intent(in) :: low, high                 !< ends of the panel
          type(unknown_type) :: unknown
+         type(text_type) :: factors_shown(size(calibration%unknowns))
          character(:), allocatable :: using
          if (allocated(series)) deallocate (series)
          rows = 0
-         tics = ''
          do i = 1, size(calibration%unknowns)
             unknown = calibration%unknowns(i)
             if (unknown%is_offset .neqv. is_offset) cycle
             unknown%is_offset = .false.    ! the axis says so
             rows = rows + 1
-            tics = tics//merge('  ', ', ', rows == 1)//spelled(unknown_text(job%units, model, unknown))//' '//to_text(rows)
+            factors_shown(rows)%text = unknown_text(job%units, model, unknown)
          end do
          if (rows == 0) return
          using = 'n = 0, '//factors//" using (row('"//value//"', column('"
@@ -98,7 +97,7 @@ contains
          call add_series(series, using//value//"'))):(n)", found, '')
          call add_series(series, using//value//"'))):(n):(only(column('"//lower//"'))):(only(column('"//upper//"')))", interval, '')
          call panel(lines, left(1), right(1), low, high, label, ' ')
-         call draw(rows, tics)
+         call draw(rows, row_tics(factors_shown(:rows), left(1), width))
       end subroutine draw_factors
 
       !> Heading of a column of calibration.csv.

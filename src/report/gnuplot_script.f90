@@ -6,9 +6,9 @@ module dg_gnuplot_script
    implicit none
    private
    public :: colour_of, dash_of, mark_of
-   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, spelled, &
+   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, row_tics, spelled, &
              style_count, series_type, add_series
-   public :: colour_grey, colour_black, colour_measured, limit_dash
+   public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width
 
    !> Different curves that can be told apart.
    integer, parameter :: style_count = 7
@@ -24,6 +24,8 @@ module dg_gnuplot_script
    character(*), parameter :: limit_dash = '(3,3)'
 
    character(*), parameter :: font = 'sans-serif,12'
+   !> Width of a letter of the font [px], a little more than the mean.
+   real(wp), parameter :: letter_width = 8.0_wp
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
 
@@ -213,6 +215,26 @@ contains
       look = 'with linespoints lw '//to_text(width, digits)//' dt '//dash//' pt '//to_text(mark_of(n))//' ps 0.6 pi '// &
          to_text(max(1, points/marks_each))//" lc rgb '"//colour_of(n)//"'"
    end function marked_line_style
+
+   !> What stands at the rows of a panel, as the tics of its axis; longer names are cut so that they fit `room`, a part of
+   !> a picture so many pixels wide.
+   pure function row_tics(names, room, width) result(tics)
+      type(text_type), intent(in) :: names(:)
+      real(wp), intent(in) :: room
+      integer, intent(in) :: width
+      character(:), allocatable :: tics
+      integer :: i, most
+      most = int(room*real(width, wp)/letter_width) - 1
+      tics = ''
+      do i = 1, size(names)
+         if (i > 1) tics = tics//', '
+         if (len(names(i)%text) > most) then
+            tics = tics//spelled(names(i)%text(:most - len('...'))//'...')//' '//to_text(i)
+         else
+            tics = tics//spelled(names(i)%text)//' '//to_text(i)
+         end if
+      end do
+   end function row_tics
 
    !> A text as gnuplot takes it literally.
    pure function spelled(text) result(literal)

@@ -4,8 +4,8 @@ module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_comparison, only: percent_error
-   use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, mark_style, panel, plot, series_type, spelled, &
-                                start_script
+   use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, letter_width, mark_style, panel, plot, row_tics, &
+                                series_type, start_script
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, optional_real, rotates
    use dg_model, only: model_type
@@ -21,8 +21,8 @@ module dg_hookload_picture
    integer, parameter :: row_height = 26, model_height = 6, head_height = 84, foot_height = 62
    !> Part of a case's height in which the marks of its models stand one below the other: they would hide each other in a row.
    real(wp), parameter :: spread = 0.6_wp
-   !> Width of a letter of the font [px], largest share of the picture that names of cases may take.
-   real(wp), parameter :: letter_width = 8.0_wp, most_names = 0.3_wp
+   !> Largest part of the picture that names of cases may take.
+   real(wp), parameter :: most_names = 0.3_wp
    character(*), parameter :: absent = 'NaN'
 
 contains
@@ -34,6 +34,7 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
+      type(text_type) :: names(size(model%cases))
       logical :: with_error, with_torque
       real(wp) :: left, wide, bottom, top, height
       integer :: i, n, panels, at, longest
@@ -44,13 +45,12 @@ contains
       with_torque = any(has_torque(model%cases))
       panels = 1 + count([with_error, with_torque])
       longest = 0
-      tics = ''
       do i = 1, n
          longest = max(longest, len(model%cases(i)%name))
-         if (i > 1) tics = tics//', '
-         tics = tics//spelled(model%cases(i)%name)//' '//to_text(i)
+         names(i)%text = model%cases(i)%name
       end do
       left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
+      tics = row_tics(names, left, width)
       wide = (0.985_wp - left)/real(panels, wp) - 0.02_wp
       bottom = real(foot_height, wp)/height
       top = 1.0_wp - real(head_height, wp)/height
@@ -65,7 +65,7 @@ contains
       if (any(model%cases%reference_hookload%present)) &
          call add_marks(3, "with points pt 6 ps 1.3 lw 1.2 lc rgb '"//colour_measured//"'", 'reference')
       if (any(results%status /= result_converged)) &
-         call add_series(series, 'NaN', "with points pt 1 ps 0 lc rgb '#ffffff'", 'not converged cases are left out')
+         call add_series(series, 'NaN', "with lines lc rgb '#ffffff'", 'not converged cases are left out')
       call legend(lines, 'Hook load of all cases', series, top + 8.0_wp/height, 1.0_wp - 40.0_wp/height)
       call append_text(lines, 'set yrange ['//to_text(real(n, wp) + 0.6_wp, digits)//':0.4]')
       call panel(lines, left, left + wide, bottom, top, 'hook load ['//trim(job%units%force_label)//']', ' ')
