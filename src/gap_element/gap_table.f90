@@ -4,7 +4,7 @@ module dg_gap_table
    use dg_gap_state, only: gap_law_type, next_state, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, judge_states, move_gap, count_states
+   public :: gap_table_type, new_gap_table, judge_states, move_gap, lone_contacts, count_states
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -17,6 +17,12 @@ module dg_gap_table
    !> A gap that keeps moving between two places that are as good is held by a threshold that grows with its moves;
    !> this bounds the growth (2**20 times the threshold is far beyond any clearance).
    integer, parameter :: most_doublings = 20
+
+   !> Closed gaps next to each other that are still one contact: two gaps may meet at a node.
+   integer, parameter :: most_lone = 2
+   !> Contacts above the bit whose places are looked at closely: a moment at one support of a long beam comes to the next but one
+   !> weaker by 2 - sqrt(3) for each span, 0.5 % after four.
+   integer, parameter :: contacts_above_bit = 4
 
 contains
 
@@ -51,7 +57,7 @@ contains
 
    !> Moves a gap to the extremum x0 = xi L (Eq. 2). The paper puts x0 where the element "is to make first contact": a
    !> free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by
-   !> `threshold` times the clearance. The threshold doubles with every move made, free or closed: an element that wants
+   !> `threshold`. The threshold doubles with every move made, free or closed: an element that wants
    !> contact at two places would otherwise hand its one gap to and fro for ever.
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
       type(gap_table_type), intent(inout) :: table
@@ -59,16 +65,40 @@ contains
       real(wp), intent(in) :: xi            !< of the extremum
       real(wp), intent(in) :: at_extremum   !< |f| there [m]
       real(wp), intent(in) :: at_gap        !< |f| at the present place [m]
-      real(wp), intent(in) :: threshold     !< [-]
+      real(wp), intent(in) :: threshold     !< [m]
       logical, intent(out) :: moved
       real(wp) :: least
       least = 2.0_wp**min(table%moves(e), most_doublings)
       if (table%state(e) == state_free) least = least - 1.0_wp
-      moved = at_extremum - at_gap > least*threshold*table%law(e)%clearance
+      moved = at_extremum - at_gap > least*threshold
       if (.not. moved) return
       table%xi(e) = xi
       table%moves(e) = table%moves(e) + 1
    end subroutine move_gap
+
+   !> First of the elements from which on, down to the bit, contacts stand by themselves: one gap or two next to each other,
+   !> open ones beyond. Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes
+   !> no difference that the mesh could show; to move one wakes its neighbours. A stabiliser's one gap carries all of the
+   !> load between two spans, and its place rules the side force at the bit.
+   pure function lone_contacts(state) result(first)
+      integer, intent(in) :: state(:)   !< of the gaps, from the top down
+      integer :: first
+      integer :: e, run, contacts
+      first = size(state) + 1
+      run = 0
+      contacts = 0
+      do e = size(state), 1, -1
+         if (state(e) /= state_free) then
+            if (run == 0) contacts = contacts + 1
+            run = run + 1
+            if (run > most_lone .or. contacts > contacts_above_bit) return
+         else
+            first = e
+            run = 0
+         end if
+      end do
+      first = 1
+   end function lone_contacts
 
    !> Number of gaps in each state, 0:2.
    pure function count_states(table) result(number)

@@ -26,8 +26,8 @@ module dg_damped_newton
    use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_newton, only: add_gap_rigidity, judge, largest_turn, most_rounds, newton_converged, newton_exhausted, newton_singular, &
-                        newton_type
+   use dg_newton, only: add_gap_rigidity, judge, largest_turn, longest_round, most_rounds, newton_converged, newton_exhausted, &
+                        newton_singular, newton_type
    use dg_numerics, only: numerics_type
    use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
@@ -82,7 +82,7 @@ contains
       type(load_type) :: lagged
       real(wp) :: before, slope, slope_after, growth, share, margin
       logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed
-      integer :: info, rounds, wait, start
+      integer :: info, rounds, round_start, wait, start
       lagged = loads
       lagged%lagged = .true.
       vertical = all(mesh%frame(3, 1, :) > upright)
@@ -92,13 +92,14 @@ contains
       lag = damped%continued
       start = newton%iterations
       rounds = 0
+      round_start = start
       wait = 0
       growth = until_definite
       damped%viscosity = 0.0_wp
       damped%drive = 0.0_wp
       row%increment = increment
       fresh = .true.
-      call judge(trajectory, mesh, numerics, soft, .true., state, gaps, work, row)
+      call judge(trajectory, mesh, numerics, soft, .true., .false., state, gaps, work, row)
       do
          if (fresh) then
             call measure()
@@ -118,6 +119,11 @@ contains
          end if
          row%iteration = newton%iterations
          newton%history(newton%iterations + 1) = row
+         if (rounds > 0 .and. newton%iterations >= min(round_start + longest_round, numerics%max_iterations) .and. &
+             .not. is_interrupted()) then
+            call take_back()
+            cycle
+         end if
          if (newton%iterations >= numerics%max_iterations .or. is_interrupted()) then
             outcome = newton_exhausted
             return
@@ -147,7 +153,7 @@ contains
             damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
             if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
             growth = until_definite
-            if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, state, gaps, work, row)
+            if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, .false., state, gaps, work, row)
          else
             damped%viscosity = min(max(damped%viscosity, viscosity_start)*growth, viscosity_most)
             growth = until_definite*growth
@@ -203,10 +209,25 @@ contains
          call block_positive_definite(damped%energy, margin, damped%lump, settled)
          if (.not. settled .or. soft .or. rounds >= most_rounds) return
          rounds = rounds + 1
-         call judge(trajectory, mesh, numerics, .true., .true., state, gaps, work, row)
+         round_start = newton%iterations
+         newton%rest = state
+         newton%gaps_at_rest = gaps
+         call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
          changed = row%moves > 0 .or. row%flips > 0
          settled = .not. changed
       end subroutine look_round
+
+      !> Back to the rest before gaps moved, which then is the end.
+      subroutine take_back()
+         gaps = newton%gaps_at_rest
+         call keep()
+         call go_back(newton%rest)
+         newton%gaps_taken_back = .true.
+         rounds = most_rounds
+         round_start = huge(round_start) - longest_round
+         lag = .false.
+         fresh = .true.
+      end subroutine take_back
 
       !> Newton's step with friction's tangent; where that does not lead down, or has failed, the energy's.
       subroutine solve_step(fault)
@@ -259,7 +280,7 @@ contains
          type(load_type) :: used
          real(wp) :: ignored
          call turn_along_wall(trajectory, mesh, work, newton%step, state)
-         call judge(trajectory, mesh, numerics, .false., .true., state, gaps, work, row)
+         call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
          used = loads
          used%lagged = .not. live
          call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix)

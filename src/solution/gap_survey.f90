@@ -5,7 +5,7 @@ module dg_gap_survey
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
    use dg_gap_state, only: state_free
-   use dg_gap_table, only: gap_table_type, move_gap
+   use dg_gap_table, only: gap_table_type, lone_contacts, move_gap
    use dg_hermite, only: hermite_value
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: closest_point, trajectory_type
@@ -62,19 +62,23 @@ contains
 
    !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
    !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
-   !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds.
-   pure subroutine relocate_gaps(trajectory, mesh, threshold, closed, gaps, work, moved)
+   !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds. Next to
+   !> a bit that is held that look is closer (`closely`): see `lone_contacts`.
+   pure subroutine relocate_gaps(trajectory, mesh, threshold, closed, closely, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: threshold          !< relative to the clearance [-]
       logical, intent(in) :: closed
+      logical, intent(in) :: closely             !< at contacts next to the bit
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
-      real(wp) :: gap_i(3), gap_j(3), tangent_i(3), tangent_j(3), xi, estimate
+      real(wp) :: gap_i(3), gap_j(3), tangent_i(3), tangent_j(3), xi, estimate, scale
       logical :: changed
-      integer :: e, known
+      integer :: e, known, lone
       moved = 0
+      lone = mesh%elements + 1
+      if (closely) lone = lone_contacts(gaps%state)
       known = 0                    ! node whose offset stands in gap_j
       do e = 1, mesh%elements
          if (.not. (closed .or. gaps%state(e) == state_free)) cycle
@@ -91,12 +95,27 @@ contains
          call extremum_of_displacement(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, &
                                        mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance) cycle
-         call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold, changed)
+         scale = gaps%law(e)%clearance
+         if (e >= lone) scale = deepest(gaps, work, e)
+         call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold*scale, changed)
          if (.not. changed) cycle
          call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
          moved = moved + 1
       end do
    end subroutine relocate_gaps
+
+   !> Deepest penetration of a gap and its neighbours [m], none where all are open.
+   pure function deepest(gaps, work, e) result(depth)
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      integer, intent(in) :: e
+      real(wp) :: depth
+      integer :: i
+      depth = 0.0_wp
+      do i = max(e - 1, 1), min(e + 1, size(gaps%state))
+         depth = max(depth, work%displacement(i) - gaps%law(i)%clearance)
+      end do
+   end function deepest
 
    !> Whether no point of an element can be as far off the axis as the clearance: N_1 + N_3 = 1, |N_2| and |N_4| are at
    !> most 4/27 of the length.

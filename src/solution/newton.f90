@@ -19,7 +19,7 @@ module dg_newton
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
-   public :: newton_type, iterate, judge, add_gap_rigidity, most_rounds, largest_turn
+   public :: newton_type, iterate, judge, add_gap_rigidity, most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
    integer, parameter :: newton_converged = 0
@@ -29,6 +29,8 @@ module dg_newton
    !> Against the final wall gaps stay where the softer walls left them until all is at rest; then each may move to the
    !> extremum of its element, and the iteration goes on, no more than so many times.
    integer, parameter :: most_rounds = 4
+   !> Iterations after which a string whose gaps have moved is given up and taken back to its rest before.
+   integer, parameter :: longest_round = 25
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
    !> Iterations in a row with gaps changing after which they are taken to be cycling.
@@ -49,6 +51,9 @@ module dg_newton
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< in all increments so far
+      real(wp), allocatable :: rest(:, :)         !< the last rest against the final wall, before gaps moved
+      type(gap_table_type) :: gaps_at_rest
+      logical :: gaps_taken_back = .false.        !< moved gaps found no rest: they are where they were
    end type newton_type
 
 contains
@@ -68,13 +73,14 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      integer :: info, stalled, rounds, opened
+      integer :: info, stalled, rounds, round_start, opened
       logical :: near
       row%increment = increment
       stalled = 0
       call forget_fronts(newton%front)
-      call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
+      call judge(trajectory, mesh, numerics, soft, row%flips == 0, .false., state, gaps, work, row)
       rounds = 0
+      round_start = 0
       do
          ! Where the end is near forces alone tell whether this is it: the tangent of a state at rest would not be used.
          near = row%iteration > 0 .and. (soft .or. row%flips + row%moves == 0) .and. &
@@ -97,12 +103,19 @@ contains
                return
             end if
             rounds = rounds + 1
-            call judge(trajectory, mesh, numerics, .true., .true., state, gaps, work, row)
+            newton%rest = state
+            newton%gaps_at_rest = gaps
+            round_start = newton%iterations
+            call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
             if (row%moves > 0 .or. row%flips > 0) cycle
             outcome = newton_converged
             return
          end if
          stalled = merge(stalled + 1, 0, row%flips > 0)
+         if (rounds > 0 .and. newton%iterations >= round_start + longest_round) then
+            call take_back()
+            cycle
+         end if
          if (newton%iterations >= numerics%max_iterations .or. is_interrupted()) then
             outcome = newton_exhausted
             return
@@ -110,23 +123,35 @@ contains
          call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
          newton%step = -newton%residual
          call solve_linear(newton%solver, newton%matrix, newton%step, info)
-         if (info /= 0) then
-            outcome = newton_singular
-            return
-         end if
-         row%negative_pivots = newton%solver%negative_pivots
+         if (info == 0) row%negative_pivots = newton%solver%negative_pivots
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
-         if (.not. row%lateral_step < huge(row%lateral_step)) then
+         if (info /= 0 .or. .not. row%lateral_step < huge(row%lateral_step)) then
+            if (rounds > 0) then
+               call take_back()
+               cycle
+            end if
             outcome = newton_singular
             return
          end if
          state = state + newton%step*step_share(newton, row, stalled)
          newton%iterations = newton%iterations + 1
          newton%front%before = gaps%state
-         call judge(trajectory, mesh, numerics, soft, row%flips == 0, state, gaps, work, row)
+         call judge(trajectory, mesh, numerics, soft, row%flips == 0, .false., state, gaps, work, row)
          call release_ahead(newton%front, row%flips, gaps, opened)
          row%flips = row%flips + opened
       end do
+
+   contains
+
+      !> Back to the rest before the gaps moved, which then is the end.
+      subroutine take_back()
+         state = newton%rest
+         gaps = newton%gaps_at_rest
+         newton%gaps_taken_back = .true.
+         rounds = most_rounds
+         stalled = 0
+         call judge(trajectory, mesh, numerics, .false., .false., .false., state, gaps, work, row)
+      end subroutine take_back
    end subroutine iterate
 
    !> Puts the largest force and moment out of balance into a row of the history.
@@ -158,12 +183,13 @@ contains
 
    !> Places the nodes of `state`, measures the gaps, moves them to the extremum where asked for, and re-judges them;
    !> `row` counts what changed.
-   subroutine judge(trajectory, mesh, numerics, relocate, closed, state, gaps, work, row)
+   subroutine judge(trajectory, mesh, numerics, relocate, closed, closely, state, gaps, work, row)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: numerics
       logical, intent(in) :: relocate    !< gaps may move
       logical, intent(in) :: closed      !< closed ones too
+      logical, intent(in) :: closely     !< those next to the bit by penetration
       real(wp), intent(in) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
@@ -172,7 +198,7 @@ contains
       call survey_gaps(trajectory, mesh, gaps, work)
       row%moves = 0
       if (relocate .and. numerics%gap_location == gap_at_extremum) &
-         call relocate_gaps(trajectory, mesh, numerics%relocation, closed, gaps, work, row%moves)
+         call relocate_gaps(trajectory, mesh, numerics%relocation, closed, closely, gaps, work, row%moves)
       call judge_states(gaps, work%displacement, row%flips)
    end subroutine judge
 

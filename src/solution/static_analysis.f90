@@ -22,7 +22,7 @@ module dg_static_analysis
    use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin, is_stable, push_off
-   use dg_static_result, only: fill_result, look_outside, outcome_outside, result_of_lock_up
+   use dg_static_result, only: add_message, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
    use dg_viscosity, only: damped_type, new_damped
    use dg_text, only: to_text
    use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls
@@ -97,11 +97,8 @@ contains
          history = result%history
          given_up = result%iterations
          call solve_on_mesh(model, case_index, length, most, history, result)
-         if (result%status == result_converged) then
-            if (result%message /= '') result%message = result%message//'; '
-            result%message = result%message//'converged with elements of at most '//to_text(length, shown)// &
-                             ' m: longer ones found no rest in '//to_text(given_up)//' iterations'
-         end if
+         if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
+            to_text(length, shown)//' m: longer ones found no rest in '//to_text(given_up)//' iterations')
       end if
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
@@ -181,9 +178,9 @@ contains
       result%shortened = shortened
       result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
       if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &
-         result%message = 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
-                                                             numerics%gap_location == gap_at_nodes))// &
-         ': with the place asked for the iteration found no rest; shorter elements may help'
+         call add_message(result, 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
+                          numerics%gap_location == gap_at_nodes))//', as with those at the place asked for it found no rest: '// &
+                          'hook load, torque and contact force stand, '//touched)
    end subroutine solve_on_mesh
 
    !> The attempts in their order.
@@ -260,6 +257,7 @@ contains
       real(wp), allocatable :: walls(:)
       real(wp) :: fraction, tolerance
       integer :: increment, stage
+      newton%gaps_taken_back = .false.
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
       call stage_walls(model, mesh, pressing, damping, walls)

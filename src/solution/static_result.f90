@@ -18,10 +18,14 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: fill_result, result_of_lock_up, look_outside, outcome_outside
+   public :: add_message, fill_result, result_of_lock_up, look_outside, outcome_outside, touched
 
    !> Outcome of an attempt that converged to a string outside its hole, beside those of dg_newton.
    integer, parameter :: outcome_outside = 100
+   !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
+   !> of 5 m elements lie by up to 12 % off those of 0.5 m.
+   character(*), parameter :: touched = 'side force and tilt of the bit, and bending moments between contacts, may be off by a '// &
+      'tenth; shorter elements narrow that down'
    !> Digits of a weight in a message, in kilonewtons.
    integer, parameter :: shown = 4
    real(wp), parameter :: kilonewton = 1000.0_wp
@@ -79,11 +83,12 @@ contains
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)
       result%hookload = work%hookload
-      if (outcome == newton_converged .and. work%hookload < 0.0_wp) then
-         if (result%message /= '') result%message = result%message//'; '
-         result%message = result%message//'the weight of the string does not overcome friction and bit load: '// &
-                          'the string would have to be pushed at surface'
-      end if
+      if (outcome == newton_converged .and. work%hookload < 0.0_wp) &
+         call add_message(result, 'the weight of the string does not overcome friction and bit load: '// &
+                          'the string would have to be pushed at surface')
+      if (outcome == newton_converged .and. newton%gaps_taken_back) &
+         call add_message(result, 'gaps that were moved to where the string lies deepest found no rest there and stand '// &
+                          'where they first touched: '//touched)
       result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
       result%torque = work%top_torque
       result%normal_force = sum(work%normal)
@@ -102,6 +107,14 @@ contains
       end if
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
+
+   !> Adds a warning to those of a result.
+   pure subroutine add_message(result, text)
+      type(case_result_type), intent(inout) :: result
+      character(*), intent(in) :: text
+      if (result%message /= '') result%message = result%message//'; '
+      result%message = result%message//text
+   end subroutine add_message
 
    !> The result of a case that no push at the top can bring about: friction of the coiled string outgrows all bounds. Forces are
    !> those of the soft string below that depth.

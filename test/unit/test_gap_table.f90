@@ -2,7 +2,7 @@
 module dg_test_gap_table
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
-   use dg_gap_table, only: count_states, gap_table_type, judge_states, move_gap, new_gap_table
+   use dg_gap_table, only: count_states, gap_table_type, judge_states, lone_contacts, move_gap, new_gap_table
    use dg_kinds, only: wp
    use dg_release_front, only: forget_fronts, new_release_front, release_ahead, release_front_type
    implicit none
@@ -17,6 +17,7 @@ contains
    function gap_table_suite() result(suite)
       type(TestSuite) :: suite
       suite = TestSuite('gap_table')
+      call suite%addTest(TestMethod('lone_contacts', test_lone_contacts))
       call suite%addTest(TestMethod('judge_and_count', test_judge_and_count))
       call suite%addTest(TestMethod('move_rule', test_move_rule))
       call suite%addTest(TestMethod('moves_end', test_moves_end))
@@ -39,27 +40,27 @@ contains
       call assertEqual([0, 2, 2, 0], table%flips, message='every flip is recorded')
    end subroutine test_judge_and_count
 
-   !> A free gap goes at once the first time; a closed one when it gains `threshold` clearances; either needs twice as
-   !> much with every move made: least gain / (threshold c) = 2**moves, less one while free.
+   !> A free gap goes at once the first time; a closed one when it gains `threshold`; either needs twice as
+   !> much with every move made: least gain / threshold = 2**moves, less one while free.
    subroutine test_move_rule()
       type(gap_table_type) :: table
       logical :: moved
-      real(wp), parameter :: unit = 0.5_wp*law%clearance   !< threshold times clearance
+      real(wp), parameter :: unit = 0.5_wp*law%clearance
       table = new_gap_table([law], 0.5_wp)
-      call move_gap(table, 1, 0.2_wp, 0.05_wp, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.2_wp, 0.05_wp, 0.05_wp, unit, moved)
       call assertFalse(moved, message='no gain')
-      call move_gap(table, 1, 0.2_wp, 0.051_wp, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.2_wp, 0.051_wp, 0.05_wp, unit, moved)
       call assertTrue(moved, message='free: any gain')
       call assertEqual(0.2_wp, table%xi(1))
       call assertEqual(1, table%moves(1))
-      call move_gap(table, 1, 0.3_wp, 0.05_wp + 0.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 0.99_wp*unit, 0.05_wp, unit, moved)
       call assertFalse(moved, message='free, second time, below one unit')
       table%state(1) = state_elastic
-      call move_gap(table, 1, 0.3_wp, 0.05_wp + 1.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 1.99_wp*unit, 0.05_wp, unit, moved)
       call assertFalse(moved, message='closed, second time, below two units')
-      call move_gap(table, 1, 0.3_wp, 0.05_wp + 2.01_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.3_wp, 0.05_wp + 2.01_wp*unit, 0.05_wp, unit, moved)
       call assertTrue(moved, message='closed, second time, above two units')
-      call move_gap(table, 1, 0.4_wp, 0.05_wp + 3.99_wp*unit, 0.05_wp, 0.5_wp, moved)
+      call move_gap(table, 1, 0.4_wp, 0.05_wp + 3.99_wp*unit, 0.05_wp, unit, moved)
       call assertFalse(moved, message='closed, third time, below four units')
    end subroutine test_move_rule
 
@@ -71,7 +72,7 @@ contains
       table = new_gap_table([law], 0.5_wp)
       table%state(1) = state_elastic
       do i = 1, 1000
-         call move_gap(table, 1, 0.1_wp*modulo(i, 2), 0.10_wp, 0.05_wp, 0.1_wp, moved)
+         call move_gap(table, 1, 0.1_wp*modulo(i, 2), 0.10_wp, 0.05_wp, 0.1_wp*law%clearance, moved)
       end do
       ! 2**n 0.1 c < c for n = 0 to 3
       call assertEqual(4, table%moves(1))
@@ -130,4 +131,14 @@ contains
          call release_ahead(front, 1, table, opened)
       end subroutine open
    end subroutine test_release_front
+
+   !> States from the top down to the bit; 1 is closed. Three closed gaps in a row are a string that lies on the wall.
+   subroutine test_lone_contacts()
+      call assertEqual(6, lone_contacts([1, 1, 1, 1, 1, 0, 0, 1, 1, 0]), message='a stabiliser below a string that lies')
+      call assertEqual(8, lone_contacts([1, 0, 0, 1, 1, 2, 1, 0, 0]), message='a slick assembly')
+      call assertEqual(5, lone_contacts([1, 1, 1, 1]), message='none')
+      call assertEqual(1, lone_contacts([0, 1, 0, 1, 1, 0]), message='none lies')
+      call assertEqual(1, lone_contacts([0, 0]), message='nothing touches')
+      call assertEqual(2, lone_contacts([1, 0, 1, 0, 1, 0, 1, 0, 1, 0]), message='no more than four')
+   end subroutine test_lone_contacts
 end module dg_test_gap_table

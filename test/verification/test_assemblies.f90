@@ -245,14 +245,16 @@ contains
       call compare(model, places, 0.5_wp*(hole - [lower, upper]), what)
    end subroutine stabilised
 
-   !> Blades of 1.8 m under an ordinary wall: they touch at pieces of 0.25 m, whether elements of 30 m or of 0.5 m are asked for.
-   !> Seen: 0.4 %; with one gap a blade it was 15 %. A length at which it is not so stands among the open cases.
+   !> Blades of 1.8 m under an ordinary wall, whatever the element length: the lower one touches at its upper end, the upper one at
+   !> both. Seen: 0.5 %. Where gaps of a blade moved only when they were deeper elsewhere by half the clearance, 5 m gave
+   !> 18 % more: both gaps next to one node stood at that node, and the blade's end, deeper by hundredths of a millimetre, had none.
    subroutine test_long_blades()
       type(model_type) :: model
       type(case_result_type) :: result
-      real(wp), parameter :: lengths(2) = [30.0_wp, 0.5_wp], steady = 0.02_wp
-      real(wp) :: force(size(lengths))
+      real(wp), parameter :: lengths(5) = [0.5_wp, 3.0_wp, 5.0_wp, 10.0_wp, 30.0_wp], steady = 0.01_wp
+      real(wp) :: fine
       integer :: i
+      fine = 0.0_wp
       do i = 1, size(lengths)
          call new_well(model, [0.0_wp, 150.0_wp], [45.0_wp, 45.0_wp], [0.0_wp, 0.0_wp], 0.3111_wp, 0.0_wp, &
                        pipe(1860.0_wp, 0.2032_wp, 0.0714_wp))
@@ -267,10 +269,11 @@ contains
          model%boundary%bit_centred = .true.
          model%numerics%element_length = lengths(i)
          call solve(model, operation_static, 7.5e4_wp, 0.0_wp, result, 'long blades')
-         force(i) = result%bit_side_force
-         call note('side force [N]', force(i))
+         call note('side force [N]', result%bit_side_force)
+         if (i == 1) fine = result%bit_side_force
+         call assertRelativelyEqual(fine, result%bit_side_force, steady, message='side force')
+         call assertEqual('', result%message, message='gaps at rest')
       end do
-      call assertRelativelyEqual(force(2), force(1), steady, message='side force')
    end subroutine test_long_blades
 
    !> A string lies across an edge: on the higher floor of a narrow hole it lifts off a before the edge, comes down on the lower
