@@ -2,9 +2,9 @@
 !> colour, a friction factor a dash; what was measured is laid over it.
 module dg_sweep_picture
    use dg_kinds, only: wp
-   use dg_column, only: column_header, column_named, column_type, unit_text
-   use dg_gnuplot_script, only: add_series, colour_black, dash_of, end_script, legend, marked_line_style, panel, plot, &
-                                series_type, start_script
+   use dg_broomstick_panels, only: draw_broomstick, start_broomstick
+   use dg_column, only: column_header, column_named
+   use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, optional_real, rotates
    use dg_sweep, only: sweep_type
@@ -16,7 +16,6 @@ module dg_sweep_picture
    public :: sweep_script
 
    integer, parameter :: digits = 8
-   integer, parameter :: width = 1120, height = 640
    !> Marks of measured points: open forms, one an operation.
    integer, parameter :: open_marks(8) = [6, 4, 8, 12, 10, 14, 2, 1]
 
@@ -29,45 +28,33 @@ contains
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model          !< number of the model
       type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: series(:)
-      real(wp), parameter :: left = 0.075_wp, right = 0.985_wp, gap = 0.035_wp, bottom = 0.115_wp, top = 0.80_wp, &
-                             legend_top = 0.93_wp
-      real(wp) :: wide
+      type(series_type), allocatable :: key(:)
       integer :: i, k
-      logical :: with_torque
-      with_torque = any(rotates(sweep%operations)) .or. abs(sweep%tob) > 0.0_wp
-      call start_script(lines, name, width, height)
+      call start_broomstick(lines, name)
       call append_text(lines, 'pick(operation, is_friction, value) = stringcolumn(''model'') eq '''//trim(model_name(model))// &
                        ''' && stringcolumn(''operation'') eq operation && is_friction && stringcolumn(''status'') eq '// &
                        '''converged'' ? value : NaN')
       do i = 1, size(sweep%operations)
-         call add_series(series, 'NaN', marked_line_style(i, 1, 2.2_wp, dash_of(1)), &
+         call add_series(key, 'NaN', marked_line_style(i, 1, 2.2_wp, dash_of(1)), &
                          trim(operation_label(sweep%operations(i))))
          if (any(sweep%measured%operation == sweep%operations(i))) &
-            call add_series(series, 'NaN', measured_look(i), trim(operation_label(sweep%operations(i)))//', measured')
+            call add_series(key, 'NaN', measured_look(i), trim(operation_label(sweep%operations(i)))//', measured')
       end do
       do k = 1, size(sweep%frictions)
-         call add_series(series, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
+         call add_series(key, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
                          friction_label(sweep%frictions(k)))
       end do
-      call legend(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), series, top, legend_top)
-      call append_text(lines, 'set yrange ['//to_text(maxval(sweep%depths)/units%length, digits)//':0]')
-      wide = right - left
-      if (with_torque) wide = 0.5_wp*(right - left - gap)
-      call draw(left, 'hook load', 'hookload', 'bit depth ['//trim(units%length_label)//']', .false.)
-      if (with_torque) call draw(left + wide + gap, 'torque at the top', 'torque', '', .true.)
-      call end_script(lines)
+      call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, maxval(sweep%depths), &
+                           curves('hookload', .false.), curves('torque', .true.))
 
    contains
 
-      !> One panel; `turning`: only operations that have torque.
-      subroutine draw(start, label, column, depth_label, turning)
-         real(wp), intent(in) :: start
-         character(*), intent(in) :: label, column, depth_label
+      !> The curves of one panel; `turning`: only operations that have torque.
+      pure function curves(column, turning) result(series)
+         character(*), intent(in) :: column
          logical, intent(in) :: turning
-         type(column_type) :: shown
+         type(series_type), allocatable :: series(:)
          integer :: operation, friction
-         deallocate (series)
          allocate (series(0))
          do operation = 1, size(sweep%operations)
             if (turning .and. .not. (rotates(sweep%operations(operation)) .or. abs(sweep%tob) > 0.0_wp)) cycle
@@ -78,10 +65,7 @@ contains
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
                curve(operation, friction_test(sweep%frictions(1)), 'measured_'//column), measured_look(operation), '')
          end do
-         shown = column_named(sweep_columns, column)
-         call panel(lines, start, start + wide, bottom, top, label//' ['//unit_text(shown%quantity, units)//']', depth_label)
-         call plot(lines, series)
-      end subroutine draw
+      end function curves
 
       pure function curve(operation, test, column) result(using)
          integer, intent(in) :: operation

@@ -2,9 +2,9 @@
 !> the middle line, a tenth beyond each of the outer ones.
 module dg_uncertainty_picture
    use dg_kinds, only: wp
-   use dg_column, only: column_header, column_named, column_type, unit_text
-   use dg_gnuplot_script, only: add_series, colour_of, dash_of, end_script, legend, marked_line_style, panel, plot, &
-                                series_type, start_script
+   use dg_broomstick_panels, only: draw_broomstick, start_broomstick
+   use dg_column, only: column_header, column_named
+   use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
    use dg_sweep, only: sweep_type
@@ -15,8 +15,6 @@ module dg_uncertainty_picture
    private
    public :: uncertainty_script
 
-   integer, parameter :: digits = 8
-   integer, parameter :: width = 1120, height = 600
    character(*), parameter :: quantile(3) = [character(4) :: '_p10', '_p50', '_p90']
 
 contains
@@ -28,38 +26,26 @@ contains
       type(sweep_type), intent(in) :: range !< operations and depths
       integer, intent(in) :: model          !< number of the model
       type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: series(:)
-      real(wp), parameter :: left = 0.075_wp, right = 0.985_wp, gap = 0.035_wp, bottom = 0.12_wp, top = 0.83_wp, &
-                             legend_top = 0.93_wp
-      real(wp) :: wide
+      type(series_type), allocatable :: key(:)
       integer :: i
-      logical :: with_torque
-      with_torque = any(rotates(range%operations)) .or. abs(range%tob) > 0.0_wp
-      call start_script(lines, name, width, height)
+      call start_broomstick(lines, name)
       call append_text(lines, "pick(operation, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
                        "' && stringcolumn('operation') eq operation ? value : NaN")
       do i = 1, size(range%operations)
-         call add_series(series, 'NaN', look(i, 2, 1), trim(operation_label(range%operations(i)))//', P50')
-         call add_series(series, 'NaN', look(i, 1, 1), 'P10 and P90')
+         call add_series(key, 'NaN', look(i, 2, 1), trim(operation_label(range%operations(i)))//', P50')
+         call add_series(key, 'NaN', look(i, 1, 1), 'P10 and P90')
       end do
-      call legend(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), series, top, legend_top)
-      call append_text(lines, 'set yrange ['//to_text(maxval(range%depths)/units%length, digits)//':0]')
-      wide = right - left
-      if (with_torque) wide = 0.5_wp*(right - left - gap)
-      call draw(left, 'hook load', 'hookload', 'bit depth ['//trim(units%length_label)//']', .false.)
-      if (with_torque) call draw(left + wide + gap, 'torque at the top', 'torque', '', .true.)
-      call end_script(lines)
+      call draw_broomstick(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), key, units, &
+                           maxval(range%depths), curves('hookload', .false.), curves('torque', .true.))
 
    contains
 
-      !> One panel; `turning`: only operations that have torque.
-      subroutine draw(start, label, column, depth_label, turning)
-         real(wp), intent(in) :: start
-         character(*), intent(in) :: label, column, depth_label
+      !> The curves of one panel; `turning`: only operations that have torque.
+      pure function curves(column, turning) result(series)
+         character(*), intent(in) :: column
          logical, intent(in) :: turning
-         type(column_type) :: shown
+         type(series_type), allocatable :: series(:)
          integer :: operation, k
-         deallocate (series)
          allocate (series(0))
          do operation = 1, size(range%operations)
             if (turning .and. .not. (rotates(range%operations(operation)) .or. abs(range%tob) > 0.0_wp)) cycle
@@ -67,10 +53,7 @@ contains
                call add_series(series, curve(operation, column//quantile(k)), look(operation, k, size(range%depths)), '')
             end do
          end do
-         shown = column_named(uncertainty_columns, column//quantile(2))
-         call panel(lines, start, start + wide, bottom, top, label//' ['//unit_text(shown%quantity, units)//']', depth_label)
-         call plot(lines, series)
-      end subroutine draw
+      end function curves
 
       pure function curve(operation, column) result(using)
          integer, intent(in) :: operation
