@@ -1,20 +1,14 @@
 !> Beams with contact gap elements in whole wells, against soft strings computed independently (exact curvature, fine
 !> integration): what stiffness, wall climb and the string's place in the hole add is small and known in sign.
 module dg_test_contact_wells
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
-   use dg_component, only: component_type
-   use dg_constants, only: degree, standard_gravity
-   use dg_drillstring, only: drillstring_type
-   use dg_error, only: error_type
-   use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, &
-      operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
+      operation_trip_out
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes
-   use dg_test_wells, only: new_well, note, pipe, solve
-   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_test_wells, only: new_well, note, pipe, solve, three_part_well
    implicit none
    private
    public :: contact_wells_suite
@@ -31,44 +25,6 @@ contains
       call suite%addTest(TestMethod('buildhold', test_buildhold))
       call suite%addTest(TestMethod('mesh_refinement', test_mesh_refinement))
    end function contact_wells_suite
-
-   pure function part(kind, length, od, id, mass, joint_od) result(component)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length, od, id, mass, joint_od
-      type(component_type) :: component
-      component%name = kind
-      component%kind = kind
-      component%length = length
-      component%od = od
-      component%id = id
-      component%mass = mass
-      component%joint_od = joint_od
-   end function part
-
-   !> One of the three wells: friction 0.25 above the shoe and 0.35 below, mud 1440 kg/m3, collar, heavy-weight pipe, pipe.
-   subroutine build(model, md, inclination, shoe)
-      type(model_type), intent(out) :: model
-      real(wp), intent(in) :: md(:), inclination(:), shoe
-      type(error_type), allocatable :: error
-      real(wp), parameter :: azimuth = 60.0_wp*degree
-      call new_trajectory(model%trajectory, md, inclination*degree, spread(azimuth, 1, size(md)), &
-                          interpolation_minimum_curvature, error)
-      call assertFalse(allocated(error), message='trajectory')
-      allocate (model%holes(2), model%strings(1), model%cases(1))
-      model%holes(1) = hole_section_type('cased', 0.0_wp, shoe, 0.22_wp, 0.25_wp, 0.25_wp)
-      model%holes(2) = hole_section_type('open', shoe, md(size(md)), 0.2159_wp, 0.35_wp, 0.35_wp)
-      model%strings(1)%name = 'main'
-      allocate (model%strings(1)%components(3))
-      model%strings(1)%components(1) = part('collar', 150.0_wp, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp)
-      model%strings(1)%components(2) = part('hwdp', 150.0_wp, 0.127_wp, 0.0762_wp, 73.36648027_wp, 0.1651_wp)
-      model%strings(1)%components(3) = part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.126528414_wp, 0.168275_wp)
-      model%cases(1)%name = 'case'
-      model%cases(1)%section = ''
-      model%cases(1)%string = 'main'
-      model%cases(1)%bit_depth = md(size(md))
-      model%mud_density = 1440.0_wp
-      model%gravity = standard_gravity
-   end subroutine build
 
    !> Solves for an operation and compares with the soft string: with gaps at x0 and the bit free, with gaps at nodes and the
    !> bit held on the axis. The bit's support carries half a tangency length of collar, some 4 kN, without friction: 0.2 % of the
@@ -108,7 +64,7 @@ contains
       type(model_type) :: model
       type(case_result_type) :: result
       integer :: place
-      call build(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp)
+      call three_part_well(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp)
       call compare(model, operation_trip_out, 732311.5_wp, 0.0_wp, 'vertical, up')
       call compare(model, operation_trip_in, 732311.5_wp, 0.0_wp, 'vertical, down')
       do place = gap_at_extremum, gap_at_nodes
@@ -121,7 +77,7 @@ contains
 
    subroutine test_slant()
       type(model_type) :: model
-      call build(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp)
+      call three_part_well(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp)
       call compare(model, operation_trip_out, 1103899.3_wp, 0.0_wp, 'slant, up')
       call compare(model, operation_trip_in, 604507.2_wp, 0.0_wp, 'slant, down')
       call compare(model, operation_rotary_drilling, 730839.9_wp, 22207.5_wp, 'slant, rotary')
@@ -130,7 +86,7 @@ contains
 
    subroutine test_buildhold()
       type(model_type) :: model
-      call build(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
+      call three_part_well(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
       call compare(model, operation_trip_out, 1063531.1_wp, 0.0_wp, 'buildhold, up')
       call compare(model, operation_trip_in, 414663.3_wp, 0.0_wp, 'buildhold, down')
       call compare(model, operation_rotary_drilling, 576055.4_wp, 26934.2_wp, 'buildhold, rotary')

@@ -2,17 +2,15 @@
 module dg_test_soft_wells
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: component_type
    use dg_constants, only: degree
-   use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type
-   use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_rotate_off_bottom, &
-      operation_sliding_drilling, operation_static, operation_trip_in, operation_trip_out
+   use dg_load_case, only: given, operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, &
+      operation_static, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
    use dg_soft_string, only: solve_soft_string
    use dg_soft_string_loads, only: soft_string_at
+   use dg_test_wells, only: part, three_part_well
    use dg_trajectory, only: new_trajectory, interpolation_minimum_curvature, true_vertical_depth
    use dg_units, only: unit_system_type, field_units
    implicit none
@@ -45,48 +43,6 @@ contains
       call suite%addTest(TestMethod('frictionless_is_weight_times_depth', test_frictionless))
    end function soft_wells_suite
 
-   !> The string of the three wells: collar, heavy-weight pipe, drill pipe, from the bit upwards.
-   function three_part_string() result(string)
-      type(drillstring_type) :: string
-      string%name = 'main'
-      allocate (string%components(3))
-      string%components(1) = part('collar', 150.0_wp, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp)
-      string%components(2) = part('hwdp', 150.0_wp, 0.127_wp, 0.0762_wp, 73.36648027_wp, 0.1651_wp)
-      string%components(3) = part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.126528414_wp, 0.168275_wp)
-   end function three_part_string
-
-   pure function part(kind, length, od, id, mass, joint_od) result(component)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length, od, id, mass, joint_od
-      type(component_type) :: component
-      component%name = kind
-      component%kind = kind
-      component%length = length
-      component%od = od
-      component%id = id
-      component%mass = mass
-      component%joint_od = joint_od
-   end function part
-
-   !> A model with two hole sections and no case yet; angles in degrees, the azimuth is any one.
-   subroutine build(model, md, inclination, shoe, friction_above, friction_below)
-      type(model_type), intent(out) :: model
-      real(wp), intent(in) :: md(:), inclination(:), shoe, friction_above, friction_below
-      type(error_type), allocatable :: error
-      real(wp), parameter :: azimuth = 60.0_wp*degree
-      call new_trajectory(model%trajectory, md, inclination*degree, spread(azimuth, 1, size(md)), &
-                          interpolation_minimum_curvature, error)
-      call assertFalse(allocated(error), message='trajectory')
-      allocate (model%holes(2), model%strings(1), model%cases(1))
-      model%holes(1) = hole_section_type('cased', 0.0_wp, shoe, 0.22_wp, friction_above, friction_above)
-      model%holes(2) = hole_section_type('open', shoe, md(size(md)), 0.2159_wp, friction_below, friction_below)
-      model%strings(1) = three_part_string()
-      model%cases(1)%name = 'case'
-      model%cases(1)%section = ''
-      model%cases(1)%string = 'main'
-      model%cases(1)%bit_depth = md(size(md))
-   end subroutine build
-
    subroutine expect(model, operation, wob, tob, hookload, torque, tolerance, what)
       type(model_type), intent(inout) :: model
       integer, intent(in) :: operation
@@ -109,8 +65,7 @@ contains
 
    subroutine test_vertical()
       type(model_type) :: model
-      call build(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp, 0.25_wp, 0.35_wp)
-      model%mud_density = 1440.0_wp
+      call three_part_well(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp, 0.25_wp, 0.35_wp)
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, 732311.5_wp, 0.0_wp, printed, 'up')
       call expect(model, operation_trip_in, 0.0_wp, 0.0_wp, 732311.5_wp, 0.0_wp, printed, 'down')
       call expect(model, operation_rotary_drilling, 89.0e3_wp, 2700.0_wp, 643311.5_wp, 2700.0_wp, printed, 'rotary')
@@ -119,9 +74,8 @@ contains
 
    subroutine test_slant()
       type(model_type) :: model
-      call build(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp, &
+      call three_part_well(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp, &
                  0.25_wp, 0.35_wp)
-      model%mud_density = 1440.0_wp
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, 1103899.3_wp, 0.0_wp, printed, 'up')
       call expect(model, operation_trip_in, 0.0_wp, 0.0_wp, 604507.2_wp, 0.0_wp, printed, 'down')
       call expect(model, operation_rotary_drilling, 89.0e3_wp, 2700.0_wp, 730839.9_wp, 22207.5_wp, printed, 'rotary')
@@ -130,9 +84,8 @@ contains
 
    subroutine build_buildhold(model)
       type(model_type), intent(out) :: model
-      call build(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp, &
+      call three_part_well(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp, &
                  0.25_wp, 0.35_wp)
-      model%mud_density = 1440.0_wp
    end subroutine build_buildhold
 
    subroutine test_buildhold()
@@ -180,7 +133,7 @@ contains
       integer :: i
       field = field_units()
       do i = 1, size(friction)
-         call build(model, [0.0_wp, 731.5_wp, 1280.0_wp, 3718.0_wp], [0.0_wp, 0.0_wp, 44.0_wp, 44.0_wp], 1000.0_wp, &
+         call three_part_well(model, [0.0_wp, 731.5_wp, 1280.0_wp, 3718.0_wp], [0.0_wp, 0.0_wp, 44.0_wp, 44.0_wp], 1000.0_wp, &
                     friction(i), friction(i))
          model%gravity = 9.81_wp
          model%mud_density = 9.8_wp/8.33_wp*1000.0_wp
@@ -198,7 +151,7 @@ contains
    subroutine test_straight_inclined()
       type(model_type) :: model
       real(wp), parameter :: theta = 50.0_wp*degree, length = 500.0_wp, w = 262.0_wp, mu = 0.3_wp
-      call build(model, [0.0_wp, length], [50.0_wp, 50.0_wp], 250.0_wp, mu, mu)
+      call three_part_well(model, [0.0_wp, length], [50.0_wp, 50.0_wp], 250.0_wp, mu, mu)
       call one_pipe(model, w)
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, w*length*(cos(theta) + mu*sin(theta)), 0.0_wp, round_off, 'up')
       call expect(model, operation_sliding_drilling, 2.0e4_wp, 100.0_wp, w*length*(cos(theta) - mu*sin(theta)) - 2.0e4_wp, &
@@ -213,7 +166,7 @@ contains
       type(model_type) :: model
       type(error_type), allocatable :: error
       real(wp), parameter :: pull = 5.0e4_wp, mu = 0.3_wp, beta = 90.0_wp*degree
-      call build(model, [0.0_wp, 300.0_wp], [0.0_wp, 90.0_wp], 150.0_wp, mu, mu)
+      call three_part_well(model, [0.0_wp, 300.0_wp], [0.0_wp, 90.0_wp], 150.0_wp, mu, mu)
       ! Any two directions 90 deg apart, here from 45 deg north to horizontal east, make an arc of that bend.
       call new_trajectory(model%trajectory, [0.0_wp, 300.0_wp], [45.0_wp, 90.0_wp]*degree, [0.0_wp, 90.0_wp]*degree, &
                           interpolation_minimum_curvature, error)
@@ -230,7 +183,7 @@ contains
       type(model_type) :: model
       real(wp), parameter :: radius = 500.0_wp, w = 300.0_wp, mu = 0.3_wp, bit_pull = 250.0e3_wp
       real(wp), parameter :: theta = 60.0_wp*degree
-      call build(model, [0.0_wp, radius*theta], [0.0_wp, 60.0_wp], 100.0_wp, mu, mu)
+      call three_part_well(model, [0.0_wp, radius*theta], [0.0_wp, 60.0_wp], 100.0_wp, mu, mu)
       call one_pipe(model, w)
       ! Numbers printed to 0.01 N; closed(m) is the same form.
       call assertRelativelyEqual(464713.14_wp, closed(mu), 1.0e-7_wp, message='pulling, printed')
@@ -252,7 +205,7 @@ contains
       type(model_type) :: model
       type(error_type), allocatable :: error
       real(wp), parameter :: w = 262.0_wp
-      call build(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 600.0_wp, 0.0_wp, 0.0_wp)
+      call three_part_well(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 600.0_wp, 0.0_wp, 0.0_wp)
       call new_trajectory(model%trajectory, [0.0_wp, 600.0_wp, 1000.0_wp, 1300.0_wp, 2000.0_wp], &
                           [0.0_wp, 0.0_wp, 45.0_wp, 95.0_wp, 80.0_wp]*degree, [0.0_wp, 0.0_wp, 30.0_wp, 75.0_wp, 355.0_wp]*degree, &
                           interpolation_minimum_curvature, error)

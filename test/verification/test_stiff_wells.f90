@@ -1,13 +1,12 @@
 !> Rigid and mixed strings in whole wells: the soft string's answers where stiffness does nothing, closed forms where it
 !> does, and the same friction in every operation of every model.
 module dg_test_stiff_wells
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, &
-      assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, &
+      TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
-   use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, &
       operation_sliding_drilling, operation_static, operation_trip_in, operation_trip_out
@@ -17,8 +16,8 @@ module dg_test_stiff_wells
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe
-   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, true_vertical_depth
+   use dg_test_wells, only: new_well, note, pipe, three_part_well
+   use dg_trajectory, only: true_vertical_depth
    implicit none
    private
    public :: stiff_wells_suite
@@ -79,42 +78,6 @@ contains
       model%cases(1)%tob = torque_on_bit
    end subroutine set_case
 
-   pure function part(kind, length, od, id, mass, joint_od) result(component)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length, od, id, mass, joint_od
-      type(component_type) :: component
-      component%name = kind
-      component%kind = kind
-      component%length = length
-      component%od = od
-      component%id = id
-      component%mass = mass
-      component%joint_od = joint_od
-   end function part
-
-   !> One of the three wells: 0.25 above the shoe, 0.35 below, mud 1440 kg/m3, collar, heavy-weight pipe, drill pipe.
-   subroutine build(model, md, inclination, shoe)
-      type(model_type), intent(out) :: model
-      real(wp), intent(in) :: md(:), inclination(:), shoe
-      type(error_type), allocatable :: error
-      call new_trajectory(model%trajectory, md, inclination*degree, spread(1.0_wp, 1, size(md)), &
-                          interpolation_minimum_curvature, error)
-      call assertFalse(allocated(error), message='trajectory')
-      allocate (model%holes(2), model%strings(1), model%cases(1))
-      model%holes(1) = hole_section_type('cased', 0.0_wp, shoe, 0.22_wp, 0.25_wp, 0.25_wp)
-      model%holes(2) = hole_section_type('open', shoe, md(size(md)), 0.2159_wp, 0.35_wp, 0.35_wp)
-      model%mud_density = 1440.0_wp
-      model%strings(1)%name = 'main'
-      model%strings(1)%components = [ &
-         part('collar', 150.0_wp, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp), &
-         part('hwdp', 150.0_wp, 0.127_wp, 0.0762_wp, 73.36648027_wp, 0.1651_wp), &
-         part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.126528414_wp, 0.168275_wp)]
-      model%cases(1)%name = 'case'
-      model%cases(1)%section = ''
-      model%cases(1)%string = 'main'
-      model%cases(1)%bit_depth = md(size(md))
-   end subroutine build
-
    !> Rigid and mixed against the known answer of the soft string.
    subroutine expect(model, operation, weight_on_bit, torque_on_bit, hookload, torque, what)
       type(model_type), intent(inout) :: model
@@ -134,7 +97,7 @@ contains
 
    subroutine test_vertical()
       type(model_type) :: model
-      call build(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp)
+      call three_part_well(model, [0.0_wp, 2000.0_wp], [0.0_wp, 0.0_wp], 1200.0_wp)
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, 732311.5_wp, 0.0_wp, 'up')
       call expect(model, operation_trip_in, 0.0_wp, 0.0_wp, 732311.5_wp, 0.0_wp, 'down')
       call expect(model, operation_rotary_drilling, wob, tob, 643311.5_wp, tob, 'rotary')
@@ -143,7 +106,7 @@ contains
 
    subroutine test_slant()
       type(model_type) :: model
-      call build(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp)
+      call three_part_well(model, [0.0_wp, 500.0_wp, 1100.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], 1400.0_wp)
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, 1103899.3_wp, 0.0_wp, 'up')
       call expect(model, operation_trip_in, 0.0_wp, 0.0_wp, 604507.2_wp, 0.0_wp, 'down')
       call expect(model, operation_rotary_drilling, wob, tob, 730839.9_wp, 22207.5_wp, 'rotary')
@@ -152,7 +115,7 @@ contains
 
    subroutine test_buildhold()
       type(model_type) :: model
-      call build(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
+      call three_part_well(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
       call expect(model, operation_trip_out, 0.0_wp, 0.0_wp, 1063531.1_wp, 0.0_wp, 'up')
       call expect(model, operation_trip_in, 0.0_wp, 0.0_wp, 414663.3_wp, 0.0_wp, 'down')
       call expect(model, operation_rotary_drilling, wob, tob, 576055.4_wp, 26934.2_wp, 'rotary')
@@ -164,7 +127,7 @@ contains
       type(model_type) :: model
       type(case_result_type) :: reference, result
       integer :: which
-      call build(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
+      call three_part_well(model, [0.0_wp, 800.0_wp, 1450.0_wp, 3500.0_wp], [0.0_wp, 0.0_wp, 65.0_wp, 65.0_wp], 1800.0_wp)
       model%strings(1)%components%youngs = 0.0_wp
       call set_case(model, operation_backream, 0.0_wp, 0.0_wp)
       model%cases(1)%angular_speed = 10.0_wp

@@ -14,7 +14,7 @@ module dg_test_wells
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
-   public :: new_well, pipe, solve, note, string_weight
+   public :: new_well, three_part_well, part, pipe, solve, note, string_weight
 
    !> Unbalanced force over the string's weight and bit load, moment over that times the string's extent: the residual is
    !> iterated to 1e-9 at any node, and nodes' shares add up. Seen: 3e-9, most cases 1e-10.
@@ -46,6 +46,52 @@ contains
       model%mud_density = 0.0_wp
       model%gravity = 10.0_wp
    end subroutine new_well
+
+   !> A well of the kind that has independently computed answers: two hole sections, mud of 1440 kg/m3, collar, heavy-weight
+   !> pipe and drill pipe, no operation yet. Angles in degrees; the azimuth is any one.
+   subroutine three_part_well(model, md, inclination, shoe, friction_above, friction_below)
+      type(model_type), intent(out) :: model
+      real(wp), intent(in) :: md(:), inclination(:), shoe
+      real(wp), intent(in), optional :: friction_above, friction_below   !< else 0.25 and 0.35
+      type(error_type), allocatable :: error
+      real(wp), parameter :: azimuth = 60.0_wp*degree
+      real(wp) :: friction(2)
+      friction = [0.25_wp, 0.35_wp]
+      if (present(friction_above)) friction(1) = friction_above
+      if (present(friction_below)) friction(2) = friction_below
+      call new_trajectory(model%trajectory, md, inclination*degree, spread(azimuth, 1, size(md)), &
+                          interpolation_minimum_curvature, error)
+      call assertFalse(allocated(error), message='trajectory')
+      allocate (model%holes(2), model%strings(1), model%cases(1))
+      model%holes(1) = hole_section_type('cased', 0.0_wp, shoe, 0.22_wp, friction(1), friction(1))
+      model%holes(2) = hole_section_type('open', shoe, md(size(md)), 0.2159_wp, friction(2), friction(2))
+      model%strings(1)%name = 'main'
+      allocate (model%strings(1)%components(3))
+      model%strings(1)%components(1) = part('collar', 150.0_wp, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp)
+      model%strings(1)%components(2) = part('hwdp', 150.0_wp, 0.127_wp, 0.0762_wp, 73.36648027_wp, 0.1651_wp)
+      model%strings(1)%components(3) = part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.126528414_wp, 0.168275_wp)
+      model%cases(1)%name = 'case'
+      model%cases(1)%section = ''
+      model%cases(1)%string = 'main'
+      model%cases(1)%bit_depth = md(size(md))
+      model%mud_density = 1440.0_wp
+   end subroutine three_part_well
+
+   !> A component by its numbers; no tool joints where `joint_od` is 0.
+   pure function part(kind, length, od, id, mass, joint_od) result(component)
+      character(*), intent(in) :: kind
+      real(wp), intent(in) :: length, od, id   !< [m]
+      real(wp), intent(in) :: mass             !< [kg/m]
+      real(wp), intent(in) :: joint_od         !< [m]
+      type(component_type) :: component
+      component%name = kind
+      component%kind = kind
+      component%length = length
+      component%od = od
+      component%id = id
+      component%mass = mass
+      component%joint_od = joint_od
+   end function part
 
    !> A pipe of a weight in the fluid [N/m], at the gravity of new_well.
    pure function pipe(weight, od, id, youngs) result(component)
