@@ -9,7 +9,7 @@ module dg_run_calibrations
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_least_squares, only: fit_done, fit_least_squares, fit_without_values
+   use dg_least_squares, only: fit_done, fit_from_less, fit_without_values
    use dg_model, only: model_type
    use dg_progress, only: seconds_between
    use dg_run_stickings, only: run_stickings
@@ -122,7 +122,9 @@ contains
          lower = -scale
          upper = scale
       end where
-      call fit_least_squares(function, result%start, lower, upper, scale, measured, deviation, result%fit)
+      ! a string that does not reach its depth with the friction it has does so with less
+      call fit_from_less(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, deviation, &
+                         result%fit, result%halvings)
       known = all(is_hookload .and. calibration%hookload_deviation%present .or. &
                   .not. is_hookload .and. calibration%torque_deviation%present)
       call judge_fit(result, measured, deviation, known)

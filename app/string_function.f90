@@ -5,6 +5,7 @@ module dg_string_function
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
    use dg_hole_section, only: hole_section_type
+   use dg_job, only: model_mcge
    use dg_least_squares, only: measured_function_type
    use dg_load_case, only: optional_real
    use dg_missing, only: missing
@@ -29,6 +30,9 @@ module dg_string_function
       procedure :: evaluate
       procedure :: as_given
    end type string_function_type
+
+   !> Tasks that a thread must have where one takes microseconds: fewer, and the threads wait longer for each other than they work.
+   integer, parameter :: least_share = 100
 
 contains
 
@@ -113,7 +117,10 @@ contains
       integer, intent(in) :: tasks(:, :)          !< place of the case, number of the point
       real(wp), intent(inout) :: found(:, :, :)
       logical, intent(inout) :: sound(:, :)
-      !$omp parallel num_threads(thread_count(self%threads, size(tasks, 2))) default(shared)
+      integer :: shares
+      shares = size(tasks, 2)
+      if (self%number /= model_mcge) shares = shares/least_share
+      !$omp parallel num_threads(thread_count(self%threads, shares)) default(shared)
       call share_tasks()
       !$omp end parallel
       self%solutions = self%solutions + size(tasks, 2)

@@ -22,6 +22,7 @@ module dg_calibration_result
       type(fit_type) :: fit
       type(statistics_type) :: statistics
       character(:), allocatable :: message        !< why there is no fit; '' else
+      integer :: halvings = 0                     !< of the factors, until the fit could begin
       integer :: solutions = 0                    !< load cases solved
       real(wp) :: seconds = 0.0_wp
    end type calibration_result_type

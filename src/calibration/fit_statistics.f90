@@ -26,6 +26,9 @@ module dg_fit_statistics
    end type statistics_type
 
    real(wp), parameter :: confidence = 0.95_wp
+   !> Residuals over deviations that are no more than the last steps of a fit leave: no reading of a gauge is as exact, and what
+   !> agrees so well, copies of one reading or results of a program, tells nothing of the error of readings.
+   real(wp), parameter :: no_scatter = 1.0e-5_wp
    !> Degrees of freedom with which Student's distribution is the normal one for all purposes.
    integer, parameter :: as_normal = 100000
    !> Singular values under this part of the largest: two columns then make an angle of less than 0.2 rad, so that their
@@ -60,7 +63,7 @@ contains
       call decompose(jacobian(:, columns), columns, statistics)
       if (deviations_known) then
          factor = student_quantile(0.5_wp + 0.5_wp*confidence, as_normal)
-      else if (statistics%freedom > 0) then
+      else if (statistics%freedom > 0 .and. statistics%scatter > no_scatter) then
          where (statistics%deviation > missing) statistics%deviation = statistics%deviation*statistics%scatter
          factor = student_quantile(0.5_wp + 0.5_wp*confidence, statistics%freedom)
       else

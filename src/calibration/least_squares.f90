@@ -2,10 +2,11 @@
 !> squares asks for it, within bounds; derivatives by differences. LAPACK's dgels solves each step.
 module dg_least_squares
    use dg_kinds, only: wp
+   use dg_interruption, only: is_interrupted
    use dg_lapack, only: dgels
    implicit none
    private
-   public :: measured_function_type, fit_type, fit_least_squares
+   public :: measured_function_type, fit_type, fit_least_squares, fit_from_less
    public :: fit_done, fit_out_of_iterations, fit_without_values
 
    integer, parameter :: fit_done = 1                !< at rest
@@ -54,7 +55,29 @@ module dg_least_squares
    !> An unknown is not felt where its whole scale moves no datum by this part of its deviation.
    real(wp), parameter :: felt = 1.0e-2_wp
 
+   !> So often a start is halved that has no values: a sixteenth of any friction is little.
+   integer, parameter :: most_halvings = 4
+
 contains
+
+   !> As fit_least_squares. Where the function has no values at the start, unknowns that may be lessened begin with half of it, and
+   !> with half of that.
+   subroutine fit_from_less(function, start, lessened, lower, upper, scale, measured, deviation, fit, halvings)
+      class(measured_function_type), intent(inout) :: function
+      real(wp), intent(in) :: start(:)
+      logical, intent(in) :: lessened(:)
+      real(wp), intent(in) :: lower(:), upper(:), scale(:), measured(:), deviation(:)
+      type(fit_type), intent(out) :: fit
+      integer, intent(out) :: halvings
+      real(wp) :: begin(size(start))
+      begin = start
+      do halvings = 0, most_halvings
+         call fit_least_squares(function, begin, lower, upper, scale, measured, deviation, fit)
+         if (fit%status /= fit_without_values .or. fit%iterations > 0 .or. is_interrupted()) return
+         where (lessened) begin = 0.5_wp*begin
+      end do
+      halvings = most_halvings
+   end subroutine fit_from_less
 
    !> Fits `function` to `measured`. Unknowns stay between `lower` and `upper`.
    subroutine fit_least_squares(function, start, lower, upper, scale, measured, deviation, fit)

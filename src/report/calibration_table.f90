@@ -77,6 +77,7 @@ contains
             case (verdict_found)
                if (is_missing(half)) then
                   remark = 'no spare data'
+                  if (result%statistics%freedom > 0) remark = 'no scatter'
                else if (half >= abs(value)) then
                   remark = 'could be none'
                end if
@@ -105,6 +106,7 @@ contains
       type(calibration_result_type), intent(in) :: result
       character(:), allocatable :: head, rule
       type(optional_real) :: before, errors(2)
+      character(:), allocatable :: some_lost
       real(wp) :: unit, sums(2), worst(2)
       integer :: d, counted(2), decimals
       head = left_aligned('Load case', name_width)//left_aligned('Quantity', 18)//right_aligned('Measured', cell_width)// &
@@ -143,7 +145,10 @@ contains
       call append_text(lines, rule)
       if (all(counted > 0)) then
          sums = sums/real(counted, wp)
-         call append_text(lines, 'Error of '//to_text(counted(2))//' values before: mean '//two(sums(1))//' %, worst '// &
+         some_lost = ''
+         if (counted(1) < counted(2)) some_lost = ' ('//to_text(counted(2) - counted(1))//' without solution)'
+         call append_text(lines, 'Error of '//to_text(counted(2))//' values before'//some_lost//': mean '// &
+            two(sums(1))//' %, worst '// &
             two(worst(1))//' %; after: mean '//two(sums(2))//' %, worst '//two(worst(2))//' %')
       end if
    contains
@@ -162,6 +167,7 @@ contains
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
       real(wp), parameter :: misfit = 2.0_wp
+      logical :: unknown_error(size(calibration%unknowns))
       integer :: k, j
       do k = 1, size(calibration%unknowns)
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
@@ -180,8 +186,14 @@ contains
             call append_text(lines, '         measure at other depths or in other operations, or separate less')
          end associate
       end do
+      if (result%halvings > 0) call append_text(lines, 'Note: not every load case has a solution with the factors of the deck; '// &
+         'the fit began with these divided by '//to_text(2**result%halvings))
       if (result%statistics%freedom == 0) call append_text(lines, 'Note: as many factors as measured values: they fit as they '// &
          'must, which shows nothing')
+      unknown_error = [(verdict_of(result, k) == verdict_found .and. is_missing(result%statistics%half_width(k)), &
+                        k=1, size(calibration%unknowns))]
+      if (any(unknown_error) .and. result%statistics%freedom > 0) call append_text(lines, 'Note: the measured values are met '// &
+         'to round-off, which tells nothing of their error; give a hookload_deviation')
       if (result%statistics%scatter > misfit .and. (calibration%hookload_deviation%present .or. &
           calibration%torque_deviation%present)) call append_text(lines, 'Warning: residuals are '// &
          to_text(result%statistics%scatter, 2)//' times the standard deviations given: friction alone does not explain '// &

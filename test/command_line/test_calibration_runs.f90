@@ -2,6 +2,7 @@
 !> refused.
 module dg_test_calibration_runs
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_counter_random, only: normal_number
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type
    use dg_result_rows, only: field, lines_of, number
@@ -22,6 +23,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('calibration_runs')
       call suite%addTest(TestMethod('known_friction', test_known))
+      call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
       call suite%addTest(TestMethod('threads', test_threads))
       call suite%addTest(TestMethod('not_separated', test_not_separated))
@@ -74,6 +76,50 @@ contains
       call assertEqual(along + 0.1_wp*across, number(lines(3)%text, 7), at_rest*along)
       call assertEqual(along + full + gauge, number(lines(3)%text, 8), at_rest*along)
    end subroutine test_known
+
+   !> Friction 0.2 and 0.3, hook loads of tripping out and in at 500 and 1000 m with a noise of 3 kN, 100 times: the intervals
+   !> of 95 % hold what is true in 95 % of them, within four standard errors (0.087), from the residuals (two degrees of freedom)
+   !> and from the noise where the deck tells it.
+   subroutine test_coverage()
+      integer, parameter :: sets = 100
+      real(wp), parameter :: truth(2) = [0.2_wp, 0.3_wp], noise = 3.0_wp, nominal = 0.95_wp, four_errors = 0.087_wp
+      character(:), allocatable :: deck, names, group
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      real(wp) :: depth, drag
+      integer :: set, i, k, kind, held(2)
+      do kind = 1, 2
+         deck = straight_deck(70.0_wp, 150.0_wp, 60.0_wp, '')
+         deck = deck(:index(deck, '&load_case') - 1)
+         group = ''
+         if (kind == 2) group = ', hookload_deviation = 3'
+         do set = 1, sets
+            names = ''
+            do i = 1, 4
+               depth = merge(0.5_wp, 1.0_wp, i <= 2)
+               drag = across*(0.4_wp*truth(1) + (depth - 0.4_wp)*truth(2))
+               names = names//" '"//to_text(4*set + i)//"'"
+               deck = deck//"&load_case name = '"//to_text(4*set + i)//"', operation = '"// &
+                  trim(merge('up  ', 'down', modulo(i, 2) == 1))//"', bit_depth = "//to_text(1000.0_wp*depth)// &
+                  ', measured_hookload = '//to_text(depth*along + merge(drag, -drag, modulo(i, 2) == 1) + &
+                                                    noise*normal_number(1, set, 1, i))//" /"//newline
+            end do
+            deck = deck//"&calibrate parameter = 'friction_axial', cases ="//names//group//" /"//newline
+         end do
+         run = run_deck_text(deck)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+         call assertEqual(1 + 2*sets, size(lines))
+         held = 0
+         do i = 1, size(lines) - 1
+            k = 2 - modulo(i, 2)
+            if (truth(k) < number(lines(i + 1)%text, 9) .or. truth(k) > number(lines(i + 1)%text, 10)) cycle
+            held(k) = held(k) + 1
+         end do
+         call assertEqual([nominal, nominal], held/real(sets, wp), four_errors, message='sets held')
+         deallocate (lines)
+      end do
+   end subroutine test_coverage
 
    !> Every model finds the friction 0.3 with which it calculated what was "measured" in the good deck, along by hook load and
    !> around by torque. Its upper section is vertical: there nothing is felt, and the factor stays.
