@@ -24,6 +24,7 @@ contains
       use dg_test_mixed_elements, only: mixed_elements_suite
       use dg_test_operations, only: operations_suite
       use dg_test_assemblies, only: assemblies_suite
+      use dg_test_hard_cases, only: hard_cases_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -42,5 +43,6 @@ contains
       call suite%addTest(mixed_elements_suite())
       call suite%addTest(operations_suite())
       call suite%addTest(assemblies_suite())
+      call suite%addTest(hard_cases_suite())
    end function load_tests
 end program verification

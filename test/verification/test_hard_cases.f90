@@ -1,0 +1,93 @@
+!> Cases at the edge of what can be solved: what is left there is said, and bounded by its reason.
+module dg_test_hard_cases
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_error, only: error_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_trip_in, operation_trip_out
+   use dg_model, only: model_type
+   use dg_rigid_string, only: solve_rigid_string
+   use dg_soft_string, only: solve_soft_string
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_test_wells, only: new_well, note, pipe, solve, string_weight
+   implicit none
+   private
+   public :: hard_cases_suite
+
+   real(wp), parameter :: w = 262.0_wp, od = 0.127_wp, id = 0.1086_wp
+
+contains
+
+   function hard_cases_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('hard_cases')
+      call suite%addTest(TestMethod('stiff_walls', test_stiff_walls))
+      call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
+   end function hard_cases_suite
+
+   !> Walls of 1e9 to 1e13 N/m2. A place of some hundred metres is known to 1e-13 m, and what that is off presses with the
+   !> wall's stiffness times the element: above 1e10 N/m2 round-off rules what is left, and grows with the stiffness (seen, over
+   !> the weight: 2.5e-9 at 1e9, 1.4e-6 at 1e11, 4.6e-5 at 1e13). The iteration ends there; the hook load is that of softer walls.
+   subroutine test_stiff_walls()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      real(wp), parameter :: place = 1.0e-13_wp   !< to which places are known [m]
+      real(wp) :: stiffest, hookload, left, weight
+      integer :: i
+      hookload = 0.0_wp
+      do i = 9, 13, 2
+         call new_well(model, [0.0_wp, 200.0_wp, 500.0_wp], [20.0_wp, 60.0_wp, 60.0_wp], [350.0_wp, 10.0_wp, 10.0_wp], 0.2_wp, &
+                       0.3_wp, pipe(w, od, id))
+         model%numerics%gk_contact = 10.0_wp**i
+         model%numerics%gk_max = 10.0_wp*model%numerics%gk_contact
+         stiffest = model%numerics%gk_max*model%numerics%element_length
+         model%cases(1)%operation = operation_trip_out
+         call solve_static_analysis(model, 1, result, error)
+         call assertEqual(result_converged, result%status, message='status')
+         weight = string_weight(model)
+         left = max(1.0e-8_wp*weight, place*stiffest)
+         call note('force out of balance over weight', result%equilibrium_force/weight)
+         call note('the same over round-off', result%equilibrium_force/left)
+         call assertLessThan(result%equilibrium_force, left, message='forces balance but for round-off')
+         if (i > 9) then
+            call note('hook load by the stiffer wall, less one', result%hookload/hookload - 1.0_wp)
+            call assertRelativelyEqual(hookload, result%hookload, 1.0e-4_wp, message='hook load')
+         end if
+         hookload = result%hookload
+      end do
+   end subroutine test_stiff_walls
+
+   !> Going in through 80 deg at 300 deg/30 m, a radius of 45 diameters: bending presses the string on the wall with forces whose
+   !> friction is more than its weight, so that it must be pushed from above, 38 kN, and snakes in the vertical hole. The
+   !> soft string, from which the mesh takes its compression, knows nothing of that: elements of 10 m end without rest, or with one,
+   !> and say so; those of 0.5 and 1 m find it. Between strings without stiffness and held on the axis it lies in any case.
+   subroutine test_severe_dogleg()
+      type(model_type) :: model
+      type(case_result_type) :: result, soft, rigid
+      type(error_type), allocatable :: error
+      real(wp) :: hookload(2)
+      integer :: i
+      real(wp), parameter :: lengths(2) = [0.5_wp, 1.0_wp]
+      do i = 1, 2
+         call new_well(model, [0.0_wp, 100.0_wp, 108.0_wp, 200.0_wp], [0.0_wp, 0.0_wp, 80.0_wp, 80.0_wp], &
+                       spread(0.0_wp, 1, 4), 0.2_wp, 0.3_wp, pipe(w, od, id))
+         model%boundary%top_centred = .true.
+         model%boundary%bit_centred = .true.
+         model%numerics%element_length = lengths(i)
+         call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'severe dogleg')
+         hookload(i) = result%hookload
+         call note('hook load [N]', result%hookload)
+         call assertTrue(index(result%message, 'pushed at surface') > 0, message='said: '//result%message)
+      end do
+      ! Snakes of one string on two meshes need not be the same one.
+      call assertRelativelyEqual(hookload(1), hookload(2), 0.05_wp, message='by longer elements')
+      call solve_soft_string(model, 1, soft, error)
+      call solve_rigid_string(model, 1, rigid, error)
+      call assertGreaterThan(soft%hookload, hookload(1), message='stiffness drags')
+      call assertGreaterThan(hookload(1), rigid%hookload, message='no more than on the axis')
+      model%numerics%element_length = 10.0_wp
+      call solve_static_analysis(model, 1, result, error)
+      call assertTrue(result%message /= '', message='what elements of 10 m come to is not quiet')
+   end subroutine test_severe_dogleg
+end module dg_test_hard_cases
