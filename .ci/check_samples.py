@@ -21,6 +21,8 @@ import time
 # Checked with more care elsewhere: gp1 by check_gp1.py, sweep_gp1 with its parts by .ci/run.
 ELSEWHERE = {"gp1.nml", "sweep_gp1.nml"}
 MODELS_APART = 5.0      # % of the largest hook load of the deck
+# Groups whose tables the page shows as they were printed, and its heading above them.
+PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&legacy", "&uncertainty"), "<h2>Calibrations, sweeps, studies, comparisons</h2>"
 
 
 def faults_of(program, deck, folder):
@@ -42,8 +44,11 @@ def faults_of(program, deck, folder):
         soft = loads.get((case, "soft"))
         if model == "mcge" and soft is not None and abs(load - soft) > MODELS_APART/100*largest:
             faults.append(f"{case}: mcge {load}, soft {soft}")
-    if not (folder / "report.html").exists() or not list((folder / "pictures").glob("*.svg")):
+    page = (folder / "report.html").read_text(encoding="utf-8") if (folder / "report.html").exists() else ""
+    if not page or not list((folder / "pictures").glob("*.svg")):
         faults.append("no page or no pictures")
+    if any(line.lower().startswith(PRINTED) for line in lines) != (TABLES in page):
+        faults.append("its page lacks tables that were printed, or has some without any")
     return faults
 
 

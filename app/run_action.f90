@@ -1,6 +1,6 @@
 !> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units.
 module dg_run_action
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, entry_type, find_catalogue, numeric_keys, &
                            read_catalogue
    use dg_deck_convert, only: convert_deck
@@ -9,6 +9,7 @@ module dg_run_action
    use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
    use dg_kinds, only: wp
    use dg_number_text, only: fixed_cell, left_aligned
+   use dg_printed_text, only: print_lines
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: si_units, unit_system_type
    use dg_version, only: program_name
@@ -109,15 +110,6 @@ contains
          end do
       end function cell
    end function entry_line
-
-   subroutine print_lines(lines)
-      type(text_type), intent(in) :: lines(:)
-      integer :: i, status
-      do i = 1, size(lines)
-         write (output_unit, '(a)', iostat=status) lines(i)%text
-         if (status /= 0) return    ! nobody reads on
-      end do
-   end subroutine print_lines
 
    subroutine print_faults(faults)
       type(fault_list_type), intent(in) :: faults

@@ -11,6 +11,7 @@ module dg_run_calibrations
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_from_less, fit_without_values
    use dg_model, only: model_type
+   use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_progress, only: seconds_between
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
@@ -30,8 +31,8 @@ contains
    !> Each calibration with each of its models. `calibrated` is the model with the friction that is to be applied. `lost` counts
    !> those without a fit; `error` tells that a file could not be written, or that there is nothing to apply. A run that is a
    !> part of others, or joins them, does what is applied alone, and neither prints nor writes it.
-   subroutine run_calibrations(unit, job, model, calibrated, lost, error)
-      integer, intent(in) :: unit
+   subroutine run_calibrations(printed, job, model, calibrated, lost, error)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(model_type), intent(out) :: calibrated
@@ -42,7 +43,7 @@ contains
       type(text_type), allocatable :: lines(:)
       type(text_type), allocatable :: others(:)
       type(error_type), allocatable :: failure
-      integer :: i, j, k, n, n_lost, status
+      integer :: i, j, n, n_lost
       logical :: divided
       calibrated = model
       divided = job%parts > 0 .or. job%merge > 0
@@ -73,17 +74,14 @@ contains
                           ' has found no friction to apply, so what is to use it was not run')
             if (divided) cycle
             allocate (lines, source=calibration_table(job%units, model, job%calibrations(i), results(n)))
-            do k = 1, size(lines)
-               write (unit, '(a)', iostat=status) lines(k)%text
-               if (status /= 0) exit       ! nobody reads on: the files hold the results
-            end do
+            call print_and_keep(printed, lines)
             deallocate (lines)
          end do
       end do
       n_lost = lost
       if (.not. divided) then
          allocate (others(0))
-         if (.not. allocated(error)) call run_stickings(unit, job, calibrated, others, lost)
+         if (.not. allocated(error)) call run_stickings(printed, job, calibrated, others, lost)
          lost = lost + n_lost
          call write_calibrations(job, model, owner(:n), results(:n), others, failure)
          if (allocated(failure)) call move_alloc(failure, error)

@@ -15,6 +15,7 @@ module dg_run_deck
    use dg_model, only: model_type
    use dg_model_table, only: print_model_table
    use dg_paraview_file, only: write_paraview
+   use dg_printed_text, only: printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_table, only: print_result_table
@@ -54,6 +55,7 @@ contains
       type(model_type) :: model                    !< with friction that calibrations apply
       type(sweep_run_type), allocatable :: sweeps(:)
       type(uncertainty_run_type), allocatable :: uncertainties(:)
+      type(printed_text_type) :: printed           !< tables of all but load cases
       type(case_result_type), allocatable :: results(:)
       type(along_string_type), allocatable :: alongs(:)
       type(whole_string_type), allocatable :: wholes(:)
@@ -67,7 +69,7 @@ contains
       if (.not. allocated(error)) call make_folder(job%output_dir, error)
       call watch_for_signals()
       if (calibrated_first .and. .not. allocated(error)) then
-         call run_calibrations(output_unit, job, given, model, lost, error)
+         call run_calibrations(printed, job, given, model, lost, error)
          if (lost > 0) status = status_not_converged
       else
          model = given
@@ -82,33 +84,34 @@ contains
       rows = 0
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
-      if (rows > 0) call run_cases(job, model, results, alongs, wholes, status)
+      if (rows > 0) call run_cases(printed, job, model, results, alongs, wholes, status)
       if (job%parts == 0 .and. job%merge == 0 .and. .not. (is_interrupted() .or. calibrated_first)) then
-         call run_calibrations(output_unit, job, given, model, lost, error)
+         call run_calibrations(printed, job, given, model, lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end if
       do i = 1, size(sweeps)
          if (is_interrupted()) exit
-         call run_sweep(job, model, i, sweeps(i), lost, error)
+         call run_sweep(printed, job, model, i, sweeps(i), lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       do i = 1, size(uncertainties)
          if (is_interrupted()) exit
-         call run_uncertainty(job, model, i, uncertainties(i), lost, error)
+         call run_uncertainty(printed, job, model, i, uncertainties(i), lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       flush (output_unit)
       if (job%plots .and. job%parts == 0 .and. .not. is_interrupted()) then
-         call run_pictures(job, model, results, alongs, wholes, error)
+         call run_pictures(printed, job, model, results, alongs, wholes, error)
          call note_failure(error, status)
       end if
    end subroutine run_deck
 
    !> The load cases of a deck.
-   subroutine run_cases(job, model, results, alongs, wholes, status)
+   subroutine run_cases(printed, job, model, results, alongs, wholes, status)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(inout) :: results(:)   !< one a model and case
@@ -132,12 +135,12 @@ contains
       call print_limits_table(output_unit, job, model, results, wholes)
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
-            call run_legacy(output_unit, job, model, results, i, error)
+            call run_legacy(printed, job, model, results, i, error)
             call note_failure(error, status)
          end do
       end if
       if (allocated(job%study)) then
-         call run_study(output_unit, job, model, error)
+         call run_study(printed, job, model, error)
          call note_failure(error, status)
       end if
       flush (output_unit)

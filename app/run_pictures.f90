@@ -9,6 +9,7 @@ module dg_run_pictures
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_picture_files, only: folder_in, picture_list_type, write_pictures
+   use dg_printed_text, only: printed_text_type
    use dg_text, only: text_type
    use dg_version, only: program_name
    use dg_whole_string, only: whole_string_type
@@ -19,7 +20,8 @@ module dg_run_pictures
 contains
 
    !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same.
-   subroutine run_pictures(job, model, results, alongs, wholes, error)
+   subroutine run_pictures(printed, job, model, results, alongs, wholes, error)
+      type(printed_text_type), intent(in) :: printed        !< tables that the page takes as they were printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -28,12 +30,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: page_error
       type(picture_list_type) :: pictures
-      type(text_type), allocatable :: echo(:)
+      type(text_type), allocatable :: echo(:), tables(:)
       call write_pictures(job, model, results, alongs, pictures, error)
       if (pictures%no_gnuplot .and. .not. job%quiet) write (error_unit, '(a)') program_name// &
          ': note: no gnuplot here, so no pictures are drawn; '//folder_in(job)//'/all.gp draws them where there is one'
       call echo_lines(job, model, echo)
-      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, pictures, echo, page_error)
+      allocate (tables(0))
+      if (allocated(printed%lines)) tables = printed%lines
+      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, tables, pictures, echo, page_error)
       if (allocated(page_error) .and. .not. allocated(error)) call move_alloc(page_error, error)
    end subroutine run_pictures
 end module dg_run_pictures

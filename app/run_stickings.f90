@@ -10,6 +10,7 @@ module dg_run_stickings
    use dg_least_squares, only: fit_done, fit_least_squares, fit_type
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
+   use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_solve_case, only: solve_case
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
@@ -37,15 +38,15 @@ module dg_run_stickings
 contains
 
    !> Each with each of its models. `rows` are theirs in calibration.csv; `lost` counts those without result.
-   subroutine run_stickings(unit, job, model, rows, lost)
-      integer, intent(in) :: unit
+   subroutine run_stickings(printed, job, model, rows, lost)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(text_type), allocatable, intent(out) :: rows(:)
       integer, intent(out) :: lost
       type(sticking_result_type), allocatable :: results(:)
       type(text_type), allocatable :: lines(:)
-      integer :: i, j, k, n, status
+      integer :: i, j, k, n
       lost = 0
       allocate (rows(0))
       do i = 1, size(job%stickings)
@@ -73,10 +74,7 @@ contains
                end do
             end do
             allocate (lines, source=sticking_table(job%units, model, sticking, results(:n)))
-            do k = 1, size(lines)
-               write (unit, '(a)', iostat=status) lines(k)%text
-               if (status /= 0) exit       ! nobody reads on: the file holds the results
-            end do
+            call print_and_keep(printed, lines)
             deallocate (lines)
             allocate (lines, source=sticking_rows(job, model, sticking, results(:n)))
             rows = [rows, lines]

@@ -9,6 +9,7 @@ module dg_run_study
    use dg_kinds, only: wp
    use dg_missing, only: missing
    use dg_model, only: model_type
+   use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_process, only: someone_watches
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
    use dg_solve_case, only: solve_case
@@ -26,11 +27,11 @@ module dg_run_study
 
 contains
 
-   !> Solves and compares, prints to `unit`, writes study.csv anew after each case. A variant without solution is marked; that
+   !> Solves and compares, prints, writes study.csv anew after each case. A variant without solution is marked; that
    !> is what a study is for, and no failure of the run. After a signal the cases that are whole stay and are printed.
    !> `error` tells that the file could not be written.
-   subroutine run_study(unit, job, model, error)
-      integer, intent(in) :: unit
+   subroutine run_study(printed, job, model, error)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
@@ -38,7 +39,7 @@ contains
       type(study_record_type), allocatable :: records(:, :)
       type(text_type), allocatable :: lines(:)
       type(model_type) :: varied
-      integer :: i, j, status, whole
+      integer :: i, j, whole
       logical :: progress
       progress = someone_watches() .and. .not. job%quiet
       call study_variants(job%study, model%numerics, variants)
@@ -61,10 +62,7 @@ contains
       end do cases
       if (whole == 0) return
       allocate (lines, source=study_table(job, model, variants, records(:, :whole)))
-      do i = 1, size(lines)
-         write (unit, '(a)', iostat=status) lines(i)%text
-         if (status /= 0) return       ! nobody reads on: the file holds the results
-      end do
+      call print_and_keep(printed, lines)
    end subroutine run_study
 
    !> One solution with its seconds and the memory that it takes on top of what was there.

@@ -1,6 +1,6 @@
 !> Runs the sweeps of a deck: on all cores, in parts where asked for, from where an interrupted run stopped.
 module dg_run_sweeps
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_error, only: error_type, raise, status_failure
@@ -9,6 +9,7 @@ module dg_run_sweeps
    use dg_load_case, only: load_case_type, operation_name
    use dg_model, only: copy_without_cases, model_type
    use dg_model_text, only: sweep_lines
+   use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_type, sweep_type
@@ -58,7 +59,8 @@ contains
    end subroutine prepare_sweeps
 
    !> Solves what is left of a sweep, writes and prints it. `lost` counts the points without solution.
-   subroutine run_sweep(job, model, number, run, lost, error)
+   subroutine run_sweep(printed, job, model, number, run, lost, error)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: number                !< of the sweep in the job
@@ -95,9 +97,7 @@ contains
          if (allocated(error)) return
          if (job%merge == 0) call close_record(run%keeper, run%points, closing)
          allocate (lines, source=sweep_table(job%units, sweep, run%points))
-         do i = 1, size(lines)
-            call print_line(lines(i)%text)
-         end do
+         call print_and_keep(printed, lines)
          if (job%merge > 0) then
             call print_line(to_text(size(run%points))//' points, joined from '//to_text(job%merge)//' parts')
          else
@@ -248,13 +248,6 @@ contains
       if (allocated(points(i)%message)) text = text//': '//points(i)%message
       call tell(text)
    end subroutine tell_lost
-
-   subroutine print_line(line)
-      character(*), intent(in) :: line
-      integer :: status
-      write (output_unit, '(a)', iostat=status) line
-      if (status /= 0) return   ! nobody reads on: the file holds the results
-   end subroutine print_line
 
    !> A diagnostic on standard error.
    subroutine tell(message)

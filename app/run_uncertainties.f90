@@ -1,6 +1,6 @@
 !> Runs the Monte Carlo of a deck: on all cores, in parts where asked for, from where an interrupted run stopped.
 module dg_run_uncertainties
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_not_converged
    use dg_error, only: error_type, raise, status_failure
@@ -9,6 +9,7 @@ module dg_run_uncertainties
    use dg_load_case, only: operation_name
    use dg_model, only: model_type
    use dg_model_text, only: uncertainty_lines
+   use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_sampled_model, only: draw_model
@@ -60,7 +61,8 @@ contains
    end subroutine prepare_uncertainties
 
    !> Solves what is left, writes and prints. `lost` counts the solutions that were none.
-   subroutine run_uncertainty(job, model, number, run, lost, error)
+   subroutine run_uncertainty(printed, job, model, number, run, lost, error)
+      type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: number                !< in the job
@@ -104,9 +106,7 @@ contains
             if (job%merge == 0) call close_record(run%keeper, run%pieces, closing)
          end associate
          allocate (lines, source=uncertainty_table(job%units, uncertainty, statistics))
-         do i = 1, size(lines)
-            call print_line(lines(i)%text)
-         end do
+         call print_and_keep(printed, lines)
          if (job%merge > 0) then
             call print_line(to_text(size(run%pieces))//' solutions, joined from '//to_text(job%merge)//' parts')
          else
@@ -227,13 +227,6 @@ contains
       if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message
       call tell(text)
    end subroutine tell_lost
-
-   subroutine print_line(line)
-      character(*), intent(in) :: line
-      integer :: status
-      write (output_unit, '(a)', iostat=status) line
-      if (status /= 0) return   ! nobody reads on: the file holds the results
-   end subroutine print_line
 
    !> A diagnostic on standard error.
    subroutine tell(message)

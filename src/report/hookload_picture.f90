@@ -70,6 +70,8 @@ contains
       call append_text(lines, 'set yrange ['//to_text(real(n, wp) + 0.6_wp, digits)//':0.4]')
       call panel(lines, left, left + wide, bottom, top, 'hook load ['//trim(job%units%force_label)//']', ' ')
       call append_text(lines, 'set ytics ('//tics//'); unset ylabel')
+      ! no mark on the frame
+      call append_text(lines, 'set autoscale xfix; set offsets graph 0.04, graph 0.04, 0, 0')
       call plot(lines, series)
       at = 1
       if (with_error) then

@@ -46,13 +46,15 @@ module dg_html_report
 
 contains
 
-   !> Writes the page to `path`. `echo` is the deck as the program understood it, line by line.
-   subroutine write_html_report(path, job, model, results, wholes, pictures, echo, error)
+   !> Writes the page to `path`. `tables` are those of calibrations, sweeps, studies and comparisons as they were printed; `echo`
+   !> is the deck as the program understood it, line by line.
+   subroutine write_html_report(path, job, model, results, wholes, tables, pictures, echo, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(text_type), intent(in) :: tables(:)
       type(picture_list_type), intent(in) :: pictures
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
@@ -62,6 +64,10 @@ contains
       if (size(results) > 0) then
          call append_results(lines, job, model, results)
          call append_limits(lines, job, model, results, wholes)
+      end if
+      if (size(tables) > 0) then
+         call add_line(lines, '<h2>Calibrations, sweeps, studies, comparisons</h2>')
+         call append_preformatted(lines, tables)
       end if
       call append_pictures(lines, job, model, pictures)
       call add_line(lines, '<h2>What was computed</h2>')

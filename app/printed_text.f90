@@ -1,0 +1,42 @@
+!> What a run prints, kept for its page: tables that are printed and of which report.html has no other form.
+module dg_printed_text
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: printed_text_type, print_line, print_lines, print_and_keep
+
+   type :: printed_text_type
+      type(text_type), allocatable :: lines(:)   !< in order
+   end type printed_text_type
+
+contains
+
+   !> One line to standard output; nobody may read on, and files hold the results all the same.
+   subroutine print_line(line)
+      character(*), intent(in) :: line
+      integer :: status
+      write (output_unit, '(a)', iostat=status) line
+      if (status /= 0) return
+   end subroutine print_line
+
+   subroutine print_lines(lines)
+      type(text_type), intent(in) :: lines(:)
+      integer :: i
+      do i = 1, size(lines)
+         call print_line(lines(i)%text)
+      end do
+   end subroutine print_lines
+
+   !> Prints lines and appends them to what is kept.
+   subroutine print_and_keep(printed, lines)
+      type(printed_text_type), intent(inout) :: printed
+      type(text_type), intent(in) :: lines(:)
+      integer :: i
+      call print_lines(lines)
+      if (.not. allocated(printed%lines)) allocate (printed%lines(0))
+      do i = 1, size(lines)
+         call append_text(printed%lines, lines(i)%text)
+      end do
+   end subroutine print_and_keep
+end module dg_printed_text
