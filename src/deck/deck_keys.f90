@@ -98,7 +98,7 @@ module dg_deck_keys
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
-         meaning='drillpipe, hwdp, collar, stabilizer, ...: a stabilizer touches at its joint_od'), &
+         meaning='drillpipe, hwdp, collar, stabilizer, ...: a stabilizer touches at its joint_od, else at its od'), &
       key_rule_type('component', 'catalogue', kind_text, &
          meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &

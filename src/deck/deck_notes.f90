@@ -2,7 +2,7 @@
 !> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter, tube_area
+   use dg_component, only: contact_diameter, has_blades, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_job, only: job_type
@@ -85,6 +85,9 @@ contains
          if (hole > widest_hole*contact_diameter(part)) call note('it is '// &
             to_text(contact_diameter(part)/units%diameter, digits)//' '//trim(units%diameter_label)//' wide in holes of '// &
             to_text(hole/units%diameter, digits)//' '//trim(units%diameter_label)//' and more; mind the units')
+         if (has_blades(part) .and. .not. part%joint_od > part%od) call note('a stabilizer without joint_od touches at its od, '// &
+            to_text(part%od/units%diameter, digits)//' '//trim(units%diameter_label)//', and bends as a pipe of that od; '// &
+            'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
          if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) call note( &
             'mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and density has '// &

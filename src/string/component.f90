@@ -83,13 +83,12 @@ contains
       has = component%joint_od > component%od .and. .not. has_blades(component)
    end function has_joints
 
-   !> Whether the component is a stabiliser, which touches at its joint_od all along.
+   !> Whether the component is a stabiliser, which touches at its joint_od all along, at its od where it has none.
    elemental function has_blades(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
       has = .false.
-      if (component%joint_od > component%od .and. allocated(component%kind)) &
-         has = index(lower_case(component%kind), stabiliser) == 1
+      if (allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) == 1
    end function has_blades
 
    !> Length of one tool joint [m].

@@ -14,6 +14,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('odd_decks')
       call suite%addTest(TestMethod('slips_of_units', test_units))
+      call suite%addTest(TestMethod('stabiliser_without_blades', test_blades))
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
    end function odd_decks_suite
 
@@ -30,6 +31,11 @@ contains
       call note('md  = 0.0, 500.0, 900.0', 'md  = 0.0, 899.0, 900.0', 'the hole turns by 900 deg_30m')
       call note('od = 171.45', 'mass = 136.0, density = 2800.0, od = 171.45', 'mass = 136')
    end subroutine test_units
+
+   !> Every key has a default, so that a stabiliser may do without joint_od: its od touches.
+   subroutine test_blades()
+      call note("joint_od = 168.3", "kind = 'stabiliser'", 'a stabilizer without joint_od touches at its od, 127 mm')
+   end subroutine test_blades
 
    subroutine test_unused()
       call note('length = 100.0', 'length = 900.0', "'drillpipe' never enters the hole")
