@@ -1,13 +1,14 @@
 !> Random wells against what must hold for any well. Arguments: first seed and number of seeds (1 and 20 where none are given).
 !>
-!> Of every well: the case converges or is marked; every number is one; forces balance; a well turned about the vertical, and
-!> of a string that neither turns nor carries torque the mirror image, give the same; a component in two parts and a station
-!> more on an arc change nothing beyond the mesh; the frictional resistance is no more than friction times contact force; up
-!> pulls more than hanging free, down less, and more friction makes both more so.
+!> Of every well: the case converges, locks up or is marked; every number is one; forces balance; a well turned about the
+!> vertical, and of a string that neither turns nor carries torque the mirror image, give the same; a component in two parts
+!> and a station more on an arc change nothing beyond the mesh; the frictional resistance is no more than friction times contact
+!> force; up pulls more than hanging free, down less, and more friction makes both more so.
 program random
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_component, only: bending_stiffness
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_name, operation_rotate_off_bottom, operation_trip_in, operation_trip_out, moves_axially, &
@@ -16,37 +17,41 @@ program random
    use dg_random_well, only: draw_well, lay_path, split_component, stations_type
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
+   use dg_trajectory, only: arc_at, arc_type
    implicit none
 
    integer, parameter :: balance = 1, turned = 2, mirrored = 3, parted = 4, stationed = 5, bounded = 6, ordered = 7, &
-      steeper = 8, agreed = 9, turned_compressed = 10, checks = 10
+      steeper = 8, agreed = 9, turned_compressed = 10, coiled = 11, checks = 11
    character(*), parameter :: name_of(checks) = [character(56) :: 'forces out of balance over the largest force', &
       'well turned about the vertical', 'mirror image of the well', 'component in two parts', 'one more station on an arc', &
       'friction beyond coefficient times contact force', 'up below free, free below down', &
       'more friction, less resistance', 'soft string in two parts, with a station more', &
-      'turned or mirrored, with compression']
+      'turned or mirrored, with compression', 'in two parts or with a station more, coiled']
    !> Largest part of the largest force in the string [-]. Balance, and a turned or mirrored well, are round-off and what the
    !> iteration leaves (1e-9 of the weight at any node), where the string is in tension; a compressed one has equilibria next
    !> to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh shows the
-   !> mesh's error, of elements up to 30 m; the soft string is integrated finely.
+   !> mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as much again
+   !> as the soft string's or more, rests wherever its friction holds it: a little to and fro is no error.
    real(wp), parameter :: tolerance(checks) = [1.0e-7_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
-      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp]
+      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 5.0e-2_wp]
    integer, parameter :: default_first = 1, default_count = 20
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
    !> Compression over the largest force [-] from which a string counts as compressed.
    real(wp), parameter :: compression = 1.0e-3_wp
+   real(wp), parameter :: coil = 1.5_wp
    real(wp), parameter :: more_friction = 1.3_wp
    real(wp), parameter :: turn = 137.0_wp      ! deg
 
    real(wp) :: worst(checks)
-   integer :: worst_seed(checks), compared(checks), first, number, seed, solved, marked, passed, failed, i
+   integer :: worst_seed(checks), compared(checks), first, number, seed, solved, marked, passed, failed, locked, i
    logical :: sound
    worst = 0.0_wp
    worst_seed = 0
    compared = 0
    solved = 0
    marked = 0
+   locked = 0
    passed = 0
    failed = 0
    call read_arguments(first, number)
@@ -59,8 +64,9 @@ program random
          failed = failed + 1
       end if
    end do
-   write (output_unit, '(a,i0,a,i0,a,i0,a,i0,a)') 'seeds ', first, ' to ', first + number - 1, ': ', solved, &
-      ' cases solved, ', marked, ' marked as not converged'
+   write (output_unit, '(a,i0,a,i0,a,i0,a,i0,a,i0,a)') 'seeds ', first, ' to ', first + number - 1, ': ', solved, &
+      ' cases solved, ', locked, ' locked up, ', marked, &
+      ' marked as not converged'
    do i = 1, checks
       write (output_unit, '(2x,a,a,es8.1,a,i0,a,es8.1,a,i0,a)') name_of(i), ' worst ', worst(i), ' (seed ', worst_seed(i), &
          '), allowed ', tolerance(i), ', ', compared(i), ' compared'
@@ -83,7 +89,7 @@ contains
       type(model_type) :: model, changed
       type(case_result_type) :: result, again, free, soft, soft_again
       real(wp) :: scale, depth
-      logical :: good, good_again, good_free, compressed
+      logical :: good, good_again, good_free, compressed, coils
       integer :: n, i
       call draw_well(seed, stations, model)
       call lay_path(stations, model)
@@ -104,16 +110,19 @@ contains
       ! a string that whirls has no static equilibrium: its message says what is left out
       if (index(result%message, 'whirl') == 0) call note(balance, result%equilibrium_force/scale)
       compressed = min(minval(result%profile%axial), minval(soft%profile%axial)) < -compression*scale
+      coils = result%normal_force > coil*soft%normal_force
 
       changed = model
       call lay_path(other, changed)
       call solve(changed, again, good_again)
-      if (good_again) call note(stationed, abs(again%hookload - result%hookload)/scale)
+      if (good_again) call note(merge(coiled, stationed, coils), &
+                                abs(again%hookload - result%hookload)/largest(scale, result))
       if (depth > 1.0_wp) then
          changed = model
          call split_component(depth, changed)
          call solve(changed, again, good_again)
-         if (good_again) call note(parted, abs(again%hookload - result%hookload)/scale)
+         if (good_again) call note(merge(coiled, parted, coils), &
+                                   abs(again%hookload - result%hookload)/largest(scale, result))
       end if
 
       other = stations
@@ -130,8 +139,7 @@ contains
          if (good_again) call note(merge(turned_compressed, mirrored, compressed), &
                                    abs(again%hookload - result%hookload)/scale)
       end if
-      if (moves_axially(model%cases(1)%operation)) call note(bounded, &
-         (abs(result%friction) - model%holes(1)%friction_axial*result%normal_force)/scale)
+      if (moves_axially(model%cases(1)%operation)) call note_friction(model, scale, result)
 
       ! the same string off bottom, hanging free, up and down
       changed = model
@@ -146,12 +154,47 @@ contains
          changed%holes%friction_axial = more_friction*model%holes%friction_axial
          call solve(changed, again, good_again)
          associate (way => merge(1.0_wp, -1.0_wp, i == 1))
-            if (good) call note(bounded, (abs(result%friction) - model%holes(1)%friction_axial*result%normal_force)/scale)
+            if (good) call note_friction(model, scale, result)
             if (good .and. good_free) call note(ordered, way*(free%hookload - result%hookload)/scale)
             if (good .and. good_again) call note(steeper, way*(result%hookload - again%hookload)/scale)
          end associate
       end do
    end subroutine check_well
+
+   !> Frictional resistance against what the contact force allows. A stiff string that slides out of a bend gives back the energy
+   !> of bending E I k^2/2 per length that it had there, at its ends and wherever its stiffness jumps: that is no friction, but
+   !> stands in the hook load all the same.
+   subroutine note_friction(model, scale, result)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: scale
+      type(case_result_type), intent(in) :: result
+      real(wp) :: bending, depth, stiffer
+      type(arc_type) :: arc
+      integer :: i
+      depth = model%cases(1)%bit_depth
+      bending = 0.0_wp
+      stiffer = 0.0_wp
+      associate (parts => model%strings(1)%components)
+         do i = 1, size(parts)
+            arc = model%trajectory%arcs(arc_at(model%trajectory, depth))
+            bending = bending + 0.5_wp*abs(bending_stiffness(parts(i)) - stiffer)*arc%curvature**2
+            stiffer = bending_stiffness(parts(i))
+            depth = depth - parts(i)%length
+         end do
+         arc = model%trajectory%arcs(arc_at(model%trajectory, 0.0_wp))
+         bending = bending + 0.5_wp*stiffer*arc%curvature**2
+      end associate
+      call note(bounded, (abs(result%friction) - model%holes(1)%friction_axial*result%normal_force - bending)/ &
+                largest(scale, result))
+   end subroutine note_friction
+
+   !> The largest force in the string, of the soft one or of beams [N].
+   pure function largest(scale, result) result(force)
+      real(wp), intent(in) :: scale
+      type(case_result_type), intent(in) :: result
+      real(wp) :: force
+      force = max(scale, maxval(abs(result%profile%axial)))
+   end function largest
 
    !> Solves the case by beams; `good` where it converged to numbers.
    subroutine solve(model, result, good)
@@ -167,7 +210,9 @@ contains
       end if
       solved = solved + 1
       good = result%status == result_converged
-      if (.not. good) then
+      if (result%status == result_locked_up) then
+         locked = locked + 1
+      else if (.not. good) then
          marked = marked + 1
          write (output_unit, '(a,i0,5a,f0.2,a)') 'marked: seed ', seed, ', ', trim(operation_name(model%cases(1)%operation)), &
             ', ', result%message, ' (elements ', model%numerics%element_length, ' m)'

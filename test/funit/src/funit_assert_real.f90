@@ -4,6 +4,7 @@
 module funit_assert_real
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use, intrinsic :: iso_fortran_env, only: real32, real64
+   use funit_deviation, only: note_deviation
    use funit_exception, only: SourceLocation, throw
    use funit_text, only: complaint, position_text, text_of
    implicit none
@@ -114,7 +115,10 @@ contains
             if (.not. (expected < actual .or. expected > actual)) return
          end if
          call throw(complaint(text_of(expected), text_of(actual), '', place, message), location)
-      else if (abs(actual - expected) > limit) then
+         return
+      end if
+      call note_deviation(expected, actual, limit)
+      if (abs(actual - expected) > limit) then
          call throw(complaint(text_of(expected), text_of(actual), text_of(actual - expected), &
                               place//' (tolerance '//text_of(limit)//')', message), location)
       end if

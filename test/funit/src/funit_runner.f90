@@ -1,8 +1,10 @@
 !> Runs the tests of a suite and reports.
-!> Command line: -f PATTERN (only tests whose full name contains it), -d or -v (name each test before it
-!> runs), -x FILE (results as JUnit XML). No test at all is a failure: a misspelt pattern must not look like success.
+!> Command line: -f PATTERN (only tests whose full name contains it), -d or -v (name each test before it runs, and tell
+!> after it how far its numbers were from what was expected), -x FILE (results as JUnit XML). No test at all is a failure:
+!> a misspelt pattern must not look like success.
 module funit_runner
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit, real64
+   use funit_deviation, only: take_deviation
    use funit_exception, only: Exception, anyExceptions, take_exceptions
    use funit_suite, only: TestMethod, TestSuite
    implicit none
@@ -68,6 +70,7 @@ contains
       logical, intent(in) :: verbose
       type(outcome_type), intent(out) :: outcome
       integer(int64) :: start, finish, rate
+      character(:), allocatable :: deviation
       if (verbose) then
          write (output_unit, '(2a)') 'test ', test%name
          flush (output_unit) ! so that a crash leaves the name of its test
@@ -80,6 +83,8 @@ contains
       outcome%seconds = real(finish - start, real64)/real(rate, real64)
       call take_exceptions(outcome%exceptions)
       outcome%failed = size(outcome%exceptions) > 0
+      call take_deviation(deviation)
+      if (verbose .and. deviation /= '') write (output_unit, '(2a)') '     ', deviation
    end subroutine run_test
 
    subroutine print_failures(suite, outcomes)
