@@ -57,6 +57,8 @@ module dg_deck_template
 
    !> Column at which what is said of a key begins.
    integer, parameter :: remark_column = 42
+   !> Letters of a remark in one line.
+   integer, parameter :: remark_width = 76
 
 contains
 
@@ -110,20 +112,38 @@ contains
             if (examples(i)%group == group .and. examples(i)%copy == copy .and. examples(i)%key == rules(k)%key) exit
          end do
          if (i <= size(examples)) then
-            call append_text(lines, with_remark(mark//'  '//trim(rules(k)%key)//' = '//trim(examples(i)%value), rules(k)))
+            call append_key(lines, mark//'  '//trim(rules(k)%key)//' = '//trim(examples(i)%value), rules(k))
          else if (with_rest .and. trim(rules(k)%later) /= '*') then
-            call append_text(lines, with_remark('! '//trim(rules(k)%key)//' = '//default_text(rules(k)), rules(k)))
+            call append_key(lines, '! '//trim(rules(k)%key)//' = '//default_text(rules(k)), rules(k))
          end if
       end do
       call append_text(lines, mark//'/')
    end subroutine append_group
 
-   !> A line of a key with its meaning, unit and legal values behind it.
-   pure function with_remark(start, rule) result(line)
+   !> A line of a key with its meaning, unit and legal values behind it, and below it where they are long.
+   pure subroutine append_key(lines, start, rule)
+      type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: start
       type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: line, rest
+      integer :: cut
+      line = start//repeat(' ', max(1, remark_column - len(start)))//'! '
+      rest = remark_of(rule)
+      do while (len(rest) > remark_width)
+         cut = index(rest(:remark_width + 1), ' ', back=.true.)
+         if (cut == 0) exit
+         call append_text(lines, line//rest(:cut - 1))
+         rest = rest(cut + 1:)
+         line = '!'//repeat(' ', remark_column - 1)//'  '
+      end do
+      call append_text(lines, line//rest)
+   end subroutine append_key
+
+   !> Meaning, unit and legal values of a key.
+   pure function remark_of(rule) result(line)
+      type(key_rule_type), intent(in) :: rule
       character(:), allocatable :: line
-      line = start//repeat(' ', max(1, remark_column - len(start)))//'! '//trim(rule%meaning)
+      line = trim(rule%meaning)
       if (rule%choices == '*') then
          line = line//': '//listed(operation_words())
       else if (rule%choices /= '') then
@@ -134,7 +154,7 @@ contains
          line = line//' ['//unit_label(si_units(), rule%unit)//']'
       end if
       if (rule%required) line = line//'; required'
-   end function with_remark
+   end function remark_of
 
    !> A default as a deck would write it; nothing where there is none.
    pure function default_text(rule) result(text)
