@@ -43,8 +43,6 @@ module dg_hdf5_file
    character(*), parameter :: unfinished_suffix = '.unfinished'
    !> Rows of a chunk: 128 kB of numbers.
    integer, parameter :: chunk_rows = 16384
-   !> Fewer rows are not worth a chunk.
-   integer, parameter :: least_rows = 16
    !> Of deflate, 1 to 9: more costs much and gains little.
    integer, parameter :: deflate_level = 4
    !> What stands for a number that is not there: a quiet NaN (IEEE 754).
@@ -166,7 +164,7 @@ contains
                         h5kind_to_type(kind(values), h5_integer_kind), address_of_long_integers(buffer, size(buffer)))
    end subroutine write_long_integers
 
-   !> A dataset from memory; chunked and compressed where it has rows enough.
+   !> A dataset from memory; chunked and compressed, unless it is empty.
    subroutine write_buffer(file, path, dims, file_type, memory_type, address)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
@@ -179,7 +177,7 @@ contains
       if (file%failure /= '') return
       call h5screate_simple_f(size(dims), dims, space, status)
       call h5pcreate_f(h5p_dataset_create_f, properties, status)
-      if (dims(size(dims)) >= least_rows) then
+      if (all(dims > 0)) then
          chunk = dims
          chunk(size(dims)) = min(dims(size(dims)), int(chunk_rows, hsize_t))
          call h5pset_chunk_f(properties, size(chunk), chunk, status)
