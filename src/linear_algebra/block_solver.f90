@@ -7,6 +7,7 @@
 !> takes the band solver instead. For a symmetric matrix the same pass with Cholesky's factors of the blocks tells
 !> whether it is positive definite.
 module dg_block_solver
+   use, intrinsic :: iso_fortran_env, only: int8
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
    implicit none
@@ -15,7 +16,7 @@ module dg_block_solver
 
    type :: block_solver_type
       real(wp), allocatable :: factor(:, :, :)  !< LU factors of the pivot blocks (6,6,nodes)
-      integer, allocatable :: pivot(:, :)       !< rows exchanged within the blocks (6,nodes)
+      integer(int8), allocatable :: pivot(:, :) !< rows exchanged within the blocks (6,nodes)
    end type block_solver_type
 
    !> Right-hand sides of a pivot block: the coupling's six and the load's, and one that makes them even in number.
@@ -28,7 +29,7 @@ contains
       integer, intent(in) :: nodes
       type(block_solver_type), intent(out) :: solver
       allocate (solver%factor(block_size, block_size, nodes), source=0.0_wp)
-      allocate (solver%pivot(block_size, nodes), source=0)
+      allocate (solver%pivot(block_size, nodes), source=0_int8)
    end subroutine new_block_solver
 
    !> Factors the matrix. info = 0: done; > 0: the node at which a block is singular. A right-hand side that goes along,
@@ -146,27 +147,28 @@ contains
    !> LU factors of a block in place with row exchange; the diagonal of U is stored inverted.
    pure subroutine factor_block(a, pivot, regular)
       real(wp), intent(inout) :: a(block_size, block_size)
-      integer, intent(out) :: pivot(block_size)
+      integer(int8), intent(out) :: pivot(block_size)
       logical, intent(out) :: regular
       real(wp) :: swap, largest
-      integer :: i, j, k
+      integer :: i, j, k, row
       regular = .false.
-      pivot = 0
+      pivot = 0_int8
       do k = 1, block_size
-         pivot(k) = k
+         row = k
          largest = abs(a(k, k))
          do i = k + 1, block_size
             if (abs(a(i, k)) > largest) then
                largest = abs(a(i, k))
-               pivot(k) = i
+               row = i
             end if
          end do
          if (.not. (largest > 0.0_wp .and. largest <= huge(largest))) return
-         if (pivot(k) /= k) then
+         pivot(k) = int(row, int8)
+         if (row /= k) then
             do j = 1, block_size
                swap = a(k, j)
-               a(k, j) = a(pivot(k), j)
-               a(pivot(k), j) = swap
+               a(k, j) = a(row, j)
+               a(row, j) = swap
             end do
          end if
          a(k, k) = 1.0_wp/a(k, k)
@@ -186,7 +188,7 @@ contains
    !> out, so that the compiler takes several sides at a time and keeps them in registers: half the time of loops.
    pure subroutine solve_rows(a, pivot, rows)
       real(wp), intent(in) :: a(block_size, block_size)
-      integer, intent(in) :: pivot(block_size)
+      integer(int8), intent(in) :: pivot(block_size)
       real(wp), intent(inout) :: rows(sides, block_size)
       real(wp) :: swap(sides), y(2:block_size)
       integer :: k, s
@@ -219,7 +221,7 @@ contains
    !> x <- block^-1 x.
    pure subroutine solve_vector(a, pivot, x)
       real(wp), intent(in) :: a(block_size, block_size)
-      integer, intent(in) :: pivot(block_size)
+      integer(int8), intent(in) :: pivot(block_size)
       real(wp), intent(inout) :: x(block_size)
       real(wp) :: y(block_size), swap
       integer :: k

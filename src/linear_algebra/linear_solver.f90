@@ -30,7 +30,6 @@ module dg_linear_solver
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
       type(symmetric_solver_type) :: symmetric
-      real(wp), allocatable :: rhs(:, :)        !< (6,nodes)
       integer :: refinements = 0                !< so far
       integer :: fallbacks = 0                  !< so far
       !> Negative eigenvalues of the last matrix, where solver_sparse found it symmetric; -1: not known.
@@ -46,51 +45,53 @@ contains
       type(linear_solver_type), intent(out) :: solver
       solver%kind = kind
       if (kind == solver_block) call new_block_solver(nodes, solver%block)
-      allocate (solver%rhs(6, nodes), source=0.0_wp)
    end subroutine new_linear_solver
 
-   !> Solves matrix x = x(6,nodes). info = 0: done; > 0: singular.
-   subroutine solve_linear(solver, matrix, x, info)
+   !> Newton's step: solves matrix step = -residual(6,nodes). info = 0: done; > 0: singular.
+   subroutine solve_linear(solver, matrix, residual, step, info)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(inout) :: x(:, :)
+      real(wp), intent(in) :: residual(:, :)
+      real(wp), intent(out) :: step(:, :)
       integer, intent(out) :: info
       logical :: good
-      solver%rhs = x
+      step = -residual
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block) then
-            call block_factor(solver%block, matrix, info, x)
-            if (info == 0) call block_back(solver%block, matrix, x)
+            call block_factor(solver%block, matrix, info, step)
+            if (info == 0) call block_back(solver%block, matrix, step)
          else
-            call solve_symmetric(solver, matrix, x, good)
+            call solve_symmetric(solver, matrix, residual, step, good)
             if (good) then
                info = 0
                return
             end if
             call sparse_factor(solver%sparse, matrix, info)
-            if (info == 0) call sparse_solve(solver%sparse, x)
+            if (info == 0) call sparse_solve(solver%sparse, step)
          end if
          good = info == 0
          if (good) then
-            call check(solver%rhs, matrix, x, good)
-            if (.not. good) call refine(solver, matrix, x, good)
+            call check(residual, matrix, step, good)
+            if (.not. good) call refine(solver, matrix, residual, step, good)
          end if
          if (solver%kind == solver_sparse) call sparse_release(solver%sparse)
          if (good) return
          solver%fallbacks = solver%fallbacks + 1
-         x = solver%rhs
+         step = -residual
       end if
-      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(x, 2))
+      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(step, 2))
       call band_factor(solver%band, matrix, info)
-      if (info == 0) call band_solve(solver%band, x)
+      if (info == 0) call band_solve(solver%band, step)
    end subroutine solve_linear
 
-   !> Solves by LDL; not good: the matrix is not symmetric, not positive definite, or the residual is not small, and x is as it was.
+   !> Solves by LDL; not good: the matrix is not symmetric, not positive definite, or the residual is not small, and the step is
+   !> the load.
    !> For a matrix that is symmetric negative_pivots tells how many negative eigenvalues it has.
-   subroutine solve_symmetric(solver, matrix, x, good)
+   subroutine solve_symmetric(solver, matrix, residual, step, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(inout) :: x(:, :)
+      real(wp), intent(in) :: residual(:, :)
+      real(wp), intent(inout) :: step(:, :)
       logical, intent(out) :: good
       integer :: info
       solver%negative_pivots = -1
@@ -102,54 +103,55 @@ contains
       solver%negative_pivots = solver%symmetric%negative_pivots
       good = solver%negative_pivots == 0
       if (.not. good) return
-      call symmetric_solve(solver%symmetric, x)
-      call check(solver%rhs, matrix, x, good)
-      if (.not. good) x = solver%rhs
+      call symmetric_solve(solver%symmetric, step)
+      call check(residual, matrix, step, good)
+      if (.not. good) step = -residual
    end subroutine solve_symmetric
 
    !> One step of iterative refinement with the factors that there are; good: it was enough.
-   subroutine refine(solver, matrix, x, good)
+   subroutine refine(solver, matrix, residual, step, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(inout) :: x(:, :)
+      real(wp), intent(in) :: residual(:, :)
+      real(wp), intent(inout) :: step(:, :)
       logical, intent(out) :: good
       real(wp), allocatable :: correction(:, :)
       solver%refinements = solver%refinements + 1
-      allocate (correction, source=solver%rhs - block_product(matrix, x))
+      allocate (correction, source=-residual - block_product(matrix, step))
       if (solver%kind == solver_block) then
          call block_solve(solver%block, matrix, correction)
       else
          call sparse_solve(solver%sparse, correction)
       end if
-      x = x + correction
-      call check(solver%rhs, matrix, x, good)
+      step = step + correction
+      call check(residual, matrix, step, good)
    end subroutine refine
 
-   !> Whether rhs - matrix x is small.
-   pure subroutine check(rhs, matrix, x, good)
-      real(wp), intent(in) :: rhs(:, :)
+   !> Whether residual + matrix step is small.
+   pure subroutine check(residual, matrix, step, good)
+      real(wp), intent(in) :: residual(:, :)
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: x(:, :)
+      real(wp), intent(in) :: step(:, :)
       logical, intent(out) :: good
       integer :: n, j, before
       real(wp) :: r(6), largest, scale
       largest = 0.0_wp
       scale = 0.0_wp
-      do n = 1, size(x, 2)
-         r = rhs(:, n)
+      do n = 1, size(step, 2)
+         r = residual(:, n)
          scale = max(scale, maxval(abs(r)))
          do j = 1, 6
-            r = r - matrix%diagonal(:, j, n)*x(j, n)
+            r = r + matrix%diagonal(:, j, n)*step(j, n)
          end do
          before = n - 1
          if (before >= 1) then
             do j = 1, 6
-               r = r - matrix%lower(:, j, before)*x(j, before)
+               r = r + matrix%lower(:, j, before)*step(j, before)
             end do
          end if
-         if (n < size(x, 2)) then
+         if (n < size(step, 2)) then
             do j = 1, 6
-               r = r - matrix%upper(:, j, n)*x(j, n + 1)
+               r = r + matrix%upper(:, j, n)*step(j, n + 1)
             end do
          end if
          largest = max(largest, maxval(abs(r)))

@@ -193,8 +193,8 @@ contains
       real(wp), intent(in) :: depths(:), longest(:)
       real(wp), intent(in) :: growth       !< > 1 [-]
       real(wp), allocatable :: finer(:)
-      real(wp), allocatable :: bound(:), parts(:)
-      integer :: i, n
+      real(wp), allocatable :: bound(:), parts(:), room(:), more(:)
+      integer :: i, n, filled
       n = size(depths)
       allocate (bound(n), source=huge(1.0_wp))   ! length of an element that begins or ends here
       do i = 1, n - 1
@@ -206,12 +206,19 @@ contains
       do i = n - 1, 1, -1
          bound(i) = min(bound(i), bound(i + 1) + (growth - 1.0_wp)*(depths(i + 1) - depths(i)))
       end do
-      allocate (finer(0))
+      allocate (room(2*n))
+      filled = 0
       do i = 1, n - 1
          call grade_interval(depths(i:i + 1), longest(i), bound(i:i + 1), growth, parts)
-         finer = [finer, parts(:size(parts) - 1)]
+         if (filled + size(parts) > size(room)) then
+            allocate (more(2*(filled + size(parts))))
+            more(:filled) = room(:filled)
+            call move_alloc(more, room)
+         end if
+         room(filled + 1:filled + size(parts)) = parts
+         filled = filled + size(parts) - 1       ! the last begins the next interval
       end do
-      finer = [finer, depths(n)]
+      finer = room(:filled + 1)
    end function graded
 
    !> One interval cut into equal parts, and these in halves until all keep the bounds that grow from both ends.
@@ -221,6 +228,7 @@ contains
       real(wp), allocatable :: length(:), most(:)
       integer :: n
       parts = subdivided(ends, [longest])
+      if (parts(2) - parts(1) <= minval(bound)) return
       do
          n = size(parts) - 1
          length = parts(2:) - parts(:n)

@@ -5,9 +5,9 @@
 !> Work-conjugate residuals: three forces [N], a torque [N.m], two moments [N.m].
 module dg_assembly
    use dg_kinds, only: wp
-   use dg_beam_element, only: beam_force, beam_tangent, torque_force, torque_tangent
+   use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_director, only: director_curvature
+   use dg_director, only: director_curvature, director_gradient
    use dg_gap_contact, only: contact_action_tangent, sliding_couple, support_action
    use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
    use dg_gap_state, only: contact_force, state_free
@@ -59,7 +59,9 @@ contains
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: no
       type(element_type) :: element
+      type(beam_section_type) :: section
       real(wp) :: force(12), load(4), top_force(3), chord(3)
+      real(wp) :: gradient(3, 2), next(3, 2)   ! of directors by slopes
       logical :: tangent
       integer :: e, n, j
       tangent = .true.
@@ -67,14 +69,16 @@ contains
       work%node_force = 0.0_wp
       residual = 0.0_wp
       matrix%diagonal(:, :, 1) = 0.0_wp
+      gradient = director_gradient(mesh%frame(:, :, 1), state(5:6, 1), work%d(:, 1))
       do e = 1, mesh%elements
          chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+         section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
          if (tangent) then
-            call beam_tangent(work%section(e), chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e), element%k)
+            call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e), element%k)
          else
-            call beam_force(work%section(e), chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
+            call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
          end if
-         call add_torque(work, e, state(dof_twist, e + 1) - state(dof_twist, e), conservative, tangent, force, &
+         call add_torque(section, work, e, state(dof_twist, e + 1) - state(dof_twist, e), conservative, tangent, force, &
                          element)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))
          force(3) = force(3) - load(1)
@@ -84,10 +88,14 @@ contains
          call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
          residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)
          residual(dof_twist, e + 1) = residual(dof_twist, e + 1) + work%torque(e)
-         work%end_force(:, e) = force
+         work%end_force(:, e) = force(1:6)
          work%node_force(:, e) = work%node_force(:, e) + force(1:6)
          work%node_force(:, e + 1) = work%node_force(:, e + 1) + force(7:12)
-         if (tangent) call scatter(mesh, work, e, element, matrix)
+         if (tangent) then
+            next = director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1))
+            call scatter(mesh, e, gradient, next, element, matrix)
+            gradient = next
+         end if
       end do
       top_force = work%node_force(1:3, 1)
       call add_supports(trajectory, mesh, loads, work, residual, matrix)
@@ -95,8 +103,9 @@ contains
          do j = 1, 3
             residual(j, n) = sum(work%node_force(1:3, n)*mesh%frame(:, j, n))
          end do
-         residual(5, n) = sum(work%node_force(4:6, n)*work%gradient(:, 1, n))
-         residual(6, n) = sum(work%node_force(4:6, n)*work%gradient(:, 2, n))
+         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
+         residual(5, n) = sum(work%node_force(4:6, n)*gradient(:, 1))
+         residual(6, n) = sum(work%node_force(4:6, n)*gradient(:, 2))
          if (tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
             + director_curvature(mesh%frame(:, :, n), state(5:6, n), work%d(:, n), work%node_force(4:6, n))
       end do
@@ -108,7 +117,8 @@ contains
    end subroutine assemble
 
    !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
-   pure subroutine add_torque(work, e, twist, conservative, tangent, force, element)
+   pure subroutine add_torque(section, work, e, twist, conservative, tangent, force, element)
+      type(beam_section_type), intent(in) :: section
       type(workspace_type), intent(inout) :: work
       integer, intent(in) :: e
       real(wp), intent(in) :: twist
@@ -117,7 +127,7 @@ contains
       real(wp), intent(inout) :: force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3)
-      element%twist_stiffness = work%section(e)%torsional_stiffness/work%section(e)%length
+      element%twist_stiffness = section%torsional_stiffness/section%length
       work%torque(e) = element%twist_stiffness*twist
       element%twist_row = 0.0_wp
       element%twist_column = 0.0_wp
@@ -217,21 +227,20 @@ contains
    end subroutine add_couple
 
    !> Turns an element's matrix from space axes to its 12 unknowns and adds it to the chain.
-   pure subroutine scatter(mesh, work, e, element, matrix)
+   pure subroutine scatter(mesh, e, gradient_i, gradient_j, element, matrix)
       type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
       integer, intent(in) :: e
+      real(wp), intent(in) :: gradient_i(3, 2), gradient_j(3, 2)
       type(element_type), intent(in) :: element
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: block(6, 6)
-      call project(element, 1, 1, mesh%frame(:, :, e), work%gradient(:, :, e), mesh%frame(:, :, e), work%gradient(:, :, e), block)
-      matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + block
-      call project(element, 2, 2, mesh%frame(:, :, e + 1), work%gradient(:, :, e + 1), mesh%frame(:, :, e + 1), &
-                   work%gradient(:, :, e + 1), matrix%diagonal(:, :, e + 1))
-      call project(element, 1, 2, mesh%frame(:, :, e), work%gradient(:, :, e), mesh%frame(:, :, e + 1), &
-                   work%gradient(:, :, e + 1), matrix%upper(:, :, e))
-      call project(element, 2, 1, mesh%frame(:, :, e + 1), work%gradient(:, :, e + 1), mesh%frame(:, :, e), &
-                   work%gradient(:, :, e), matrix%lower(:, :, e))
+      associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
+         call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
+         matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + block
+         call project(element, 2, 2, frame_j, gradient_j, frame_j, gradient_j, matrix%diagonal(:, :, e + 1))
+         call project(element, 1, 2, frame_i, gradient_i, frame_j, gradient_j, matrix%upper(:, :, e))
+         call project(element, 2, 1, frame_j, gradient_j, frame_i, gradient_i, matrix%lower(:, :, e))
+      end associate
    end subroutine scatter
 
    !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.

@@ -257,8 +257,7 @@ contains
             end do
          end do
          call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
-         newton%step = -newton%residual
-         call solve_linear(newton%solver, newton%matrix, newton%step, fault)
+         call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
          if (fault /= 0) return
          if (vertical) call fix_phase(damped%lump, damped%mode, newton%step)
          slope = sum(newton%step*newton%residual)

@@ -12,7 +12,7 @@ module dg_gap_survey
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_offset, survey_gaps, relocate_gaps
+   public :: node_offset, point_on_string, survey_gaps, relocate_gaps
 
 contains
 
@@ -29,6 +29,19 @@ contains
       point = mesh%base(:, node) + work%shift(:, node)
       call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
    end subroutine node_offset
+
+   !> A point of an element's axis at xi = x/L, off the hole axis at its upper node [m].
+   pure function point_on_string(mesh, work, e, xi) result(point)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      integer, intent(in) :: e
+      real(wp), intent(in) :: xi
+      real(wp) :: point(3)
+      real(wp) :: shape(4)
+      shape = hermite_value(xi, mesh%length(e))
+      point = shape(1)*work%shift(:, e) + shape(2)*work%d(:, e) &
+              + shape(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + shape(4)*work%d(:, e + 1)
+   end function point_on_string
 
    !> Measures all gaps at their places x0, at the nodes' present places (place_nodes first).
    pure subroutine survey_gaps(trajectory, mesh, gaps, work)
@@ -48,13 +61,9 @@ contains
       real(wp), intent(in) :: xi
       integer, intent(in) :: e
       type(workspace_type), intent(inout) :: work
-      real(wp) :: shape(4), point(3), offset
+      real(wp) :: point(3), offset
       integer :: arc
-      shape = hermite_value(xi, mesh%length(e))
-      point = shape(1)*work%shift(:, e) + shape(2)*work%d(:, e) &
-              + shape(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + shape(4)*work%d(:, e + 1)
-      work%contact_point(:, e) = point
-      point = mesh%base(:, e) + point
+      point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
       arc = mesh%arc(e)
       call closest_point(trajectory, arc, point, offset, work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e))
       work%displacement(e) = sqrt(work%gap(1, e)**2 + work%gap(2, e)**2 + work%gap(3, e)**2)

@@ -19,7 +19,7 @@ module dg_newton
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
-   public :: newton_type, iterate, judge, add_gap_rigidity, most_rounds, longest_round, largest_turn
+   public :: newton_type, iterate, give_back, judge, add_gap_rigidity, most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
    integer, parameter :: newton_converged = 0
@@ -121,8 +121,7 @@ contains
             return
          end if
          call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
-         newton%step = -newton%residual
-         call solve_linear(newton%solver, newton%matrix, newton%step, info)
+         call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, info)
          if (info == 0) row%negative_pivots = newton%solver%negative_pivots
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          if (info /= 0 .or. .not. row%lateral_step < huge(row%lateral_step)) then
@@ -153,6 +152,14 @@ contains
          call judge(trajectory, mesh, numerics, .false., .false., .false., state, gaps, work, row)
       end subroutine take_back
    end subroutine iterate
+
+   !> Gives back what only iterations need, half of a solution's memory: room for the result.
+   pure subroutine give_back(newton)
+      type(newton_type), intent(inout) :: newton
+      newton%matrix = block_matrix_type()
+      newton%solver = linear_solver_type()
+      deallocate (newton%residual, newton%step)
+   end subroutine give_back
 
    !> Puts the largest force and moment out of balance into a row of the history.
    pure subroutine take_residual(newton, row)

@@ -3,7 +3,7 @@ module dg_recovery
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_case_result, only: gap_row_type
-   use dg_gap_survey, only: node_offset
+   use dg_gap_survey, only: node_offset, point_on_string
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
@@ -26,8 +26,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(profile_type), intent(out) :: profile
-      real(wp) :: position(3), tangent(3), gap(3), foot_tangent(3), share, above(3), below(3), &
-                  upper(3), lower(3), across(3)
+      real(wp) :: position(3), tangent(3), gap(3), foot_tangent(3), share, upper(6), lower(6), across(3)
       integer :: n, e, sides
       profile = new_profile(mesh%nodes)
       profile%md = mesh%md
@@ -41,19 +40,19 @@ contains
          call node_offset(trajectory, mesh, work, n, gap, foot_tangent)
          profile%displacement(n) = norm2(gap)
          profile%clock(n) = clock_angle(foot_tangent, gap)
-         upper = 0.0_wp
+         ! of the elements above and below on this node, which together are its force
          lower = 0.0_wp
-         above = 0.0_wp
-         below = 0.0_wp
+         if (n < mesh%nodes) lower = work%end_force(:, n)
+         upper = 0.0_wp
+         if (n > 1) upper = work%node_force(:, n) - lower
+         if (n == mesh%nodes) upper(1:3) = upper(1:3) + work%bit_reaction + work%bit_load
          share = 0.0_wp
          sides = 0
          if (n > 1) then
             e = n - 1
             sides = sides + 1
-            profile%axial(n) = profile%axial(n) + dot_product(work%end_force(7:9, e), work%d(:, n))
+            profile%axial(n) = profile%axial(n) + dot_product(upper(1:3), work%d(:, n))
             profile%torque(n) = profile%torque(n) - work%torque(e)
-            upper = work%end_force(7:9, e)
-            above = cross(work%d(:, n), work%end_force(10:12, e))
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
             profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
@@ -61,18 +60,16 @@ contains
          if (n < mesh%nodes) then
             e = n
             sides = sides + 1
-            profile%axial(n) = profile%axial(n) - dot_product(work%end_force(1:3, e), work%d(:, n))
+            profile%axial(n) = profile%axial(n) - dot_product(lower(1:3), work%d(:, n))
             profile%torque(n) = profile%torque(n) - work%torque(e)
-            lower = work%end_force(1:3, e)
-            below = cross(work%d(:, n), work%end_force(4:6, e))
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
             profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
          end if
          profile%axial(n) = profile%axial(n)/sides
          profile%torque(n) = profile%torque(n)/sides
-         profile%bending(n) = norm2(above - below)/sides
-         across = (upper - lower)/sides
+         profile%bending(n) = norm2(cross(work%d(:, n), upper(4:6) - lower(4:6)))/sides
+         across = (upper(1:3) - lower(1:3))/sides
          profile%shear(n) = norm2(across - dot_product(across, work%d(:, n))*work%d(:, n))
          profile%side_force(n) = max(profile%side_force(n), 0.0_wp)/share
       end do
@@ -113,10 +110,11 @@ contains
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
    !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.
-   pure subroutine check_equilibrium(trajectory, mesh, loads, work, force, moment)
+   pure subroutine check_equilibrium(trajectory, mesh, loads, gaps, work, force, moment)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: force, moment
       real(wp) :: forces(3), moments(3), lever(3), weight(4), origin(3), start(3), tangent(3)
@@ -130,7 +128,7 @@ contains
          weight = mesh%weight(e)*hermite_line_load(mesh%length(e))
          forces = forces + (weight(1) + weight(3))*down
          moments = moments + cross(start + work%shift(:, e), weight(1)*down) + cross(work%d(:, e), weight(2)*down)
-         lever = start + work%contact_point(:, e)
+         lever = start + point_on_string(mesh, work, e, gaps%xi(e))
          forces = forces + work%contact_force(:, e)
          moments = moments + cross(lever, work%contact_force(:, e)) + work%contact_moment(:, e)
          start = start + mesh%chord(:, e)

@@ -82,8 +82,8 @@ contains
                newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
             end do
          end do
-         newton%step = damped%lump*newton%step
-         call solve_linear(newton%solver, newton%matrix, newton%step, fault)
+         newton%residual = -damped%lump*newton%step
+         call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
          if (fault /= 0) return
          newton%step = newton%step/maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
       end do

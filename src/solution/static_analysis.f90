@@ -15,7 +15,7 @@ module dg_static_analysis
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case, shortest
    use dg_model, only: model_type
-   use dg_newton, only: iterate, newton_converged, newton_exhausted, newton_type
+   use dg_newton, only: give_back, iterate, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
@@ -172,6 +172,7 @@ contains
          if (outcome == newton_converged .or. newton%iterations >= most) exit
       end do
       if (is_interrupted()) outcome = newton_exhausted     ! what an attempt that was cut short led to does not count
+      call give_back(newton)
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
       if (result%status == result_converged .and. may_buckle) &
          call find_stability_margin(damped, model%trajectory, mesh, loads, gaps, state, work, result%stability_margin)

@@ -98,7 +98,8 @@ contains
       result%flips = sum(gaps%flips)
       result%moves = sum(gaps%moves)
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-      call check_equilibrium(model%trajectory, mesh, loads, work, result%equilibrium_force, result%equilibrium_moment)
+      call check_equilibrium(model%trajectory, mesh, loads, gaps, work, result%equilibrium_force, &
+                             result%equilibrium_moment)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
       if (model%boundary%bit_centred) then

@@ -1,8 +1,8 @@
 !> Arrays of one solution, allocated once: nothing is allocated within an iteration.
 module dg_workspace
    use dg_kinds, only: wp
-   use dg_beam_element, only: beam_section_type, membrane_length
-   use dg_director, only: director, director_gradient
+   use dg_beam_element, only: membrane_length
+   use dg_director, only: director
    use dg_mesh, only: mesh_type
    implicit none
    private
@@ -14,13 +14,11 @@ module dg_workspace
    integer, parameter :: dof_twist = 4, dof_slope_1 = 5, dof_slope_2 = 6
 
    type :: workspace_type
-      type(beam_section_type), allocatable :: section(:)
+      real(wp), allocatable :: membrane_length(:)   !< unstressed (e) [m]
       ! where the nodes are: place_nodes
       real(wp), allocatable :: shift(:, :)       !< displacement in space axes (3,nodes) [m]
       real(wp), allocatable :: d(:, :)           !< directors (3,nodes)
-      real(wp), allocatable :: gradient(:, :, :) !< their derivatives by the slopes (3,2,nodes)
       ! where the gaps are, by element: survey_gaps
-      real(wp), allocatable :: contact_point(:, :)  !< string's axis at x0, off the hole axis at the upper node (3,e) [m]
       real(wp), allocatable :: gap(:, :)            !< f, off the hole axis where the point now is (3,e) [m]
       real(wp), allocatable :: axis_tangent(:, :)   !< t of the hole axis there (3,e)
       real(wp), allocatable :: axis_curvature(:, :) !< dt/ds there (3,e) [1/m]
@@ -34,7 +32,7 @@ module dg_workspace
       real(wp), allocatable :: pressing(:)          !< normal force that friction goes by, where it lags behind R (e) [N]
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
-      real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i, x_j, d_j), element loads taken off (12,e)
+      real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, element loads taken off (6,e)
       ! of the whole string
       real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
       real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
@@ -52,18 +50,16 @@ contains
       integer :: e, n, m
       n = mesh%nodes
       m = mesh%elements
-      allocate (work%section(m))
+      allocate (work%membrane_length(m))
       allocate (work%pressing(m), source=0.0_wp)
       allocate (work%climb(m), source=1.0_wp)
       allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
-      allocate (work%gradient(3, 2, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)
-      allocate (work%contact_point(3, m), work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
+      allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
       allocate (work%contact_force(3, m), work%contact_moment(3, m), source=0.0_wp)
-      allocate (work%end_force(12, m), source=0.0_wp)
+      allocate (work%end_force(6, m), source=0.0_wp)
       do e = 1, m
-         work%section(e) = beam_section_type(mesh%length(e), &
-            membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1)), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+         work%membrane_length(e) = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
       end do
    end subroutine new_workspace
 
@@ -76,7 +72,6 @@ contains
       do n = 1, mesh%nodes
          work%shift(:, n) = state(1, n)*mesh%frame(:, 1, n) + state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)
          work%d(:, n) = director(mesh%frame(:, :, n), state(5:6, n))
-         work%gradient(:, :, n) = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
       end do
    end subroutine place_nodes
 end module dg_workspace

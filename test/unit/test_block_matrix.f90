@@ -138,8 +138,7 @@ contains
       call assertEqual(1, info)
       call new_linear_solver(solver_block, nodes, linear)
       b = [(sin(3.0_wp*k), k=1, unknowns)]
-      x = reshape(b, [6, nodes])
-      call solve_linear(linear, matrix, x, info)
+      call solve_linear(linear, matrix, -reshape(b, [6, nodes]), x, info)
       call assertEqual(0, info)
       call assertEqual(1, linear%fallbacks)
       call assertEqual(b, matmul(full(matrix), reshape(x, [unknowns])), 1.0e-12_wp)
@@ -157,8 +156,7 @@ contains
       b = [(sin(3.0_wp*k), k=1, unknowns)]
       do kind = 1, solver_count
          call new_linear_solver(kind, nodes, linear)
-         x(:, :, kind) = reshape(b, [6, nodes])
-         call solve_linear(linear, matrix, x(:, :, kind), info)
+         call solve_linear(linear, matrix, -reshape(b, [6, nodes]), x(:, :, kind), info)
          call assertEqual(0, info)
          call assertEqual(b, matmul(full(matrix), reshape(x(:, :, kind), [unknowns])), 1.0e-7_wp)
          if (kind == solver_block) call assertGreaterThan(linear%refinements, 0, message='refined')
@@ -221,7 +219,7 @@ contains
       type(block_matrix_type) :: matrix
       type(sparse_solver_type) :: solver
       type(linear_solver_type) :: linear
-      real(wp) :: x(6, nodes), condition
+      real(wp) :: x(6, nodes), ones(6, nodes), condition
       integer :: info
       matrix = new_block_matrix(nodes)
       matrix%diagonal = any_diagonal()
@@ -231,8 +229,8 @@ contains
       call sparse_condition(solver, condition)
       call assertEqual(0.0_wp, condition, message='no factors, no condition')
       call new_linear_solver(solver_sparse, nodes, linear)
-      x = 1.0_wp
-      call solve_linear(linear, matrix, x, info)
+      ones = 1.0_wp
+      call solve_linear(linear, matrix, ones, x, info)
       call assertEqual(6*2 + 2, info)
    end subroutine test_sparse_singular
 

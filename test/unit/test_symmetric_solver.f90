@@ -73,8 +73,7 @@ contains
          matrix = any_symmetric(merge(20.0_wp, 0.3_wp, pass == 1))
          do kind = 1, solver_count
             call new_linear_solver(kind, nodes, linear)
-            x = any_load()
-            call solve_linear(linear, matrix, x, info)
+            call solve_linear(linear, matrix, -any_load(), x, info)
             call assertEqual(0, info)
             call assertEqual(any_load(), block_product(matrix, x), merge(1.0e-14_wp, 1.0e-11_wp, pass == 1), &
                              message=solver_name(kind))
@@ -91,8 +90,7 @@ contains
       type(linear_solver_type) :: linear
       real(wp) :: x(6, nodes)
       call new_linear_solver(solver_sparse, nodes, linear)
-      x = any_load()
-      call solve_linear(linear, matrix, x, info)
+      call solve_linear(linear, matrix, -any_load(), x, info)
       call assertEqual(0, info)
       call assertEqual(any_load(), block_product(matrix, x), 1.0e-9_wp)    ! next to singular, where an eigenvalue is next to 0
       negatives = linear%negative_pivots

@@ -43,7 +43,7 @@ contains
       type(load_type) :: loads
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: linear
-      real(wp), allocatable :: state(:, :), residual(:, :)
+      real(wp), allocatable :: state(:, :), residual(:, :), step(:, :)
       real(wp), parameter :: share(6) = [0.98_wp, 1.02_wp, 3.9_wp, 4.1_wp, 8.8_wp, 9.2_wp]
       integer, parameter :: passed(6) = [0, 1, 1, 2, 2, 3]
       real(wp) :: load
@@ -53,7 +53,7 @@ contains
       call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), length/elements), mesh)
       call new_workspace(mesh, work)
       matrix = new_block_matrix(mesh%nodes)
-      allocate (state(6, mesh%nodes), residual(6, mesh%nodes), source=0.0_wp)
+      allocate (state(6, mesh%nodes), residual(6, mesh%nodes), step(6, mesh%nodes), source=0.0_wp)
       gaps = new_gap_table([(gap_law_type(clearance=mesh%clearance(e), contact=1.0_wp, maximum=1.0_wp, eps_nmax=0.1_wp), &
                              e=1, mesh%elements)], 0.5_wp)
       do i = 1, size(share)
@@ -65,7 +65,7 @@ contains
          call assemble(model%trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
          call new_linear_solver(solver_sparse, mesh%nodes, linear)
          residual(2, :) = 1.0_wp
-         call solve_linear(linear, matrix, residual, info)
+         call solve_linear(linear, matrix, residual, step, info)
          call assertEqual(0, info)
          call assertEqual(2*passed(i), linear%negative_pivots, message='two a load')
       end do
