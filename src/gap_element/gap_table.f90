@@ -4,7 +4,7 @@ module dg_gap_table
    use dg_gap_state, only: gap_law_type, next_state, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, judge_states, move_gap, lone_contacts, count_states
+   public :: gap_table_type, new_gap_table, judge_states, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -38,6 +38,26 @@ contains
       allocate (table%state(n), source=state_free)
       allocate (table%flips(n), table%moves(n), source=0)
    end function new_gap_table
+
+   !> Remembers places, states and their counts; laws stay with the table.
+   pure subroutine keep_gaps(table, kept)
+      type(gap_table_type), intent(in) :: table
+      type(gap_table_type), intent(inout) :: kept
+      kept%xi = table%xi
+      kept%state = table%state
+      kept%flips = table%flips
+      kept%moves = table%moves
+   end subroutine keep_gaps
+
+   !> Puts the gaps back to what keep_gaps remembered.
+   pure subroutine take_gaps_back(kept, table)
+      type(gap_table_type), intent(in) :: kept
+      type(gap_table_type), intent(inout) :: table
+      table%xi = kept%xi
+      table%state = kept%state
+      table%flips = kept%flips
+      table%moves = kept%moves
+   end subroutine take_gaps_back
 
    !> Re-judges all states from the displacements |f| [m] at the gaps (Eqs. 7 and 8); `changed` counts the flips.
    pure subroutine judge_states(table, displacement, changed)

@@ -22,7 +22,7 @@ module dg_damped_newton
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: survey_gaps
    use dg_gap_state, only: state_free
-   use dg_gap_table, only: gap_table_type
+   use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
@@ -211,7 +211,7 @@ contains
          rounds = rounds + 1
          round_start = newton%iterations
          newton%rest = state
-         newton%gaps_at_rest = gaps
+         call keep_gaps(gaps, newton%gaps_at_rest)
          call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
          changed = row%moves > 0 .or. row%flips > 0
          settled = .not. changed
@@ -219,7 +219,7 @@ contains
 
       !> Back to the rest before gaps moved, which then is the end.
       subroutine take_back()
-         gaps = newton%gaps_at_rest
+         call take_gaps_back(newton%gaps_at_rest, gaps)
          call keep()
          call go_back(newton%rest)
          newton%gaps_taken_back = .true.

@@ -9,7 +9,7 @@ module dg_newton
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
-   use dg_gap_table, only: gap_table_type, judge_states
+   use dg_gap_table, only: gap_table_type, judge_states, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type
@@ -103,11 +103,13 @@ contains
                return
             end if
             rounds = rounds + 1
-            newton%rest = state
-            newton%gaps_at_rest = gaps
+            call keep_gaps(gaps, newton%gaps_at_rest)
             round_start = newton%iterations
             call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
-            if (row%moves > 0 .or. row%flips > 0) cycle
+            if (row%moves > 0 .or. row%flips > 0) then
+               newton%rest = state
+               cycle
+            end if
             outcome = newton_converged
             return
          end if
@@ -145,7 +147,7 @@ contains
       !> Back to the rest before the gaps moved, which then is the end.
       subroutine take_back()
          state = newton%rest
-         gaps = newton%gaps_at_rest
+         call take_gaps_back(newton%gaps_at_rest, gaps)
          newton%gaps_taken_back = .true.
          rounds = most_rounds
          stalled = 0
