@@ -21,6 +21,7 @@ contains
       use dg_test_report_table, only: report_table_suite
       use dg_test_survey_file, only: survey_file_suite
       use dg_test_units, only: units_suite
+      use dg_test_closest_point, only: closest_point_suite
       use dg_test_trajectory, only: trajectory_suite
       use dg_test_soft_string, only: soft_string_suite
       use dg_test_beam_angle, only: beam_angle_suite
@@ -66,6 +67,7 @@ contains
       call suite%addTest(survey_file_suite())
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())
+      call suite%addTest(closest_point_suite())
       call suite%addTest(soft_string_suite())
       call suite%addTest(beam_angle_suite())
       call suite%addTest(beam_element_suite())
