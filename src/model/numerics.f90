@@ -37,7 +37,7 @@ module dg_numerics
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
       integer :: linear_solver = solver_block  !< number of one of solver_name
-      integer :: max_iterations = 500          !< in all load steps of a case together
+      integer :: max_iterations = 600          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
       real(wp) :: gk_contact = 1.0e8_wp        !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8

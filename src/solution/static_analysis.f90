@@ -68,7 +68,7 @@ module dg_static_analysis
    real(wp), parameter :: coarse_tolerance = 1.0e-6_wp
    !> Where that many iterations, or half of those allowed, found no rest, elements so much shorter have the others. A string that
    !> is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
-   integer, parameter :: enough = 300
+   integer, parameter :: enough = 400
    real(wp), parameter :: finer = 0.25_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
