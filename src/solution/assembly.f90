@@ -46,7 +46,7 @@ contains
    !> what is not symmetric of torque out of the tangent: it is then the second derivative of an energy, whose inertia tells
    !> stability.
    !> `work` returns element forces and reactions.
-   !> `forces_only`: the tangent is not wanted; `matrix` is then of no use, and the rest, the same to the digit, costs a third.
+   !> `forces_only`: the tangent is not wanted; `matrix` is left as it was, and the rest, the same to the digit, costs a third.
    pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix, forces_only)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -68,7 +68,7 @@ contains
       if (present(forces_only)) tangent = .not. forces_only
       work%node_force = 0.0_wp
       residual = 0.0_wp
-      matrix%diagonal(:, :, 1) = 0.0_wp
+      if (tangent) matrix%diagonal(:, :, 1) = 0.0_wp
       gradient = director_gradient(mesh%frame(:, :, 1), state(5:6, 1), work%d(:, 1))
       do e = 1, mesh%elements
          chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
@@ -98,7 +98,7 @@ contains
          end if
       end do
       top_force = work%node_force(1:3, 1)
-      call add_supports(trajectory, mesh, loads, work, residual, matrix)
+      call add_supports(trajectory, mesh, loads, tangent, work, residual, matrix)
       do n = 1, mesh%nodes
          do j = 1, 3
             residual(j, n) = sum(work%node_force(1:3, n)*mesh%frame(:, j, n))
@@ -113,7 +113,8 @@ contains
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
       work%reaction = top_force - work%node_force(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
-      call hold_top(residual, matrix)
+      residual([dof_axial, dof_twist], 1) = 0.0_wp
+      if (tangent) call hold_top(matrix)
    end subroutine assemble
 
    !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
@@ -280,10 +281,11 @@ contains
    end subroutine project
 
    !> Lateral supports of the ends, weight and torque on bit.
-   pure subroutine add_supports(trajectory, mesh, loads, work, residual, matrix)
+   pure subroutine add_supports(trajectory, mesh, loads, wanted, work, residual, matrix)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
+      logical, intent(in) :: wanted        !< the tangent is
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
@@ -308,6 +310,7 @@ contains
             residual(dof_twist, n) = residual(dof_twist, n) + loads%tob
          end if
          work%node_force(1:3, n) = work%node_force(1:3, n) - force
+         if (.not. wanted) cycle
          by_point = matmul(transpose(mesh%frame(:, :, n)), matmul(by_point, mesh%frame(:, :, n)))
          do j = 1, 3
             do i = 1, 3
@@ -318,13 +321,11 @@ contains
    end subroutine add_supports
 
    !> Holds u and phi of the top node.
-   pure subroutine hold_top(residual, matrix)
-      real(wp), intent(inout) :: residual(:, :)
+   pure subroutine hold_top(matrix)
       type(block_matrix_type), intent(inout) :: matrix
       integer, parameter :: held(2) = [dof_axial, dof_twist]
       integer :: i
       do i = 1, size(held)
-         residual(held(i), 1) = 0.0_wp
          matrix%diagonal(held(i), :, 1) = 0.0_wp
          matrix%diagonal(:, held(i), 1) = 0.0_wp
          matrix%diagonal(held(i), held(i), 1) = 1.0_wp

@@ -176,7 +176,7 @@ contains
       !> Residual and energy's tangent at the state, with live friction or with the lagged one that follows it.
       subroutine measure()
          real(wp) :: drift, total, mean
-         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
+         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy, forces_only=.true.)
          if (lag) then
             total = sum(work%pressing)
             drift = sum(abs(work%normal - work%pressing))
@@ -282,7 +282,7 @@ contains
          call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
          used = loads
          used%lagged = .not. live
-         call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix)
+         call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix, forces_only=.true.)
          if (vertical) then
             call turning_mode(state, damped%mode)
             call take_off_drive(damped%lump, damped%mode, damped%trial, ignored)
