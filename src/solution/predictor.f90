@@ -231,9 +231,13 @@ contains
       end do
       shift = axis - mesh%base(:, node) + offset(1)*lateral_1 + offset(2)*lateral_2
       d = tangent + slope(1)*lateral_1 + slope(2)*lateral_2
-      associate (frame => mesh%frame(:, :, node))
-         unknowns([dof_axial, dof_lateral_1, dof_lateral_2]) = matmul(shift, frame)
-         unknowns([dof_slope_1, dof_slope_2]) = matmul(d, frame(:, 2:3))/dot_product(d, frame(:, 1))
+      ! written out: matmul of the run-time library costs more here than all the rest
+      associate (t => mesh%frame(:, 1, node), n_1 => mesh%frame(:, 2, node), n_2 => mesh%frame(:, 3, node))
+         unknowns(dof_axial) = dot_product(shift, t)
+         unknowns(dof_lateral_1) = dot_product(shift, n_1)
+         unknowns(dof_lateral_2) = dot_product(shift, n_2)
+         unknowns(dof_slope_1) = dot_product(d, n_1)/dot_product(d, t)
+         unknowns(dof_slope_2) = dot_product(d, n_2)/dot_product(d, t)
       end associate
       d = d/norm2(d)
    end subroutine place
