@@ -81,6 +81,7 @@ contains
          status = error%status
          return
       end if
+      if (job%parts == 0 .and. job%merge == 0) call remove_earlier(job, model)
       rows = 0
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
@@ -120,7 +121,6 @@ contains
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
       integer :: i
-      call remove_earlier(job, model)
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
