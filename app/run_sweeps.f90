@@ -69,7 +69,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: closing
       type(text_type), allocatable :: lines(:)
-      integer :: i, resumed
+      integer :: resumed
       real(wp) :: seconds
       associate (sweep => job%sweeps(number))
          resumed = count(is_solved(run%points))
