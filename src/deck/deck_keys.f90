@@ -204,7 +204,7 @@ module dg_deck_keys
       key_rule_type('legacy', 'torque', kind_text, meaning='the same for torque; default torque'), &
       key_rule_type('legacy', 'side_force', kind_text, meaning='the same for contact force per length; default side_force'), &
       key_rule_type('legacy', 'md_unit', kind_text, meaning='unit of that column, where not that of units: m, ft'), &
-      key_rule_type('legacy', 'axial_unit', kind_text, meaning='N, kN, lbf, klbf'), &
+      key_rule_type('legacy', 'axial_unit', kind_text, meaning='N, daN, kN, kdaN, t, lbf, klbf, kip'), &
       key_rule_type('legacy', 'torque_unit', kind_text, meaning='N.m, kN.m, ft.lbf, kft.lbf'), &
       key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, lbf/ft, klbf/ft')]
 

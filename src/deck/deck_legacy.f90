@@ -20,7 +20,7 @@ module dg_deck_legacy
    !> Units of the four columns in the two systems.
    character(*), parameter :: si_name(column_count) = [character(7) :: 'm', 'kN', 'kN.m', 'kN/m']
    character(*), parameter :: field_name(column_count) = [character(7) :: 'ft', 'klbf', 'kft.lbf', 'klbf/ft']
-   character(*), parameter :: legal_units(column_count) = [character(28) :: 'm, ft', 'N, kN, lbf, klbf', &
+   character(*), parameter :: legal_units(column_count) = [character(36) :: 'm, ft', 'N, daN, kN, kdaN, t, lbf, klbf, kip', &
       'N.m, kN.m, ft.lbf, kft.lbf', 'N/m, kN/m, lbf/ft, klbf/ft']
 
 contains
@@ -119,7 +119,8 @@ contains
          end if
          column%unit_name = trim(si_name(k))
          if (field) column%unit_name = trim(field_name(k))
-         if (is_given(group, key//'_unit')) column%unit_name = text_of(group, key//'_unit', column%unit_name)
+         column%unit_given = is_given(group, key//'_unit')
+         if (column%unit_given) column%unit_name = text_of(group, key//'_unit', column%unit_name)
          column%unit = unit_value(k, column%unit_name)
          if (.not. column%unit > 0.0_wp) then
             call fault(key//'_unit', key//'_unit = '//quoted(column%unit_name)//' is unknown; legal: '//trim(legal_units(k)))

@@ -1,6 +1,7 @@
 !> Reads what another program printed: columns parted by comma, semicolon, tab or blanks, or at fixed places.
 module dg_legacy_file
    use dg_kinds, only: wp
+   use dg_constants, only: standard_gravity
    use dg_deck_number, only: read_real
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: read_lines
@@ -23,6 +24,7 @@ module dg_legacy_file
       logical :: required = .false.
       real(wp) :: unit = 1.0_wp              !< SI value of one unit of the file
       character(:), allocatable :: unit_name
+      logical :: unit_given = .false.       !< by the deck for this column: what the header says and nobody knows does not count
       integer :: number = 0                  !< of the column; 0: by heading, or fixed
       integer :: first = 0, last = 0         !< characters of a fixed column; 0: not fixed
    end type column_type
@@ -119,6 +121,9 @@ contains
             if (columns(k)%number > 0) then
                if (columns(k)%number > size(headings)) call fault(line, trim(column_name(k))//' is to be column '// &
                   to_text(columns(k)%number)//'; the table has '//to_text(size(headings)))
+               if (.not. sound) cycle
+               call split_unit(headings(columns(k)%number)%text, name, unit)
+               call check_unit(k, unit)
                cycle
             end if
             do i = 1, size(headings)
@@ -150,12 +155,17 @@ contains
          if (is) unit = name(len(wanted) + 2:)
       end function matches
 
-      !> A unit in the header must be the one in which the group reads the column.
+      !> A unit in the header must be the one in which the group reads the column, and one that is known unless the deck gives
+      !> the column's own.
       subroutine check_unit(k, unit)
          integer, intent(in) :: k
          character(*), intent(in) :: unit
          real(wp), parameter :: same = 1.0e-6_wp
-         if (unit_value(k, unit) <= 0.0_wp) return
+         if (unit_value(k, unit) <= 0.0_wp) then
+            if (unit /= '' .and. .not. columns(k)%unit_given) call fault(line, 'the header gives '//trim(column_name(k))//' in '// &
+               quoted(unit)//', which is unknown; set '//trim(column_name(k))//'_unit in the deck')
+            return
+         end if
          if (abs(unit_value(k, unit) - columns(k)%unit) <= same*columns(k)%unit) return
          call fault(line, 'the header gives '//trim(column_name(k))//' in '//unit//', the group &legacy reads it in '// &
                     columns(k)%unit_name//'; set '//trim(column_name(k))//'_unit, or units, in the deck')
@@ -228,7 +238,7 @@ contains
       character(:), allocatable :: plain
       character :: letter
       integer :: i
-      real(wp), parameter :: thousandth = 1.0e-3_wp
+      real(wp), parameter :: thousandth = 1.0e-3_wp, ten = 10.0_wp
       plain = ''
       do i = 1, len(name)
          letter = lower_case(name(i:i))
@@ -243,9 +253,12 @@ contains
          if (plain == 'ft') value = field%length
       case (2)
          if (plain == 'n') value = thousandth*si%force
+         if (plain == 'dan') value = ten*thousandth*si%force
          if (plain == 'kn') value = si%force
-         if (plain == 'lbf') value = thousandth*field%force
-         if (plain == 'klbf' .or. plain == 'kip' .or. plain == 'kips') value = field%force
+         if (plain == 'kdan') value = ten*si%force
+         if (plain == 't' .or. plain == 'tonne' .or. plain == 'tonnes') value = standard_gravity*si%force
+         if (any(plain == [character(5) :: 'lbf', 'lb', 'lbs'])) value = thousandth*field%force
+         if (any(plain == [character(5) :: 'klbf', 'klb', 'klbs', 'kip', 'kips'])) value = field%force
       case (3)
          if (plain == 'nm') value = thousandth*si%moment
          if (plain == 'knm') value = si%moment

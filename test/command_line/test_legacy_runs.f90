@@ -76,6 +76,9 @@ contains
       call same('numbers of columns, no header', '1 0 150|2 450 75|3 900 0', ", md = '2', axial = '3'")
       call same('fixed', 'report|  md axial|   0 150.0| 450 75| 900   0.0', ", md = '1:4', axial = '5:10', skip = 2")
       call same('newtons', 'md,axial_N|0,150000|450,75000|900,0', ", axial_unit = 'N'")
+      call same('tonnes', 'md,axial [t]|0,15.29574319|450,7.647871597|900,0', ", axial_unit = 't'")
+      call same('decanewtons', 'MD (m),axial (daN)|0,15000|450,7500|900,0', ", axial_unit = 'daN'")
+      call same('a unit that only the deck knows', 'md,axial (as printed)|0,150|450,75|900,0', ", axial_unit = 'kN'")
       call same('field units', 'md_ft,axial_klbf|0,33.7213414706957|1476.37795275591,16.8606707353478|2952.75590551181,0', &
                 ", units = 'field'")
    contains
@@ -116,6 +119,8 @@ contains
       call refuse('md,pull|0,150|900,0', '', file, 'none of axial, torque, side_force')
       call refuse('md (m),axial (klbf)|0,150|900,0', '', file//'1:', 'the header gives axial in klbf')
       call refuse('md_ft,axial|0,150|900,0', '', file//'1:', 'the header gives md in ft')
+      call refuse('md,axial (furlong)|0,150|900,0', '', file//'1:', "axial in 'furlong', which is unknown; set axial_unit")
+      call refuse('md (ft),axial|0,150|900,0', ", md = '1'", file//'1:', 'the header gives md in ft')
       call refuse('md,axial|0,150|900,0|450,75', '', file//'4:', 'md = 450 is not below md = 900 of line 3')
       call refuse('md,axial|0,150|450,75|450,0', '', file//'4:', 'depths must increase')
       call refuse('md,axial|0,150|450,abc', '', file//'3:', "axial = 'abc' is no number")
@@ -128,7 +133,7 @@ contains
 
    subroutine test_bad_groups()
       character(*), parameter :: good = 'md,axial|0,150|900,0', line = deck_path//':21:'
-      call refuse(good, ", axial_unit = 'tons'", line, "axial_unit = 'tons' is unknown; legal: N, kN, lbf, klbf")
+      call refuse(good, ", axial_unit = 'tons'", line, "axial_unit = 'tons' is unknown; legal: N, daN, kN, kdaN, t, lbf, klbf, kip")
       call refuse(good, ", axial = '5:4'", line, "axial = '5:4' are no characters")
       call refuse(good, ", md = '1:4', axial = 'axial'", line, 'is no place of characters')
       call refuse(good, ", axial = '0'", line, 'axial = 0 is no column')
