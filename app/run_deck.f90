@@ -10,15 +10,15 @@ module dg_run_deck
    use dg_interruption, only: interruption_name, is_interrupted, watch_for_signals
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
-   use dg_limits_table, only: print_limits_table
+   use dg_limits_table, only: limits_table
    use dg_memory, only: check_memory
    use dg_model, only: model_type
-   use dg_model_table, only: print_model_table
+   use dg_model_table, only: model_table
    use dg_paraview_file, only: write_paraview
-   use dg_printed_text, only: printed_text_type
+   use dg_printed_text, only: print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
-   use dg_result_table, only: print_result_table
+   use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
    use dg_run_study, only: run_study
@@ -28,7 +28,7 @@ module dg_run_deck
    use dg_run_uncertainties, only: prepare_uncertainties, run_uncertainty, uncertainty_run_type
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
-   use dg_text, only: quoted, to_text
+   use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_version, only: program_name
    use dg_whole_string, only: find_whole_string, whole_string_type
@@ -120,6 +120,7 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
+      type(text_type), allocatable :: lines(:)
       integer :: i
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
@@ -130,9 +131,10 @@ contains
          call write_results_h5(in_folder(job, 'results.h5'), job, model, results, alongs, wholes, error)
          call note_failure(error, status)
       end if
-      call print_result_table(output_unit, job, model, results)
-      call print_model_table(output_unit, job, model, results)
-      call print_limits_table(output_unit, job, model, results, wholes)
+      call print_lines(result_table(job, model, results))
+      call print_lines(model_table(job, model, results))
+      call limits_table(job, model, results, wholes, lines)
+      call print_lines(lines)
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
             call run_legacy(printed, job, model, results, i, error)

@@ -15,7 +15,7 @@ module dg_limits_table
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: print_limits_table, limits_table
+   public :: limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: number_width = 16
@@ -25,32 +25,16 @@ module dg_limits_table
 
 contains
 
-   !> Prints the block of every model to `unit`.
-   subroutine print_limits_table(unit, job, model, results, wholes)
-      integer, intent(in) :: unit
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)   !< as many
-      type(text_type), allocatable :: lines(:)
-      integer :: i, status
-      allocate (lines(0))
-      call limits_table(job, model, results, wholes, lines)
-      do i = 1, size(lines)
-         write (unit, '(a)', iostat=status) lines(i)%text
-         if (status /= 0) return ! nobody reads on: the files hold the results
-      end do
-   end subroutine print_limits_table
-
-   !> Appends the lines of the block; a model without a solved case has none.
+   !> The lines of the block of every model; a model without a solved case has none.
    pure subroutine limits_table(job, model, results, wholes, lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(text_type), allocatable, intent(out) :: lines(:)
       integer, allocatable :: rows(:)
       integer :: i, k
+      allocate (lines(0))
       do i = 1, size(job%models)
          rows = pack([(k, k=1, size(results))], results%model == job%models(i) .and. results%status == result_converged)
          if (size(rows) == 0) cycle

@@ -11,7 +11,7 @@ module dg_model_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: print_model_table, model_table
+   public :: model_table
 
    integer, parameter :: name_width = 24
    integer, parameter :: model_width = 8
@@ -23,21 +23,6 @@ module dg_model_table
    real(wp), parameter :: least_torque = 1.0_wp
 
 contains
-
-   !> Prints the comparison to `unit`; nothing where a deck has one model.
-   subroutine print_model_table(unit, job, model, results)
-      integer, intent(in) :: unit
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(text_type), allocatable :: lines(:)
-      integer :: i, status
-      allocate (lines, source=model_table(job, model, results))
-      do i = 1, size(lines)
-         write (unit, '(a)', iostat=status) lines(i)%text
-         if (status /= 0) return
-      end do
-   end subroutine print_model_table
 
    !> The lines of the comparison, cases in the deck's order, in each the models in the deck's order. No line where
    !> there is one model.

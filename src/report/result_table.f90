@@ -12,7 +12,7 @@ module dg_result_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: print_result_table, result_table
+   public :: result_table
 
    integer, parameter :: page_width = 120
 
@@ -40,21 +40,6 @@ module dg_result_table
    character(*), parameter :: no_solution_mark = ' !'
 
 contains
-
-   !> Prints the tables of all models of a job, in the job's order, to `unit`.
-   subroutine print_result_table(unit, job, model, results)
-      integer, intent(in) :: unit
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(text_type), allocatable :: lines(:)
-      integer :: i, status
-      allocate (lines, source=result_table(job, model, results))
-      do i = 1, size(lines)
-         write (unit, '(a)', iostat=status) lines(i)%text
-         if (status /= 0) return ! nobody reads on: the files hold the results
-      end do
-   end subroutine print_result_table
 
    !> The lines of the tables.
    pure function result_table(job, model, results) result(lines)

@@ -5,7 +5,7 @@ module dg_test_report_table
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
-   use dg_result_table, only: print_result_table, result_table
+   use dg_result_table, only: result_table
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: text_type
    use dg_units, only: field_units
@@ -29,7 +29,6 @@ contains
       call suite%addTest(TestMethod('one_page_wide', test_one_page_wide))
       call suite%addTest(TestMethod('field_units', test_field_units))
       call suite%addTest(TestMethod('a_table_each_model', test_a_table_each_model))
-      call suite%addTest(TestMethod('prints_its_lines', test_prints_its_lines))
    end function report_table_suite
 
    subroutine test_rows_of_table_1()
@@ -142,22 +141,6 @@ contains
                           '       -       -       -'), message='no gaps in this model')
       call assertTrue(has(lines, 'all                     2 of 2             416          -    0.500'), message='nor iterations')
    end subroutine test_a_table_each_model
-
-   subroutine test_prints_its_lines()
-      type(text_type), allocatable :: lines(:)
-      character(2*page_width) :: line
-      integer :: unit, i, status
-      allocate (lines, source=sample_table())
-      open (newunit=unit, status='scratch', action='readwrite')
-      call print_result_table(unit, sample_job(), sample_model(), sample_results())
-      rewind (unit)
-      do i = 1, size(lines)
-         read (unit, '(a)', iostat=status) line
-         call assertEqual(0, status)
-         call assertEqual(lines(i)%text, line)
-      end do
-      close (unit)
-   end subroutine test_prints_its_lines
 
    function sample_table() result(lines)
       type(text_type), allocatable :: lines(:)
