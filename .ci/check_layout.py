@@ -16,6 +16,22 @@ MARK = re.compile(r"\b(?:TODO|FIXME|XXX)\b|not implemented|placeholder", re.I)
 SAVED = re.compile(r"^\s*(?:integer|real|logical|character|type)\b(?!.*\bparameter\b)[^!]*::[^!]*?\b\w+(?:\([^)]*\))?\s*=[^>=]", re.I)
 
 
+# Rooms that several threads work in. There no function may leave the length of its text to the result: gfortran keeps that
+# length in a static variable of each call (see to_text in src/base/text.f90).
+THREADED = {"linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results", "buckling", "soft_string",
+            "solution", "rigid_string", "mixed_string", "uncertainty", "calibration", "string_limits"}
+FUNCTION = re.compile(r"^[ \t]*(?:(?:pure|elemental|recursive|impure)\s+)*function\s+(\w+)\s*\([^)]*\)\s*(?:result\s*\((\w+)\))?(.*?)"
+                      r"^[ \t]*end function", re.I | re.M | re.S)
+DEFERRED_OF_BASE = re.compile(r"\b(?:joined|text_or_nothing|suggestion|nearest_name|interruption_name)\s*\(", re.I)
+
+
+def texts_of_open_length(text):
+    """Functions of this text whose result is a text of deferred length, and calls of such functions of base/."""
+    found = [name for name, result, body in FUNCTION.findall(text)
+             if re.search(rf"character\s*\(\s*:\s*\)\s*,\s*allocatable\s*::[^\n]*\b{result or name}\b", body, re.I)]
+    return found + DEFERRED_OF_BASE.findall(text)
+
+
 def saved_locals(text):
     """Variables of procedures that are given a value where they are declared: Fortran keeps those between calls."""
     inside, in_type, found = False, False, []
@@ -62,6 +78,8 @@ def check(root):
                 faults.append(f"{name}: {OLD.search(text).group().strip()}")
             if top != "test" and MARK.search(text):
                 faults.append(f"{name}: unfinished: {MARK.search(text).group()}")
+            if top == "src" and path.parent.name in THREADED:
+                faults += [f"{name}: {found}: a function's text of open length, where threads work" for found in texts_of_open_length(text)]
             faults += [f"{name}:{number}: a value at the declaration is kept between calls" for number in saved_locals(text)]
     return faults
 

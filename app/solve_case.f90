@@ -61,7 +61,10 @@ contains
       if (.not. allocated(result%message)) result%message = ''
       if (is_interrupted() .and. result%status == result_not_converged) then
          call empty(result)     ! half an iteration is no result to show
+         ! one thread at a time: see to_text in dg_text
+         !$omp critical (interruption_text)
          result%message = 'ended by '//interruption_name()//' before it was solved'
+         !$omp end critical (interruption_text)
       end if
       result%case_index = case_index
       result%model = number

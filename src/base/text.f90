@@ -18,9 +18,14 @@ module dg_text
    integer, parameter :: quote_limit = 48
 
    !> A number as text: integers plainly, reals with the fewest digits that give the number back.
+   !>
+   !> These functions and `quoted` tell the length of their result instead of leaving it to the result: threads call them, and
+   !> gfortran keeps the length of a deferred-length result in one static variable for each call in the source (TREE_STATIC in
+   !> its trans-expr.c, seen with 12.2). Two threads at the same call then take each other's lengths and spoil the heap.
    interface to_text
       module procedure integer_text
       module procedure real_text
+      module procedure rounded_text
    end interface to_text
 
 contains
@@ -77,17 +82,16 @@ contains
    !> A user's text in quotes for a message: cut to a readable length, control bytes shown as '?'.
    pure function quoted(text) result(shown)
       character(*), intent(in) :: text
-      character(:), allocatable :: shown
+      character(min(len(text), quote_limit) + 2) :: shown
       integer :: i
       if (len(text) > quote_limit) then
-         shown = text(:quote_limit - 3)//'...'
+         shown = "'"//text(:quote_limit - 3)//"...'"
       else
-         shown = text
+         shown = "'"//text//"'"
       end if
       do i = 1, len(shown)
          if (iachar(shown(i:i)) < iachar(' ') .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
       end do
-      shown = "'"//shown//"'"
    end function quoted
 
    !> Least number of letters put in, left out, changed or swapped with a neighbour that turns `a` into
@@ -165,21 +169,55 @@ contains
       if (safe) safe = text(1:1) /= '.'
    end function is_separator_free
 
+   ! Before the functions that declare texts by them: gfortran asks for that.
+   pure function integer_length(number) result(length)
+      integer, intent(in) :: number
+      integer :: length
+      character(16) :: buffer
+      write (buffer, '(i0)') number
+      length = len_trim(buffer)
+   end function integer_length
+
+   pure function real_length(number, digits) result(length)
+      real(wp), intent(in) :: number
+      integer, intent(in) :: digits
+      integer :: length
+      character(:), allocatable :: whole
+      call write_real(number, digits, whole)
+      length = len(whole)
+   end function real_length
+
    !> An integer as text.
    pure function integer_text(number) result(text)
       integer, intent(in) :: number
-      character(:), allocatable :: text
-      character(16) :: buffer
-      write (buffer, '(i0)') number
-      text = trim(buffer)
+      character(integer_length(number)) :: text
+      write (text, '(i0)') number
    end function integer_text
 
-   !> A finite real as text with the fewest digits that give it back to `digits` significant ones
-   !> (default 15): plain where it is short, with an exponent else.
-   pure function real_text(number, digits) result(text)
+   !> A finite real as text with the fewest digits that give it back to 15 significant ones: plain where it is short, with an
+   !> exponent else.
+   pure function real_text(number) result(text)
       real(wp), intent(in) :: number
-      integer, intent(in), optional :: digits
-      character(:), allocatable :: text
+      character(real_length(number, safe_digits)) :: text
+      character(:), allocatable :: whole
+      call write_real(number, safe_digits, whole)
+      text = whole
+   end function real_text
+
+   !> The same to `digits` significant ones.
+   pure function rounded_text(number, digits) result(text)
+      real(wp), intent(in) :: number
+      integer, intent(in) :: digits
+      character(real_length(number, digits)) :: text
+      character(:), allocatable :: whole
+      call write_real(number, digits, whole)
+      text = whole
+   end function rounded_text
+
+   pure subroutine write_real(number, digits, text)
+      real(wp), intent(in) :: number
+      integer, intent(in) :: digits
+      character(:), allocatable, intent(out) :: text
       character(40) :: buffer, longest
       character(:), allocatable :: mantissa, sign
       real(wp) :: wanted, found
@@ -191,8 +229,7 @@ contains
          text = '0'
          return
       end if
-      most = safe_digits
-      if (present(digits)) most = max(1, min(digits, safe_digits))
+      most = max(1, min(digits, safe_digits))
       call write_digits(number, most, longest)
       read (longest, *) wanted
       do n = 1, most
@@ -220,7 +257,7 @@ contains
       else
          text = sign//mantissa(:exponent + 1)//'.'//mantissa(exponent + 2:)
       end if
-   end function real_text
+   end subroutine write_real
 
    !> `number` in the form d.ddE+ddd with `digits` digits.
    pure subroutine write_digits(number, digits, buffer)

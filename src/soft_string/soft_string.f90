@@ -97,6 +97,7 @@ contains
       type(soft_totals_type), intent(in) :: totals
       type(case_result_type), intent(inout) :: result
       character(120) :: text
+      character(:), allocatable :: warning
       real(wp) :: position(3), tangent(3)
       associate (load_case => model%cases(case_index))
          call position_at(model%trajectory, load_case%bit_depth, position, tangent)
@@ -108,7 +109,8 @@ contains
          result%normal_force = totals%normal_force
          result%elements = totals%steps
          result%status = result_converged
-         result%message = range_warning(model, case_index, md, axial)
+         call range_warning(model, case_index, md, axial, warning)
+         result%message = warning
          if (totals%runaway) then
             result%status = result_locked_up
             write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &

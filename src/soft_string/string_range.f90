@@ -16,12 +16,12 @@ module dg_string_range
 contains
 
    !> '' where the string can follow the hole, else what is out of range, where and by how much.
-   pure function range_warning(model, case_index, md, axial) result(warning)
+   pure subroutine range_warning(model, case_index, md, axial, warning)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)       !< [m]
       real(wp), intent(in) :: axial(:)    !< tension > 0 [N]
-      character(:), allocatable :: warning
+      character(:), allocatable, intent(out) :: warning
       type(piece_type) :: piece
       real(wp) :: share, worst, worst_md
       integer :: i
@@ -43,7 +43,7 @@ contains
          warning = warning//'the weight of the string does not overcome friction and bit load: '// &
                    'the string would have to be pushed at surface'
       end if
-   end function range_warning
+   end subroutine range_warning
 
    !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 where it is below it, or where nothing
    !> limits it.
