@@ -15,6 +15,7 @@ contains
       suite = TestSuite('odd_decks')
       call suite%addTest(TestMethod('slips_of_units', test_units))
       call suite%addTest(TestMethod('stabiliser_without_blades', test_blades))
+      call suite%addTest(TestMethod('thresholds', test_thresholds))
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
    end function odd_decks_suite
 
@@ -36,6 +37,11 @@ contains
    subroutine test_blades()
       call note("joint_od = 168.3", "kind = 'stabiliser'", 'a stabilizer without joint_od touches at its od, 127 mm')
    end subroutine test_blades
+
+   subroutine test_thresholds()
+      call note('element_length = 10.0', 'element_length = 10.0, r_n0 = 50.0', 'does not count as touching')
+      call note('element_length = 10.0', 'element_length = 10.0, eps_n0 = 0.015', 'does not count as touching')
+   end subroutine test_thresholds
 
    subroutine test_unused()
       call note('length = 100.0', 'length = 900.0', "'drillpipe' never enters the hole")
