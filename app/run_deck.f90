@@ -86,25 +86,36 @@ contains
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(printed, job, model, results, alongs, wholes, status)
-      if (job%parts == 0 .and. job%merge == 0 .and. .not. (is_interrupted() .or. calibrated_first)) then
+      if (is_interrupted()) then
+         if (size(job%calibrations) + size(job%stickings) > 0 .and. .not. calibrated_first) call note_ending('calibrations', status)
+      else if (job%parts == 0 .and. job%merge == 0 .and. .not. calibrated_first) then
          call run_calibrations(printed, job, given, model, lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end if
       do i = 1, size(sweeps)
-         if (is_interrupted()) exit
+         if (is_interrupted()) then
+            call note_ending('sweep '//quoted(job%sweeps(i)%name), status)
+            exit
+         end if
          call run_sweep(printed, job, model, i, sweeps(i), lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       do i = 1, size(uncertainties)
-         if (is_interrupted()) exit
+         if (is_interrupted()) then
+            call note_ending('uncertainty '//quoted(job%uncertainties(i)%range%name), status)
+            exit
+         end if
          call run_uncertainty(printed, job, model, i, uncertainties(i), lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       flush (output_unit)
-      if (job%plots .and. job%parts == 0 .and. .not. is_interrupted()) then
+      if (.not. job%plots .or. job%parts > 0) return
+      if (is_interrupted()) then
+         call note_ending('pictures', status)
+      else
          call run_pictures(printed, job, model, results, alongs, wholes, error)
          call note_failure(error, status)
       end if
@@ -288,6 +299,14 @@ contains
          name = 'history'//name//'.csv'
       end select
    end function case_file
+
+   !> Tells that a signal came before something was begun, unless what it cut short has told it.
+   subroutine note_ending(what, status)
+      character(*), intent(in) :: what
+      integer, intent(inout) :: status
+      if (status /= status_failure) call tell('ended by '//interruption_name()//' before '//what)
+      status = status_failure
+   end subroutine note_ending
 
    !> Tells an error, if there is one, and raises the exit status by it.
    subroutine note_failure(error, status)
