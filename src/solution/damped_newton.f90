@@ -140,12 +140,8 @@ contains
          call take_step()
          newton%iterations = newton%iterations + 1
          slope = share*slope
-         if (live) then
-            good = slope < 0.0_wp .and. slope_after > largest_fall*slope .and. &
-                   (slope_after < -largest_rise*slope .or. maxval(abs(damped%trial)) < before)
-         else
-            good = slope < 0.0_wp .and. slope_after < -largest_rise*slope
-         end if
+         good = leads_down()
+         if (.not. good) call stop_at_contact(good)
          fresh = good
          if (good) then
             if (damped%viscosity > 0.0_wp) call draw_out()
@@ -289,6 +285,43 @@ contains
          end if
          slope_after = sum(newton%step*damped%trial)
       end subroutine look
+
+      !> Whether the step taken leads down.
+      pure function leads_down() result(down)
+         logical :: down
+         down = slope < 0.0_wp .and. slope_after < -largest_rise*slope
+         if (live) down = slope < 0.0_wp .and. slope_after > largest_fall*slope .and. &
+                          (slope_after < -largest_rise*slope .or. maxval(abs(damped%trial)) < before)
+      end function leads_down
+
+      !> Cuts a refused step that brings one gap to the wall where it does so: the energy falls to there, and then rises as steeply
+      !> as the wall is stiff. Where several close none of them matters so much.
+      subroutine stop_at_contact(better)
+         logical, intent(out) :: better
+         real(wp) :: deep, travel, part
+         integer :: met, e
+         better = .false.
+         if (.not. (slope < 0.0_wp .and. slope_after > 0.0_wp)) return
+         met = 0
+         do e = 1, mesh%elements
+            if (damped%states(e) /= state_free .or. gaps%state(e) == state_free) cycle
+            if (met > 0) return
+            met = e
+         end do
+         if (met == 0) return
+         deep = work%displacement(met)
+         call go_back(damped%old)
+         travel = deep - work%displacement(met)
+         if (.not. travel > 0.0_wp) return
+         associate (law => gaps%law(met))
+            part = min((law%clearance - work%displacement(met))/travel - slope/(law%contact*travel**2), 1.0_wp)
+         end associate
+         newton%step = part*newton%step
+         share = part*share
+         slope = part*slope
+         call look()
+         better = leads_down()
+      end subroutine stop_at_contact
 
       !> Goes on the way of a good damped step while it still falls and no gap changes.
       subroutine draw_out()

@@ -85,12 +85,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: ticks, start, rate
-      integer :: most, given_up
+      integer :: most, first, given_up
       real(wp) :: length
       call system_clock(start, rate)
       most = model%numerics%max_iterations
       allocate (history(0))
-      call solve_on_mesh(model, case_index, model%numerics%element_length, min(most, max(enough, most/2)), history, result)
+      first = most
+      if (finer*model%numerics%element_length > shortest) first = min(most, max(enough, most/2))
+      call solve_on_mesh(model, case_index, model%numerics%element_length, first, history, result)
       length = finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. is_interrupted()) then
@@ -122,7 +124,7 @@ contains
       real(wp), allocatable :: state(:, :)
       type(soft_totals_type) :: totals
       real(wp) :: worst, pressing, compressed, waves
-      logical :: may_buckle, started, damping, stable
+      logical :: may_buckle, started, damping, stable, straight_down
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: plan(3)
@@ -140,7 +142,8 @@ contains
       allocate (gap_states(mesh%elements), source=state_free)
       started = .false.
       if (size(history) == 0) call start_from_coarse(model, case_index, mesh, waves > most_waves, state, gap_states, started)
-      plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation))
+      straight_down = all(mesh%frame(3, 1, :) > upright)
+      plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation), straight_down)
       do attempt = 1, count(plan /= nothing)
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
@@ -148,7 +151,7 @@ contains
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
          if ((damping .or. compressed > watch_share) .and. .not. allocated(damped%lump)) &
             call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
-         if (plan(attempt) == as_it_whirls .or. (may_buckle .and. all(mesh%frame(3, 1, :) > upright))) &
+         if (plan(attempt) == as_it_whirls .or. (may_buckle .and. straight_down)) &
             call whirling(model, case_index, mesh, work%climb)
          if (any(plan(attempt) == [other_place, other_place_damped])) &
             numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
@@ -185,14 +188,15 @@ contains
    end subroutine solve_on_mesh
 
    !> The attempts in their order.
-   pure function plan_of(may_buckle, buckles, rotating) result(plan)
+   pure function plan_of(may_buckle, buckles, rotating, straight_down) result(plan)
       logical, intent(in) :: may_buckle, buckles, rotating
+      logical, intent(in) :: straight_down    !< where every attempt is as it whirls
       integer :: plan(3)
       if (.not. may_buckle) then
          plan = [by_newton, other_place, by_damping]
-      else if (rotating) then
+      else if (rotating .and. .not. straight_down) then
          plan = [briefly, damped_briefly, as_it_whirls]
-      else if (buckles) then
+      else if (buckles .and. .not. rotating) then
          plan = [by_damping, other_place_damped, nothing]
       else
          plan = [briefly, by_damping, other_place_damped]
