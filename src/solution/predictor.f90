@@ -23,6 +23,9 @@ module dg_predictor
    !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
    !> joint is long.
    real(wp), parameter :: shortest_bend = 0.1_wp
+   !> Lengths over which it bends, to either side of where the string changes sides, along which it is let bend [-]. Farther on it
+   !> stays laid against the wall: to lift a whole string off by parts of what it presses in opens gaps that have to close again.
+   real(wp), parameter :: reach = 1.5_wp
    !> Secant steps that find an element's slide for its axial force; each gains about six digits.
    integer, parameter :: slide_steps = 3
    !> Compression over the coiling load from which a rotating string may whirl [-].
@@ -58,6 +61,7 @@ contains
       end do
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
+      call bend_over(mesh, axial, offset)
       call slopes_of(mesh%md, offset, slope)
       call coil(mesh, axial, model%numerics%imperfection, load, wall, offset, slope)
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
@@ -145,6 +149,58 @@ contains
       if (.not. onset > 0.0_wp .or. compression <= onset) return
       swing = factor*(compression/onset)**exponent_of_ratio*(compression/onset - 1.0_wp)**exponent_of_excess
    end function snake_swing
+
+   !> Lets the string bend where the soft string steps from one side of the hole to the other: there its offsets y become those of
+   !> y - l^2 y'' = y_soft, with l = sqrt(EI/|T|), over which bending fades in a string under tension, but no longer than
+   !> (EI c/w)^(1/4), over which weight bends it through the clearance. Left as a step it costs a third of all iterations.
+   pure subroutine bend_over(mesh, axial, offset)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:)
+      real(wp), intent(inout) :: offset(:, :)
+      real(wp) :: above, below, square, pivot, factor(mesh%nodes), soft(2, mesh%nodes)
+      logical :: near(mesh%nodes)
+      integer :: i, e, way
+      near = .false.
+      do e = 2, mesh%elements - 1
+         if (.not. dot_product(offset(:, e), offset(:, e + 1)) < 0.0_wp) cycle
+         do way = 0, 1
+            i = e + way
+            do while (i > 1 .and. i < mesh%nodes)
+               near(i) = .true.
+               if (abs(mesh%md(i) - mesh%md(e + way)) > reach*sqrt(bending_square(i))) exit
+               i = i + 2*way - 1
+            end do
+         end do
+      end do
+      if (.not. any(near)) return
+      soft = offset
+      factor(1) = 0.0_wp
+      do i = 2, mesh%nodes - 1
+         e = i - 1
+         square = bending_square(i)
+         above = 2.0_wp*square/(mesh%length(e)*(mesh%length(e) + mesh%length(i)))
+         below = 2.0_wp*square/(mesh%length(i)*(mesh%length(e) + mesh%length(i)))
+         pivot = 1.0_wp + above + below - above*factor(i - 1)
+         factor(i) = below/pivot
+         offset(:, i) = (offset(:, i) + above*offset(:, i - 1))/pivot
+      end do
+      do i = mesh%nodes - 1, 2, -1
+         offset(:, i) = offset(:, i) + factor(i)*offset(:, i + 1)
+      end do
+      do i = 1, mesh%nodes
+         if (.not. near(i)) offset(:, i) = soft(:, i)
+      end do
+
+   contains
+
+      pure function bending_square(node) result(l2)
+         integer, intent(in) :: node
+         real(wp) :: l2
+         associate (ei => max(mesh%ei(node - 1), mesh%ei(node)), c => mesh%clearance(node), w => mesh%weight(node))
+            l2 = ei/max(abs(axial(node)), sqrt(ei*w/c), tiny(1.0_wp))
+         end associate
+      end function bending_square
+   end subroutine bend_over
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes closer than `shortest_bend` to one above, as where a
    !> component ends beside a station, are laid on the cubic through their neighbours: the offset may jump there with the
