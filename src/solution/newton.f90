@@ -36,6 +36,10 @@ module dg_newton
    !> Iterations in a row with gaps changing after which they are taken to be cycling.
    integer, parameter :: patience = 8
 
+   !> A string that after so many iterations is out of balance by so many times the residual at the start does not come back.
+   integer, parameter :: longest_stray = 15
+   real(wp), parameter :: lost = 100.0_wp
+
    !> Residuals over the tolerance from which the next one is expected to be within it [-]: Newton's last step squares what
    !> is left; while gaps still change it gains less.
    real(wp), parameter :: near_final = 1.0e4_wp, near_soft = 80.0_wp
@@ -73,7 +77,8 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: outcome
       type(iteration_type) :: row
-      integer :: info, stalled, rounds, round_start, opened
+      integer :: info, stalled, rounds, round_start, start, opened
+      real(wp) :: first
       logical :: near
       row%increment = increment
       stalled = 0
@@ -81,6 +86,8 @@ contains
       call judge(trajectory, mesh, numerics, soft, row%flips == 0, .false., state, gaps, work, row)
       rounds = 0
       round_start = 0
+      start = newton%iterations
+      first = huge(first)
       do
          ! Where the end is near forces alone tell whether this is it: the tangent of a state at rest would not be used.
          near = row%iteration > 0 .and. (soft .or. row%flips + row%moves == 0) .and. &
@@ -118,7 +125,9 @@ contains
             call take_back()
             cycle
          end if
-         if (newton%iterations >= numerics%max_iterations .or. is_interrupted()) then
+         if (newton%iterations == start) first = largest(row)
+         if (newton%iterations >= numerics%max_iterations .or. is_interrupted() .or. &
+             (newton%iterations >= start + longest_stray .and. largest(row) > lost*first)) then
             outcome = newton_exhausted
             return
          end if
