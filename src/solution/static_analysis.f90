@@ -184,7 +184,7 @@ contains
       if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &
          call add_message(result, 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
                           numerics%gap_location == gap_at_nodes))//', as with those at the place asked for it found no rest: '// &
-                          'hook load, torque and contact force stand, '//touched)
+                          'hook load, torque and contact force may be off by a percent, '//touched)
    end subroutine solve_on_mesh
 
    !> The attempts in their order.
