@@ -10,7 +10,7 @@
 !>   3. Lateral steps of nodes near the wall are turns about the hole axis. Along straight lines a string on a round wall
 !>      could only creep.
 !>   4. Friction goes by a lagged normal force where the live one would run away: after a wall has been stiffened, and where
-!>      friction's tangent spoils the descent.
+!>      friction's tangent spoils the descent. A gap that opens or closes drops its lagged friction, lest it come and go as a whole.
 !>   5. In a vertical hole nothing resists a turn of the whole string about the axis. Torque drives that turn: its drive is taken
 !>      off the residual, and the string found is the whirling one, seen as it turns. Without torque that only guides the way.
 !> All of it acts on steps. At convergence lagged and live normal forces are one, and the residual is the true one but for 5.
@@ -150,6 +150,9 @@ contains
             if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
             growth = until_definite
             if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, .false., state, gaps, work, row)
+         else if (.not. (live .or. sliding) .and. loses_friction()) then
+            call go_back(damped%old)
+            fresh = .true.
          else
             damped%viscosity = min(max(damped%viscosity, viscosity_start)*growth, viscosity_most)
             growth = until_definite*growth
@@ -285,6 +288,19 @@ contains
          end if
          slope_after = sum(newton%step*damped%trial)
       end subroutine look
+
+      !> Takes lagged friction off gaps that a refused step opens or closes: it would come and go with their states as a whole,
+      !> however short the step, while the normal force goes to nothing. True where there was any.
+      function loses_friction() result(lost)
+         logical :: lost
+         integer :: e
+         lost = .false.
+         do e = 1, mesh%elements
+            if ((damped%states(e) == state_free .eqv. gaps%state(e) == state_free) .or. .not. work%pressing(e) > 0.0_wp) cycle
+            work%pressing(e) = 0.0_wp
+            lost = .true.
+         end do
+      end function loses_friction
 
       !> Whether the step taken leads down.
       pure function leads_down() result(down)
