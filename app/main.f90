@@ -5,8 +5,9 @@ program main
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use dg_arguments, only: arguments_type, read_arguments, print_usage
    use dg_deck_echo, only: print_echo
+   use dg_diagnostic, only: tell, tell_faults
    use dg_error, only: error_type, status_ok, status_bad_input
-   use dg_fault_list, only: fault_list_type, fault_type, sorted_faults, fault_text
+   use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_process, only: end_process
@@ -24,7 +25,7 @@ program main
    call keep_freed_memory()
    call read_arguments(arguments, error)
    if (allocated(error)) then
-      write (error_unit, '(a)') program_name//': '//error%message
+      call tell(error%message)
       call print_usage(error_unit)
       status = error%status
    else if (arguments%help) then
@@ -50,16 +51,11 @@ contains
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
-      type(fault_type), allocatable :: sorted(:)
-      integer :: i
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults)
       if (faults%count > 0) then
-         allocate (sorted, source=sorted_faults(faults))
-         do i = 1, size(sorted)
-            write (error_unit, '(a)') fault_text(sorted(i))
-         end do
+         call tell_faults(faults)
          status = status_bad_input
          return
       end if
@@ -70,8 +66,7 @@ contains
       job%parts = arguments%parts
       job%merge = arguments%merge
       if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
-         write (error_unit, '(a)') program_name//': '//arguments%deck//' has no &sweep and no &uncertainty; '// &
-            'nothing else can be divided into parts'
+         call tell(arguments%deck//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
          status = status_bad_input
          return
       end if
@@ -89,7 +84,7 @@ contains
       type(text_type), intent(in) :: notes(:)
       integer :: i
       do i = 1, size(notes)
-         write (error_unit, '(a)') program_name//': note: '//notes(i)%text
+         call tell('note: '//notes(i)%text)
       end do
    end subroutine print_notes
 end program main

@@ -1,18 +1,17 @@
 !> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units.
 module dg_run_action
-   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, entry_type, find_catalogue, numeric_keys, &
                            read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_template, only: deck_template
+   use dg_diagnostic, only: tell, tell_faults
    use dg_error, only: status_bad_input, status_failure, status_ok
-   use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
+   use dg_fault_list, only: fault_list_type
    use dg_kinds, only: wp
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_printed_text, only: print_lines
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: si_units, unit_system_type
-   use dg_version, only: program_name
    implicit none
    private
    public :: run_action
@@ -37,7 +36,7 @@ contains
       case ('convert')
          call convert_deck(operand, lines, faults)
          if (faults%count > 0) then
-            call print_faults(faults)
+            call tell_faults(faults)
             status = status_bad_input
          else
             call print_lines(lines)
@@ -60,13 +59,13 @@ contains
       status = status_bad_input
       call find_catalogue('', '', path)
       if (path == '') then
-         write (error_unit, '(a)') program_name//': no catalogue found: neither '//catalogue_name// &
-            ' here, nor the file that '//catalogue_variable//' of the environment names, nor input/'//catalogue_name
+         call tell('no catalogue found: neither '//catalogue_name//' here, nor the file that '//catalogue_variable// &
+                   ' of the environment names, nor input/'//catalogue_name)
          return
       end if
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
-         call print_faults(faults)
+         call tell_faults(faults)
          return
       end if
       allocate (lines(0))
@@ -81,7 +80,7 @@ contains
          call append_text(lines, entry_line(catalogue%entries(i)))
       end do
       if (size(lines) == 0) then
-         write (error_unit, '(a)') program_name//': '//path//' has nothing like '//quoted(pattern)
+         call tell(path//' has nothing like '//quoted(pattern))
          return
       end if
       call print_lines(lines)
@@ -110,14 +109,4 @@ contains
          end do
       end function cell
    end function entry_line
-
-   subroutine print_faults(faults)
-      type(fault_list_type), intent(in) :: faults
-      type(fault_type), allocatable :: sorted(:)
-      integer :: i
-      allocate (sorted, source=sorted_faults(faults))
-      do i = 1, size(sorted)
-         write (error_unit, '(a)') fault_text(sorted(i))
-      end do
-   end subroutine print_faults
 end module dg_run_action

@@ -1,11 +1,12 @@
 !> Runs the calibrations of a deck, prints and writes what they find.
 module dg_run_calibrations
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -16,7 +17,6 @@ module dg_run_calibrations
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
    use dg_text, only: quoted, text_type, to_text
-   use dg_version, only: program_name
    implicit none
    private
    public :: run_calibrations
@@ -64,8 +64,8 @@ contains
             owner(n) = i
             if (results(n)%fit%status /= fit_done) then
                lost = lost + 1
-               write (error_unit, '(a)') program_name//': calibration '//quoted(job%calibrations(i)%name)//', model '// &
-                  trim(model_name(results(n)%model))//': no fit; '//results(n)%message
+               call tell('calibration '//quoted(job%calibrations(i)%name)//', model '// &
+                         trim(model_name(results(n)%model))//': no fit; '//results(n)%message)
             end if
             if (job%calibrations(i)%apply .and. results(n)%fit%status == fit_done) call apply_factors(job%calibrations(i), &
                results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%holes)

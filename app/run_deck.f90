@@ -3,6 +3,7 @@ module dg_run_deck
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_file_system, only: delete_file
    use dg_folder, only: make_folder
@@ -30,7 +31,6 @@ module dg_run_deck
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
-   use dg_version, only: program_name
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -346,10 +346,4 @@ contains
       character(:), allocatable :: path
       path = job%output_dir//'/'//name
    end function in_folder
-
-   !> A diagnostic on standard error.
-   subroutine tell(message)
-      character(*), intent(in) :: message
-      write (error_unit, '(a)') program_name//': '//message
-   end subroutine tell
 end module dg_run_deck

@@ -1,9 +1,9 @@
 !> Draws the pictures of a run and puts all into one page.
 module dg_run_pictures
-   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
    use dg_deck_echo, only: echo_lines
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type
    use dg_html_report, only: write_html_report
    use dg_job, only: job_type
@@ -11,7 +11,6 @@ module dg_run_pictures
    use dg_picture_files, only: folder_in, picture_list_type, write_pictures
    use dg_printed_text, only: printed_text_type
    use dg_text, only: text_type
-   use dg_version, only: program_name
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -32,8 +31,8 @@ contains
       type(picture_list_type) :: pictures
       type(text_type), allocatable :: echo(:), tables(:)
       call write_pictures(job, model, results, alongs, pictures, error)
-      if (pictures%no_gnuplot .and. .not. job%quiet) write (error_unit, '(a)') program_name// &
-         ': note: no gnuplot here, so no pictures are drawn; '//folder_in(job)//'/all.gp draws them where there is one'
+      if (pictures%no_gnuplot .and. .not. job%quiet) call tell('note: no gnuplot here, so no pictures are drawn; '// &
+         folder_in(job)//'/all.gp draws them where there is one')
       call echo_lines(job, model, echo)
       allocate (tables(0))
       if (allocated(printed%lines)) tables = printed%lines

@@ -1,8 +1,8 @@
 !> Runs what a deck asks of strings that are held: resistances at a known depth, free points from stretch.
 module dg_run_stickings
-   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_interruption, only: is_interrupted
@@ -20,7 +20,6 @@ module dg_run_stickings
    use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
    use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
    use dg_text, only: quoted, text_type
-   use dg_version, only: program_name
    implicit none
    private
    public :: run_stickings
@@ -68,9 +67,9 @@ contains
                   if (is_interrupted()) return
                   if (results(n)%status /= sticking_no_solution) cycle
                   lost = lost + 1
-                  write (error_unit, '(a)') program_name//': calibration '//quoted(sticking%name)//', case '// &
-                     quoted(model%cases(sticking%cases(k))%name)//', model '//trim(model_name(sticking%models(j)))// &
-                     ': no solution; '//results(n)%message
+                  call tell('calibration '//quoted(sticking%name)//', case '// &
+                            quoted(model%cases(sticking%cases(k))%name)//', model '//trim(model_name(sticking%models(j)))// &
+                            ': no solution; '//results(n)%message)
                end do
             end do
             allocate (lines, source=sticking_table(job%units, model, sticking, results(:n)))

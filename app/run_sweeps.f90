@@ -1,12 +1,13 @@
 !> Runs the sweeps of a deck: on all cores, in parts where asked for, from where an interrupted run stopped.
 module dg_run_sweeps
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name
-   use dg_load_case, only: load_case_type, operation_name
+   use dg_load_case, only: operation_name
    use dg_model, only: copy_without_cases, model_type
    use dg_model_text, only: sweep_lines
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
@@ -20,7 +21,6 @@ module dg_run_sweeps
    use dg_sweep_work, only: in_part
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
-   use dg_version, only: program_name
    implicit none
    private
    public :: sweep_run_type, prepare_sweeps, run_sweep
@@ -248,10 +248,4 @@ contains
       if (allocated(points(i)%message)) text = text//': '//points(i)%message
       call tell(text)
    end subroutine tell_lost
-
-   !> A diagnostic on standard error.
-   subroutine tell(message)
-      character(*), intent(in) :: message
-      write (error_unit, '(a)') program_name//': '//message
-   end subroutine tell
 end module dg_run_sweeps

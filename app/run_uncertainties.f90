@@ -1,8 +1,9 @@
 !> Runs the Monte Carlo of a deck: on all cores, in parts where asked for, from where an interrupted run stopped.
 module dg_run_uncertainties
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_not_converged
+   use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -23,7 +24,6 @@ module dg_run_uncertainties
    use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
    use dg_uncertainty_file, only: write_uncertainty
    use dg_uncertainty_table, only: uncertainty_table
-   use dg_version, only: program_name
    implicit none
    private
    public :: uncertainty_run_type, prepare_uncertainties, run_uncertainty
@@ -227,10 +227,4 @@ contains
       if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message
       call tell(text)
    end subroutine tell_lost
-
-   !> A diagnostic on standard error.
-   subroutine tell(message)
-      character(*), intent(in) :: message
-      write (error_unit, '(a)') program_name//': '//message
-   end subroutine tell
 end module dg_run_uncertainties
