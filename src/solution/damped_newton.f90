@@ -17,7 +17,6 @@
 module dg_damped_newton
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_size
    use dg_block_solver, only: block_positive_definite
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: survey_gaps
@@ -26,13 +25,14 @@ module dg_damped_newton
    use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_newton, only: add_gap_rigidity, judge, largest_turn, longest_round, most_rounds, newton_converged, newton_exhausted, &
-                        newton_singular, newton_type
+   use dg_newton, only: add_gap_rigidity, judge, largest, largest_turn, longest_round, most_rounds, newton_converged, &
+                        newton_exhausted, newton_singular, newton_type, take_residual
    use dg_numerics, only: numerics_type
    use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
-   use dg_turning_step, only: fix_phase, take_off_drive, turn_along_wall, turning_mode
-   use dg_viscosity, only: damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh
+   use dg_turning_step, only: fix_phase, is_straight_down, take_off_drive, turn_along_wall, turning_mode
+   use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, &
+                           viscosity_start, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
@@ -57,8 +57,6 @@ module dg_damped_newton
    !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
    integer, parameter :: energy_steps = 3
    real(wp), parameter :: failing = 15.0_wp
-   !> Vertical to round-off: cosine of the inclination.
-   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
 
 contains
 
@@ -85,7 +83,7 @@ contains
       integer :: info, rounds, round_start, wait, start
       lagged = loads
       lagged%lagged = .true.
-      vertical = all(mesh%frame(3, 1, :) > upright)
+      vertical = is_straight_down(mesh)
       torque = any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
       margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
@@ -194,9 +192,8 @@ contains
             call turning_mode(state, damped%mode)
             call take_off_drive(damped%lump, damped%mode, newton%residual, damped%drive)
          end if
-         row%residual_force = maxval(abs(newton%residual(1:3, :)))
-         row%residual_moment = maxval(abs(newton%residual(4:6, :)))
-         before = max(row%residual_force, row%residual_moment)
+         call take_residual(newton, row)
+         before = largest(row)
          row%hookload = work%hookload
          row%contacts = count(gaps%state /= state_free)
       end subroutine measure
@@ -249,12 +246,7 @@ contains
 
       subroutine solve_with_viscosity(fault)
          integer, intent(out) :: fault
-         integer :: n, i
-         do n = 1, mesh%nodes
-            do i = 1, block_size
-               newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
-            end do
-         end do
+         call add_viscosity(damped, newton%matrix)
          call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
          call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
          if (fault /= 0) return

@@ -19,7 +19,8 @@ module dg_newton
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
-   public :: newton_type, iterate, give_back, judge, add_gap_rigidity, most_rounds, longest_round, largest_turn
+   public :: newton_type, iterate, give_back, judge, take_residual, largest, add_gap_rigidity
+   public :: most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
    integer, parameter :: newton_converged = 0

@@ -3,7 +3,6 @@
 module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_size
    use dg_block_solver, only: block_positive_definite
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: gap_table_type
@@ -11,7 +10,7 @@ module dg_stability
    use dg_mesh, only: mesh_type
    use dg_newton, only: newton_type
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: damped_type, raise_viscosity, weigh
+   use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, workspace_type
    implicit none
    private
@@ -66,7 +65,7 @@ contains
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: fault
       real(wp) :: gap(3), tangent(3), largest, lateral, sense
-      integer :: round, n, i
+      integer :: round, n
       damped%viscosity = 0.0_wp
       call raise_viscosity(damped, 0.0_wp)
       newton%step = 0.0_wp
@@ -77,11 +76,7 @@ contains
          newton%matrix%diagonal = damped%energy%diagonal
          newton%matrix%upper = damped%energy%upper
          newton%matrix%lower = damped%energy%lower
-         do n = 1, mesh%nodes
-            do i = 1, block_size
-               newton%matrix%diagonal(i, i, n) = newton%matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
-            end do
-         end do
+         call add_viscosity(damped, newton%matrix)
          newton%residual = -damped%lump*newton%step
          call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
          if (fault /= 0) return

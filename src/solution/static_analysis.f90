@@ -23,8 +23,9 @@ module dg_static_analysis
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin, is_stable, push_off
    use dg_static_result, only: add_message, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
-   use dg_viscosity, only: damped_type, new_damped
    use dg_text, only: to_text
+   use dg_turning_step, only: is_straight_down
+   use dg_viscosity, only: damped_type, new_damped
    use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
@@ -55,8 +56,6 @@ module dg_static_analysis
    !> at 1/2, at 1/4 when it is very long.
    real(wp), parameter :: watch_share = 0.25_wp, buckling_share = 0.4_wp
    real(wp), parameter :: most_waves = 0.1_wp
-   !> Vertical to round-off: cosine of the inclination.
-   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
    !> Part of the clearance by which an unstable equilibrium is pushed off [-].
    real(wp), parameter :: push = 0.1_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
@@ -142,7 +141,7 @@ contains
       allocate (gap_states(mesh%elements), source=state_free)
       started = .false.
       if (size(history) == 0) call start_from_coarse(model, case_index, mesh, waves > most_waves, state, gap_states, started)
-      straight_down = all(mesh%frame(3, 1, :) > upright)
+      straight_down = is_straight_down(mesh)
       plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation), straight_down)
       do attempt = 1, count(plan /= nothing)
          numerics = model%numerics

@@ -11,12 +11,21 @@ module dg_turning_step
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist, workspace_type
    implicit none
    private
-   public :: turn_along_wall, turning_mode, take_off_drive, fix_phase
+   public :: is_straight_down, turn_along_wall, turning_mode, take_off_drive, fix_phase
 
    !> Nodes so far off the axis, over the clearance, are turned about it, by no more than this in a step [rad].
    real(wp), parameter :: turned_beyond = 0.3_wp, largest_swing = 0.5_wp
+   !> Vertical to round-off: cosine of the inclination.
+   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
 
 contains
+
+   !> Whether the hole is vertical along the whole string.
+   pure function is_straight_down(mesh) result(straight)
+      type(mesh_type), intent(in) :: mesh
+      logical :: straight
+      straight = all(mesh%frame(3, 1, :) > upright)
+   end function is_straight_down
 
    !> state <- state + step, where the lateral step of a node across its offset from the hole axis is a turn about that axis:
    !> offset and slope turn by the step over the radius. To first order it is the plain sum.

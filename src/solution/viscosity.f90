@@ -4,13 +4,14 @@
 !> others.
 module dg_viscosity
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix
    use dg_block_solver, only: block_positive_definite
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: damped_type, new_damped, weigh, raise_viscosity, until_definite, viscosity_least, viscosity_start, viscosity_most
+   public :: damped_type, new_damped, weigh, add_viscosity, raise_viscosity
+   public :: until_definite, viscosity_least, viscosity_start, viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
    !> cubic element, rounded.
@@ -71,6 +72,18 @@ contains
          lump(dof_slope_1:dof_slope_2, e:e + 1) = lump(dof_slope_1:dof_slope_2, e:e + 1) + slope
       end do
    end subroutine weigh
+
+   !> Adds the present viscosity to a matrix.
+   pure subroutine add_viscosity(damped, matrix)
+      type(damped_type), intent(in) :: damped
+      type(block_matrix_type), intent(inout) :: matrix
+      integer :: n, i
+      do n = 1, size(damped%lump, 2)
+         do i = 1, block_size
+            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
+         end do
+      end do
+   end subroutine add_viscosity
 
    !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
    pure subroutine raise_viscosity(damped, margin)
