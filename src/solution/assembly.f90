@@ -45,7 +45,7 @@ contains
    !> Top unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and
    !> what is not symmetric of torque out of the tangent: it is then the second derivative of an energy, whose inertia tells
    !> stability.
-   !> `work` returns element forces and reactions.
+   !> `work` returns element forces and reactions; those of make_room_for_recovery where it has room for them.
    !> `forces_only`: the tangent is not wanted; `matrix` is left as it was, and the rest, the same to the digit, costs a third.
    pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix, forces_only)
       type(trajectory_type), intent(in) :: trajectory
@@ -67,6 +67,10 @@ contains
       tangent = .true.
       if (present(forces_only)) tangent = .not. forces_only
       work%node_force = 0.0_wp
+      if (allocated(work%contact_force)) then
+         work%contact_force = 0.0_wp
+         work%contact_moment = 0.0_wp
+      end if
       residual = 0.0_wp
       if (tangent) matrix%diagonal(:, :, 1) = 0.0_wp
       gradient = director_gradient(mesh%frame(:, :, 1), state(5:6, 1), work%d(:, 1))
@@ -88,7 +92,7 @@ contains
          call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
          residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)
          residual(dof_twist, e + 1) = residual(dof_twist, e + 1) + work%torque(e)
-         work%end_force(:, e) = force(1:6)
+         if (allocated(work%end_force)) work%end_force(:, e) = force(1:6)
          work%node_force(:, e) = work%node_force(:, e) + force(1:6)
          work%node_force(:, e + 1) = work%node_force(:, e + 1) + force(7:12)
          if (tangent) then
@@ -169,8 +173,6 @@ contains
       real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2), radius, pressing, pressing_stiffness
       logical :: sliding
       call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), gap_stiffness)
-      work%contact_force(:, e) = 0.0_wp
-      work%contact_moment(:, e) = 0.0_wp
       if (gaps%state(e) == state_free) return
       axial = mesh%axial(e)*loads%friction_scale
       rotary = mesh%rotary(e)*loads%friction_scale
@@ -186,8 +188,10 @@ contains
       call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
                                   gap_stiffness, pressing, pressing_stiffness, axial, rotary, work%climb(e)*rotary, radius, &
                                   action, moment, by_point, moment_by_point)
-      work%contact_force(:, e) = action
-      work%contact_moment(:, e) = moment
+      if (allocated(work%contact_force)) then
+         work%contact_force(:, e) = action
+         work%contact_moment(:, e) = moment
+      end if
       call gap_nodal_force(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, action, moment, nodal, twisting)
       force = force - nodal
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
@@ -218,8 +222,10 @@ contains
       integer :: a
       call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), direction, couple, couple_stiffness, &
                           push, bend, push_by_point, push_by_direction, bend_by_point, bend_by_direction)
-      work%contact_force(:, e) = work%contact_force(:, e) + push
-      work%contact_moment(:, e) = work%contact_moment(:, e) + cross(direction, bend)
+      if (allocated(work%contact_force)) then
+         work%contact_force(:, e) = work%contact_force(:, e) + push
+         work%contact_moment(:, e) = work%contact_moment(:, e) + cross(direction, bend)
+      end if
       do a = 1, 4
          force(3*a - 2:3*a) = force(3*a - 2:3*a) - shape(a)*push - slope(a)*bend
       end do

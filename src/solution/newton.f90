@@ -16,10 +16,11 @@ module dg_newton
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_release_front, only: forget_fronts, release_ahead, release_front_type
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, place_nodes, &
+                           workspace_type
    implicit none
    private
-   public :: newton_type, iterate, give_back, judge, take_residual, largest, add_gap_rigidity
+   public :: newton_type, iterate, end_iterations, judge, take_residual, largest, add_gap_rigidity
    public :: most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
@@ -165,13 +166,22 @@ contains
       end subroutine take_back
    end subroutine iterate
 
-   !> Gives back what only iterations need, half of a solution's memory: room for the result.
-   pure subroutine give_back(newton)
+   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside.
+   pure subroutine end_iterations(newton, trajectory, mesh, loads, gaps, state, work)
       type(newton_type), intent(inout) :: newton
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
       newton%matrix = block_matrix_type()
       newton%solver = linear_solver_type()
-      deallocate (newton%residual, newton%step)
-   end subroutine give_back
+      deallocate (newton%step)
+      call make_room_for_recovery(mesh, work)
+      call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix, forces_only=.true.)
+      deallocate (newton%residual)
+   end subroutine end_iterations
 
    !> Puts the largest force and moment out of balance into a row of the history.
    pure subroutine take_residual(newton, row)

@@ -28,10 +28,10 @@ module dg_stability
 
 contains
 
-   !> Whether the equilibrium at which `work` has been placed and surveyed is stable: the energy's tangent is positive definite
-   !> but for the margin.
-   subroutine is_stable(damped, trajectory, mesh, loads, gaps, state, work, stable)
-      type(damped_type), intent(inout) :: damped
+   !> Whether the equilibrium at which `work` has been placed and surveyed is stable: the energy's tangent, left in Newton's
+   !> matrix, is positive definite but for the margin. Viscosity's weights stand in the room of Newton's step.
+   subroutine is_stable(newton, trajectory, mesh, loads, gaps, state, work, stable)
+      type(newton_type), intent(inout) :: newton
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -39,9 +39,9 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: stable
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
-      call weigh(mesh, work, damped%lump)
-      call block_positive_definite(damped%energy, margin_of(mesh, loads), damped%lump, stable)
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%residual, newton%matrix)
+      call weigh(mesh, work, newton%step)
+      call block_positive_definite(newton%matrix, margin_of(mesh, loads), newton%step, stable)
    end subroutine is_stable
 
    !> Viscosity that an equilibrium may need and still count as stable [-].
@@ -66,6 +66,8 @@ contains
       integer, intent(out) :: fault
       real(wp) :: gap(3), tangent(3), largest, lateral, sense
       integer :: round, n
+      damped%energy = newton%matrix
+      call weigh(mesh, work, damped%lump)
       damped%viscosity = 0.0_wp
       call raise_viscosity(damped, 0.0_wp)
       newton%step = 0.0_wp
@@ -97,28 +99,29 @@ contains
 
    !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
    !> definite when nu F^2/(4 EI) is taken off it, and a string on the low side is lost at (1 + nu) F^2/(4 EI) = n/c.
-   subroutine find_stability_margin(damped, trajectory, mesh, loads, gaps, state, work, margin)
-      type(damped_type), intent(inout) :: damped
+   subroutine find_stability_margin(newton, trajectory, mesh, loads, gaps, state, work, known, margin)
+      type(newton_type), intent(inout) :: newton
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
+      logical, intent(in) :: known         !< `is_stable` has left the energy's tangent there in Newton's matrix
       real(wp), intent(out) :: margin
       real(wp) :: low, high
       logical :: definite
       integer :: i
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, damped%trial, damped%energy)
-      call weigh(mesh, work, damped%lump)
+      if (.not. known) call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%residual, newton%matrix)
+      call weigh(mesh, work, newton%step)
       low = 0.0_wp
       high = 1.0_wp
       margin = high
-      call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + high)**2, damped%lump, definite)
+      call block_positive_definite(newton%matrix, 1.0_wp - (1.0_wp + high)**2, newton%step, definite)
       if (definite) return
       do i = 1, margin_halvings
          margin = 0.5_wp*(low + high)
-         call block_positive_definite(damped%energy, 1.0_wp - (1.0_wp + margin)**2, damped%lump, definite)
+         call block_positive_definite(newton%matrix, 1.0_wp - (1.0_wp + margin)**2, newton%step, definite)
          if (definite) then
             low = margin
          else

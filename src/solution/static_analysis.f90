@@ -14,8 +14,9 @@ module dg_static_analysis
    use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case, shortest
+   use dg_missing, only: missing
    use dg_model, only: model_type
-   use dg_newton, only: give_back, iterate, newton_converged, newton_exhausted, newton_type
+   use dg_newton, only: end_iterations, iterate, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
@@ -122,8 +123,9 @@ contains
       type(numerics_type) :: numerics
       real(wp), allocatable :: state(:, :)
       type(soft_totals_type) :: totals
-      real(wp) :: worst, pressing, compressed, waves
+      real(wp) :: worst, pressing, compressed, waves, viscous_step, margin
       logical :: may_buckle, started, damping, stable, straight_down
+      logical :: known             ! the energy's tangent at the rest that has been found
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: plan(3)
@@ -134,22 +136,24 @@ contains
          return
       end if
       may_buckle = compressed > buckling_share
-      call prepare(model, model%cases(case_index), mesh, newton, work)
-      newton%iterations = size(history)
-      newton%history(:size(history)) = history
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
       started = .false.
       if (size(history) == 0) call start_from_coarse(model, case_index, mesh, waves > most_waves, state, gap_states, started)
+      call prepare(model, model%cases(case_index), mesh, newton, work)
+      newton%iterations = size(history)
+      newton%history(:size(history)) = history
+      viscous_step = model%numerics%viscous_limit*maxval(mesh%clearance)
+      margin = missing
       straight_down = is_straight_down(mesh)
       plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation), straight_down)
       do attempt = 1, count(plan /= nothing)
+         known = .false.
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
          if (attempt == count(plan /= nothing)) numerics%max_iterations = most
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
-         if ((damping .or. compressed > watch_share) .and. .not. allocated(damped%lump)) &
-            call new_damped(mesh, model%numerics%viscous_limit*maxval(mesh%clearance), damped)
+         if (damping .and. .not. allocated(damped%lump)) call new_damped(mesh, viscous_step, damped)
          if (plan(attempt) == as_it_whirls .or. (may_buckle .and. straight_down)) &
             call whirling(model, case_index, mesh, work%climb)
          if (any(plan(attempt) == [other_place, other_place_damped])) &
@@ -157,8 +161,10 @@ contains
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
          if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping) then
-            call is_stable(damped, model%trajectory, mesh, loads, gaps, state, work, stable)
+            call is_stable(newton, model%trajectory, mesh, loads, gaps, state, work, stable)
+            known = stable
             if (.not. stable) then
+               if (.not. allocated(damped%lump)) call new_damped(mesh, viscous_step, damped)
                call push_off(newton, damped, model%trajectory, mesh, push, state, work, outcome)
                if (outcome /= newton_converged) exit
                gap_states = gaps%state
@@ -174,10 +180,11 @@ contains
          if (outcome == newton_converged .or. newton%iterations >= most) exit
       end do
       if (is_interrupted()) outcome = newton_exhausted     ! what an attempt that was cut short led to does not count
-      call give_back(newton)
+      if (outcome == newton_converged .and. may_buckle) &
+         call find_stability_margin(newton, model%trajectory, mesh, loads, gaps, state, work, known, margin)
+      call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work)
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
-      if (result%status == result_converged .and. may_buckle) &
-         call find_stability_margin(damped, model%trajectory, mesh, loads, gaps, state, work, result%stability_margin)
+      result%stability_margin = margin
       result%shortened = shortened
       result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
       if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &

@@ -6,7 +6,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_nodes
+   public :: workspace_type, new_workspace, place_nodes, make_room_for_recovery
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).
@@ -30,6 +30,7 @@ module dg_workspace
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
       real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
       real(wp), allocatable :: pressing(:)          !< normal force that friction goes by, where it lags behind R (e) [N]
+      ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
       real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, element loads taken off (6,e)
@@ -56,12 +57,19 @@ contains
       allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
-      allocate (work%contact_force(3, m), work%contact_moment(3, m), source=0.0_wp)
-      allocate (work%end_force(6, m), source=0.0_wp)
       do e = 1, m
          work%membrane_length(e) = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
       end do
    end subroutine new_workspace
+
+   !> Room for the forces that only the result tells of: the next assembly fills it.
+   pure subroutine make_room_for_recovery(mesh, work)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(inout) :: work
+      integer :: m
+      m = mesh%elements
+      allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), source=0.0_wp)
+   end subroutine make_room_for_recovery
 
    !> Displacements and directors in space axes from the unknowns state(6,nodes).
    pure subroutine place_nodes(mesh, state, work)
