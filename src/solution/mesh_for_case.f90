@@ -115,7 +115,7 @@ contains
       real(wp), intent(in) :: compression  !< [N]; <= 0 where in tension
       real(wp), intent(in) :: side_load    !< contact force [N/m]
       real(wp) :: lengths(scale_count)
-      real(wp) :: share
+      real(wp) :: share, sag, rope
       lengths = huge(lengths)
       if (compression > 0.0_wp) then
          share = quarter_wave_share
@@ -123,6 +123,9 @@ contains
          lengths(scale_compression) = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
       end if
       if (curvature > 0.0_wp) lengths(scale_bend) = sqrt(8.0_wp*clearance_share*clearance/curvature)
-      if (side_load > 0.0_wp) lengths(scale_load) = (384.0_wp*ei*clearance_share*clearance/side_load)**0.25_wp
+      ! fixed ends under tension T sag by q/(384 EI/l^4 + 8 T/l^2): a beam's and a rope's stiffness side by side
+      sag = clearance_share*clearance
+      rope = 4.0_wp*max(-compression, 0.0_wp)*sag
+      if (side_load > 0.0_wp) lengths(scale_load) = sqrt((rope + sqrt(rope**2 + 384.0_wp*ei*sag*side_load))/side_load)
    end function local_scales
 end module dg_mesh_for_case
