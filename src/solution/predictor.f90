@@ -26,8 +26,8 @@ module dg_predictor
    !> Lengths over which it bends, to either side of where the string changes sides, along which it is let bend [-]. Farther on it
    !> stays laid against the wall: to lift a whole string off by parts of what it presses in opens gaps that have to close again.
    real(wp), parameter :: reach = 1.5_wp
-   !> Secant steps that find an element's slide for its axial force; each gains about six digits.
-   integer, parameter :: slide_steps = 3
+   !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
+   integer, parameter :: slide_steps = 2
    !> Compression over the coiling load from which a rotating string may whirl [-].
    real(wp), parameter :: whirling_share = 0.4_wp
 
@@ -241,23 +241,25 @@ contains
       end do
    end subroutine slopes_of
 
-   !> Slides node after node along the hole until each element carries its axial force.
+   !> Slides node after node along the hole until each element carries its axial force: by the element's stretch, and then by what
+   !> its length differs there.
    pure subroutine slide_into_place(trajectory, mesh, axial, offset, slope, state)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:), offset(:, :), slope(:, :)
       real(wp), intent(out) :: state(:, :)
-      real(wp) :: slide, shift(3), previous(3), d(3), previous_d(3), target, reference
+      real(wp) :: slide, shift(3), previous(3), d(3), previous_d(3), strain, reference
       integer :: e, step
       state = 0.0_wp
       slide = 0.0_wp
       call place(trajectory, mesh, 1, slide, offset(:, 1), slope(:, 1), state(:, 1), previous, previous_d)
       do e = 1, mesh%elements
          reference = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
-         target = reference*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
+         strain = 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e)
+         slide = slide + reference*strain
          do step = 1, slide_steps
             call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
-            slide = slide + target - membrane_length(mesh%chord(:, e) + (shift - previous), previous_d, d)
+            slide = slide + reference*(1.0_wp + strain) - membrane_length(mesh%chord(:, e) + (shift - previous), previous_d, d)
          end do
          call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
          previous = shift
