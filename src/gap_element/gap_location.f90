@@ -9,6 +9,13 @@ module dg_gap_location
    !> Places where the displacement is sampled before the largest is refined: a cubic in each plane has at most
    !> five extrema of its magnitude, so eight intervals separate those that matter.
    integer, parameter :: intervals = 8
+   integer :: sample
+   real(wp), parameter :: sampled(0:intervals) = [(real(sample, wp)/intervals, sample=0, intervals)]
+   !> Hermite's shape functions there of an element of unit length.
+   real(wp), parameter :: offset_i(0:intervals) = (1.0_wp - sampled)**2*(1.0_wp + 2.0_wp*sampled)
+   real(wp), parameter :: slope_of_i(0:intervals) = (1.0_wp - sampled)**2*sampled
+   real(wp), parameter :: offset_j(0:intervals) = sampled**2*(1.0_wp + 2.0_wp*(1.0_wp - sampled))
+   real(wp), parameter :: slope_of_j(0:intervals) = -sampled**2*(1.0_wp - sampled)
 
 contains
 
@@ -21,12 +28,13 @@ contains
       real(wp), intent(in) :: length                 !< [m]
       real(wp), intent(out) :: xi
       real(wp), intent(out) :: displacement
-      real(wp) :: square(0:intervals), n(4), f(3), left, right, curvature, shift
+      real(wp) :: square(0:intervals), turn_i(0:intervals), turn_j(0:intervals), n(4), f(3), left, right, curvature, shift
       integer :: i, best
-      do i = 0, intervals
-         n = hermite_value(real(i, wp)/intervals, length)
-         f = n(1)*gap_i + n(2)*slope_i + n(3)*gap_j + n(4)*slope_j
-         square(i) = dot_product(f, f)
+      turn_i = slope_of_i*length
+      turn_j = slope_of_j*length
+      square = 0.0_wp
+      do i = 1, 3
+         square = square + (offset_i*gap_i(i) + turn_i*slope_i(i) + offset_j*gap_j(i) + turn_j*slope_j(i))**2
       end do
       best = maxloc(square, dim=1) - 1
       xi = real(best, wp)/intervals
