@@ -48,9 +48,10 @@ contains
       real(wp), intent(in) :: force_tangent(3, 3), moment_tangent(3, 3) !< dF/dr, dM/dr
       real(wp), intent(inout) :: stiffness(12, 12)
       real(wp), intent(out) :: twist_row(2, 12)
-      real(wp) :: unit(3), bend(3), along, twist(3), column(3), by_shape(3), by_slope(3), rest
-      real(wp) :: bend_by_r(3, 3), bend_by_slope(3, 3), twist_by_r(3, 3), twist_by_slope(3, 3)
-      integer :: a, b, j, k
+      real(wp) :: unit(3), bend(3), along, twist(3), column(3), rest
+      real(wp) :: bend_by_r(3, 3), bend_by_slope(3, 3), twist_by_r(3), twist_by_slope(3)
+      real(wp) :: by_point(12, 3), by_direction(12, 3), row_by_point(2, 3), row_by_direction(2, 3)
+      integer :: b, j
       if (.not. (any(abs(moment) > 0.0_wp) .or. any(abs(moment_tangent) > 0.0_wp))) then
          call take_force_tangent(shape, force_tangent, stiffness)
          twist_row = 0.0_wp
@@ -64,9 +65,6 @@ contains
       do j = 1, 3
          bend_by_r(:, j) = product_of(moment_tangent(:, j), unit)
          bend_by_slope(:, j) = -2.0_wp*bend*unit(j)
-         twist_by_r(:, j) = unit*sum(direction*moment_tangent(:, j))
-         twist_by_slope(:, j) = unit*moment(j) - 2.0_wp*twist*unit(j)
-         twist_by_slope(j, j) = twist_by_slope(j, j) + along
       end do
       ! d(M x r')/|r'|^2 at fixed length: the skew matrix of M
       column = moment/(direction(1)**2 + direction(2)**2 + direction(3)**2)
@@ -76,22 +74,22 @@ contains
       bend_by_slope(3, 2) = bend_by_slope(3, 2) + column(1)
       bend_by_slope(1, 3) = bend_by_slope(1, 3) + column(2)
       bend_by_slope(2, 3) = bend_by_slope(2, 3) - column(1)
+      do j = 1, 3
+         by_point(:, j) = spread_out(shape, force_tangent(:, j)) + spread_out(slope, bend_by_r(:, j))
+         by_direction(:, j) = spread_out(slope, bend_by_slope(:, j))
+         twist_by_r = unit*sum(direction*moment_tangent(:, j))
+         twist_by_slope = unit*moment(j) - 2.0_wp*twist*unit(j)
+         twist_by_slope(j) = twist_by_slope(j) + along
+         by_point(4:6, j) = by_point(4:6, j) + rest*product_of(twist_by_r, d_i)
+         by_point(10:12, j) = by_point(10:12, j) + xi*product_of(twist_by_r, d_j)
+         by_direction(4:6, j) = by_direction(4:6, j) + rest*product_of(twist_by_slope, d_i)
+         by_direction(10:12, j) = by_direction(10:12, j) + xi*product_of(twist_by_slope, d_j)
+         row_by_point(:, j) = -[rest*sum(twist_by_r*d_i), xi*sum(twist_by_r*d_j)]
+         row_by_direction(:, j) = -[rest*sum(twist_by_slope*d_i), xi*sum(twist_by_slope*d_j)]
+      end do
+      call take_columns(shape, slope, by_point, by_direction, stiffness)
       do b = 1, 4
-         do j = 1, 3
-            k = 3*(b - 1) + j
-            by_shape = shape(b)*force_tangent(:, j)
-            by_slope = shape(b)*bend_by_r(:, j) + slope(b)*bend_by_slope(:, j)
-            do a = 1, 4
-               stiffness(3*a - 2, k) = stiffness(3*a - 2, k) - shape(a)*by_shape(1) - slope(a)*by_slope(1)
-               stiffness(3*a - 1, k) = stiffness(3*a - 1, k) - shape(a)*by_shape(2) - slope(a)*by_slope(2)
-               stiffness(3*a, k) = stiffness(3*a, k) - shape(a)*by_shape(3) - slope(a)*by_slope(3)
-            end do
-            column = shape(b)*twist_by_r(:, j) + slope(b)*twist_by_slope(:, j)
-            stiffness(4:6, k) = stiffness(4:6, k) - rest*product_of(column, d_i)
-            stiffness(10:12, k) = stiffness(10:12, k) - xi*product_of(column, d_j)
-            twist_row(1, k) = -rest*sum(column*d_i)
-            twist_row(2, k) = -xi*sum(column*d_j)
-         end do
+         twist_row(:, 3*b - 2:3*b) = shape(b)*row_by_point + slope(b)*row_by_direction
       end do
       ! the directors on which the twisting vector acts
       twist_row(1, 4:6) = twist_row(1, 4:6) - rest*twist
@@ -104,17 +102,15 @@ contains
    pure subroutine take_force_tangent(shape, force_tangent, stiffness)
       real(wp), intent(in) :: shape(4), force_tangent(3, 3)
       real(wp), intent(inout) :: stiffness(12, 12)
-      real(wp) :: by_shape(3)
-      integer :: a, b, j, k
+      real(wp) :: by_point(12, 3)
+      integer :: b, j, k
+      do j = 1, 3
+         by_point(:, j) = spread_out(shape, force_tangent(:, j))
+      end do
       do b = 1, 4
          do j = 1, 3
             k = 3*(b - 1) + j
-            by_shape = shape(b)*force_tangent(:, j)
-            do a = 1, 4
-               stiffness(3*a - 2, k) = stiffness(3*a - 2, k) - shape(a)*by_shape(1)
-               stiffness(3*a - 1, k) = stiffness(3*a - 1, k) - shape(a)*by_shape(2)
-               stiffness(3*a, k) = stiffness(3*a, k) - shape(a)*by_shape(3)
-            end do
+            stiffness(:, k) = stiffness(:, k) - shape(b)*by_point(:, j)
          end do
       end do
    end subroutine take_force_tangent
@@ -124,19 +120,39 @@ contains
       real(wp), intent(in) :: shape(4), slope(4)
       real(wp), intent(in) :: force_by_point(3, 3), force_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
       real(wp), intent(inout) :: stiffness(12, 12)
-      real(wp) :: on_force(3), on_bend(3)
-      integer :: a, b, j, k
+      real(wp) :: by_point(12, 3), by_direction(12, 3)
+      integer :: j
+      do j = 1, 3
+         by_point(:, j) = spread_out(shape, force_by_point(:, j)) + spread_out(slope, bend_by_point(:, j))
+         by_direction(:, j) = spread_out(shape, force_by_direction(:, j)) + spread_out(slope, bend_by_direction(:, j))
+      end do
+      call take_columns(shape, slope, by_point, by_direction, stiffness)
+   end subroutine add_couple_tangent
+
+   !> What a vector at x0 is on the four nodal vectors that carry it with the weights.
+   pure function spread_out(weights, vector) result(nodal)
+      real(wp), intent(in) :: weights(4), vector(3)
+      real(wp) :: nodal(12)
+      integer :: a
+      do a = 1, 4
+         nodal(3*a - 2) = weights(a)*vector(1)
+         nodal(3*a - 1) = weights(a)*vector(2)
+         nodal(3*a) = weights(a)*vector(3)
+      end do
+   end function spread_out
+
+   !> Takes derivatives of nodal forces by r and by r' at x0 (12,3) off `stiffness`(12,12): r = N y, r' = N' y.
+   pure subroutine take_columns(shape, slope, by_point, by_direction, stiffness)
+      real(wp), intent(in) :: shape(4), slope(4), by_point(12, 3), by_direction(12, 3)
+      real(wp), intent(inout) :: stiffness(12, 12)
+      integer :: b, j, k
       do b = 1, 4
          do j = 1, 3
             k = 3*(b - 1) + j
-            on_force = shape(b)*force_by_point(:, j) + slope(b)*force_by_direction(:, j)
-            on_bend = shape(b)*bend_by_point(:, j) + slope(b)*bend_by_direction(:, j)
-            do a = 1, 4
-               stiffness(3*a - 2:3*a, k) = stiffness(3*a - 2:3*a, k) - shape(a)*on_force - slope(a)*on_bend
-            end do
+            stiffness(:, k) = stiffness(:, k) - shape(b)*by_point(:, j) - slope(b)*by_direction(:, j)
          end do
       end do
-   end subroutine add_couple_tangent
+   end subroutine take_columns
 
    !> Takes the matrix S(a), S(a) b = a x b, off the diagonal block that starts at `first`.
    pure subroutine take_skew(a, first, stiffness)

@@ -201,21 +201,25 @@ contains
                                      gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
                                      by_point, moment_by_point)
       end if
-      if (tangent) call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, &
-                                          by_point, moment_by_point, element%k, element%twist_row)
-      if (.not. sliding) return
+      if (.not. sliding) then
+         if (tangent) call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, &
+                                             by_point, moment_by_point, element%k, element%twist_row)
+         return
+      end if
       if (conservative) pressing_stiffness = 0.0_wp
       call add_couple(e, axial*mesh%radius(e)*pressing, axial*mesh%radius(e)*pressing_stiffness, shape, slope, direction, tangent, &
-                      work, force, element%k)
+                      by_point, work, force, element%k)
    end subroutine add_gap
 
-   !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`.
-   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, tangent, work, force, stiffness)
+   !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`, and with it that
+   !> of the contact force itself.
+   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, tangent, force_tangent, work, force, stiffness)
       integer, intent(in) :: e
       real(wp), intent(in) :: couple            !< normal force times friction coefficient times radius, signed [N.m]
       real(wp), intent(in) :: couple_stiffness  !< its derivative by |f| [N]
       real(wp), intent(in) :: shape(4), slope(4), direction(3)
       logical, intent(in) :: tangent            !< is wanted
+      real(wp), intent(in) :: force_tangent(3, 3) !< of the contact force by the point [N/m]
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: force(12), stiffness(12, 12)
       real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
@@ -229,8 +233,8 @@ contains
       do a = 1, 4
          force(3*a - 2:3*a) = force(3*a - 2:3*a) - shape(a)*push - slope(a)*bend
       end do
-      if (tangent) call add_couple_tangent(shape, slope, push_by_point, push_by_direction, bend_by_point, bend_by_direction, &
-                                           stiffness)
+      if (tangent) call add_couple_tangent(shape, slope, force_tangent + push_by_point, push_by_direction, bend_by_point, &
+                                           bend_by_direction, stiffness)
    end subroutine add_couple
 
    !> Turns an element's matrix from space axes to its 12 unknowns and adds it to the chain.
