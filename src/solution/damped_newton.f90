@@ -12,7 +12,10 @@
 !>   4. Friction goes by a lagged normal force where the live one would run away: after a wall has been stiffened, and where
 !>      friction's tangent spoils the descent. A gap that opens or closes drops its lagged friction, lest it come and go as a whole.
 !>   5. In a vertical hole nothing resists a turn of the whole string about the axis. Torque drives that turn: its drive is taken
-!>      off the residual, and the string found is the whirling one, seen as it turns. Without torque that only guides the way.
+!>      off the residual, and the string found is the whirling one, seen as it turns. Without torque that only guides the way,
+!>      and the string is at last turned to where nothing drives it.
+!>   6. There closed gaps go where the step's linear forces have them (dg_gap_depths): a stiff wall is then no stiffer a problem
+!>      than a soft one.
 !> All of it acts on steps. At convergence lagged and live normal forces are one, and the residual is the true one but for 5.
 module dg_damped_newton
    use dg_kinds, only: wp
@@ -20,6 +23,7 @@ module dg_damped_newton
    use dg_block_solver, only: block_positive_definite
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: survey_gaps
+   use dg_gap_depths, only: close_gently, depths_after, keep_forces, put_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
@@ -30,7 +34,8 @@ module dg_damped_newton
    use dg_numerics, only: numerics_type
    use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
-   use dg_turning_step, only: fix_phase, is_straight_down, take_off_drive, turn_along_wall, turning_mode
+   use dg_turning_step, only: is_straight_down, phase_type, solve_turning, take_off_drive, turn_along_wall, turning_mode, &
+                              turn_to_rest
    use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, &
                            viscosity_start, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
@@ -57,6 +62,10 @@ module dg_damped_newton
    !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
    integer, parameter :: energy_steps = 3
    real(wp), parameter :: failing = 15.0_wp
+   !> Near a whirling string's rest, whose drive has no energy, a step counts that leaves this part of the residual [-].
+   real(wp), parameter :: halved = 0.5_wp
+   !> Iterations after which such a string whose gaps have moved is taken back: those that come to rest do so in 3 to 8.
+   integer, parameter :: longest_turning_round = 10
 
 contains
 
@@ -78,12 +87,15 @@ contains
       integer, intent(out) :: outcome
       type(iteration_type) :: row
       type(load_type) :: lagged
+      type(phase_type) :: phase
       real(wp) :: before, slope, slope_after, growth, share, margin
-      logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed
+      logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed, lost
+      logical :: put           ! gaps to the depths of their linear forces
       integer :: info, rounds, round_start, wait, start
       lagged = loads
       lagged%lagged = .true.
       vertical = is_straight_down(mesh)
+      put = vertical
       torque = any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
       margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
@@ -98,14 +110,21 @@ contains
       row%increment = increment
       fresh = .true.
       call judge(trajectory, mesh, numerics, soft, .true., .false., state, gaps, work, row)
+      if (put .and. damped%continued) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
       do
          if (fresh) then
             call measure()
             if (.not. lag .and. before <= tolerance*newton%force_scale .and. (row%flips == 0 .or. soft)) then
                call look_round(settled, changed)
                if (settled .and. vertical .and. .not. torque .and. damped%drive > tolerance*newton%force_scale) then
-                  vertical = .false.      ! without torque nothing drives that turn: something holds it
-                  damped%drive = 0.0_wp
+                  ! without torque nothing drives that turn: something holds it
+                  call turn_to_rest(phase, damped%pull, state, lost)
+                  if (lost) then
+                     vertical = .false.
+                     damped%drive = 0.0_wp
+                  end if
+                  call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
+                  if (put) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
                   cycle
                end if
                if (settled) then
@@ -117,8 +136,8 @@ contains
          end if
          row%iteration = newton%iterations
          newton%history(newton%iterations + 1) = row
-         if (rounds > 0 .and. newton%iterations >= min(round_start + longest_round, numerics%max_iterations) .and. &
-             .not. is_interrupted()) then
+         if (rounds > 0 .and. newton%iterations >= min(round_start + merge(longest_turning_round, longest_round, vertical), &
+                                                          numerics%max_iterations) .and. .not. is_interrupted()) then
             call take_back()
             cycle
          end if
@@ -142,15 +161,19 @@ contains
          if (.not. good) call stop_at_contact(good)
          fresh = good
          if (good) then
-            if (damped%viscosity > 0.0_wp) call draw_out()
+            if (damped%viscosity > 0.0_wp .and. slope < 0.0_wp) call draw_out()
             wait = max(wait - 1, 0)
             damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
             if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
             growth = until_definite
             if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, .false., state, gaps, work, row)
-         else if (.not. (live .or. sliding) .and. loses_friction()) then
+            if (put .and. row%moves > 0) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+         else if (.not. (live .or. sliding .or. vertical) .and. loses_friction()) then
             call go_back(damped%old)
             fresh = .true.
+         else if (live .and. slope >= 0.0_wp) then
+            wait = 1
+            call go_back(damped%old)
          else
             damped%viscosity = min(max(damped%viscosity, viscosity_start)*growth, viscosity_most)
             growth = until_definite*growth
@@ -160,6 +183,10 @@ contains
             end if
             call go_back(damped%old)
             if (damped%viscosity >= viscosity_most) then      ! no step leads down any more
+               if (vertical .and. rounds > 0 .and. .not. newton%gaps_taken_back) then
+                  call take_back()
+                  cycle
+               end if
                row%iteration = newton%iterations
                newton%history(newton%iterations + 1) = row
                outcome = newton_exhausted
@@ -190,7 +217,7 @@ contains
          call weigh(mesh, work, damped%lump)
          if (vertical) then
             call turning_mode(state, damped%mode)
-            call take_off_drive(damped%lump, damped%mode, newton%residual, damped%drive)
+            call take_off_drive(damped%lump, damped%mode, newton%residual, damped%drive, damped%pull)
          end if
          call take_residual(newton, row)
          before = largest(row)
@@ -210,6 +237,7 @@ contains
          call keep_gaps(gaps, newton%gaps_at_rest)
          call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
          changed = row%moves > 0 .or. row%flips > 0
+         if (put .and. changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
          settled = .not. changed
       end subroutine look_round
 
@@ -221,6 +249,8 @@ contains
          newton%gaps_taken_back = .true.
          rounds = most_rounds
          round_start = huge(round_start) - longest_round
+         damped%viscosity = 0.0_wp
+         growth = until_definite
          lag = .false.
          fresh = .true.
       end subroutine take_back
@@ -235,7 +265,7 @@ contains
             call solve_with_viscosity(fault)
             if (fault /= 0) return
          end if
-         if (live .and. slope < 0.0_wp) return
+         if (live .and. (slope < 0.0_wp .or. near_whirl())) return
          lag = lag .or. live
          live = .false.
          newton%matrix%diagonal = damped%energy%diagonal
@@ -248,9 +278,13 @@ contains
          integer, intent(out) :: fault
          call add_viscosity(damped, newton%matrix)
          call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
-         call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
+         if (vertical) then
+            call solve_turning(newton%solver, damped%lump, damped%mode, damped%pull, newton%residual, newton%matrix, damped%trial, &
+                               newton%step, fault)
+         else
+            call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
+         end if
          if (fault /= 0) return
-         if (vertical) call fix_phase(damped%lump, damped%mode, newton%step)
          slope = sum(newton%step*newton%residual)
          if (.not. abs(slope) < huge(slope)) fault = 1
       end subroutine solve_with_viscosity
@@ -268,15 +302,18 @@ contains
       !> Places the string a step off the old state, whose nodes stand in `work`; slope_after is that along the step.
       subroutine look()
          type(load_type) :: used
-         real(wp) :: ignored
+         real(wp) :: ignored(2)
+         if (put) call depths_after(mesh, gaps, newton%step, work, damped%depth)
          call turn_along_wall(trajectory, mesh, work, newton%step, state)
+         if (put) call put_gaps(trajectory, mesh, gaps, damped%depth, state, work)
          call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
+         if (put) call close_gently(trajectory, mesh, gaps, damped%depth, state, work)
          used = loads
          used%lagged = .not. live
          call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix, forces_only=.true.)
          if (vertical) then
             call turning_mode(state, damped%mode)
-            call take_off_drive(damped%lump, damped%mode, damped%trial, ignored)
+            call take_off_drive(damped%lump, damped%mode, damped%trial, ignored(1), ignored(2))
          end if
          slope_after = sum(newton%step*damped%trial)
       end subroutine look
@@ -294,12 +331,19 @@ contains
          end do
       end function loses_friction
 
+      !> Whether the residual alone may tell of a step.
+      pure function near_whirl() result(near)
+         logical :: near
+         near = vertical .and. before < calm_residual*newton%force_scale
+      end function near_whirl
+
       !> Whether the step taken leads down.
       pure function leads_down() result(down)
          logical :: down
          down = slope < 0.0_wp .and. slope_after < -largest_rise*slope
          if (live) down = slope < 0.0_wp .and. slope_after > largest_fall*slope .and. &
                           (slope_after < -largest_rise*slope .or. maxval(abs(damped%trial)) < before)
+         if (live .and. near_whirl()) down = down .or. maxval(abs(damped%trial)) < halved*before
       end function leads_down
 
       !> Cuts a refused step that brings one gap to the wall where it does so: the energy falls to there, and then rises as steeply
@@ -364,6 +408,7 @@ contains
          row%flips = 0
          call place_nodes(mesh, state, work)
          call survey_gaps(trajectory, mesh, gaps, work)
+         if (vertical) call turning_mode(state, damped%mode)
       end subroutine go_back
    end subroutine iterate_damped
 

@@ -12,7 +12,7 @@ module dg_gap_survey
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_offset, point_on_string, survey_gaps, relocate_gaps
+   public :: node_offset, point_on_string, survey_gap, survey_gaps, relocate_gaps
 
 contains
 
@@ -55,6 +55,7 @@ contains
       end do
    end subroutine survey_gaps
 
+   !> Measures the gap of element e at xi.
    pure subroutine survey_gap(trajectory, mesh, xi, e, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh

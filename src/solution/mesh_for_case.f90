@@ -12,6 +12,7 @@ module dg_mesh_for_case
    use dg_model, only: model_type
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
+   use dg_turning_step, only: is_straight_down
    implicit none
    private
    public :: mesh_for_case, shortest
@@ -53,7 +54,8 @@ contains
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:)
-      real(wp) :: curvature, compression, side_load, share, scales(scale_count)
+      logical :: straight_down
+      real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
       waves = 0.0_wp
@@ -64,11 +66,13 @@ contains
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals=totals, coiled=.true.)
          if (totals%runaway) return
+         straight_down = is_straight_down(mesh)
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            pressing = max(pressing, max(mesh%weight(e), side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
+            across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing
+            pressing = max(pressing, max(across, side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
                                      *mesh%gathered(e)/mesh%clearance(e))
             scales = local_scales(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
             if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = min(body_share*mesh%spacing(e), &

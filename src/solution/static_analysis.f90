@@ -202,7 +202,7 @@ contains
          plan = [by_newton, other_place, by_damping]
       else if (rotating .and. .not. straight_down) then
          plan = [briefly, damped_briefly, as_it_whirls]
-      else if (buckles .and. .not. rotating) then
+      else if (buckles .and. (straight_down .or. .not. rotating)) then
          plan = [by_damping, other_place_damped, nothing]
       else
          plan = [briefly, by_damping, other_place_damped]
@@ -271,7 +271,7 @@ contains
       newton%gaps_taken_back = .false.
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
-      call stage_walls(model, mesh, pressing, damping, walls)
+      call stage_walls(model, mesh, pressing, damping, damping .and. is_straight_down(mesh), walls)
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps

@@ -35,7 +35,9 @@ module dg_viscosity
       integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
       real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
       real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
+      real(wp), allocatable :: depth(:)            !< |f| that closed gaps are to have (elements) [m]
       real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
+      real(wp) :: pull = 0.0_wp                    !< it over the weights `lump` times `mode` [-]
       logical :: continued = .false.               !< the state is at rest against a softer wall
    end type damped_type
 
@@ -50,6 +52,7 @@ contains
       allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
                 damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
       allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
+      allocate (damped%depth(mesh%elements), source=0.0_wp)
       damped%step_limit = step_limit
    end subroutine new_damped
 

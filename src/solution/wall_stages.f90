@@ -17,6 +17,9 @@ module dg_wall_stages
    real(wp), parameter :: largest_stiffening = 50.0_wp
    !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
    real(wp), parameter :: gentle_stiffening = 15.0_wp
+   !> Where contact forces are kept from one wall to the next, penetrations but the last [-]: then only what the shape of the
+   !> string owes to them matters.
+   real(wp), parameter :: kept_penetration(2) = [0.02_wp, 0.001_wp]
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -27,11 +30,12 @@ contains
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
    !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
    !> stiffer wall then starts from the state before.
-   pure subroutine stage_walls(model, mesh, pressing, damping, walls)
+   pure subroutine stage_walls(model, mesh, pressing, damping, kept, walls)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
       logical, intent(in) :: damping     !< for damped Newton
+      logical, intent(in) :: kept        !< which keeps contact forces from one wall to the next
       real(wp), allocatable, intent(out) :: walls(:)
       real(wp) :: soft, stiff, ratio, largest
       integer :: stages, i
@@ -39,6 +43,11 @@ contains
       stiff = maxval(mesh%wall)
       largest = merge(gentle_stiffening, largest_stiffening, damping)
       stages = 1
+      if (kept .and. soft > 0.0_wp .and. model%numerics%soften) then
+         walls = [pressing/(kept_penetration*stiff), 1.0_wp]
+         walls = pack(walls, walls < 1.0_wp .or. [(i > size(kept_penetration), i=1, size(walls))])
+         return
+      end if
       if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))
       allocate (walls(stages), source=1.0_wp)
       if (stages == 1) return
