@@ -43,8 +43,9 @@ module dg_newton
    real(wp), parameter :: lost = 100.0_wp
 
    !> Residuals over the tolerance from which the next one is expected to be within it [-]: Newton's last step squares what
-   !> is left; while gaps still change it gains less.
-   real(wp), parameter :: near_final = 1.0e4_wp, near_soft = 80.0_wp
+   !> is left; while gaps still change it gains less. On the sample wells the next one was so for 19 in 20 of those between a tenth
+   !> of the first and itself, and for none above; for a third of those up to the second with gaps changing.
+   real(wp), parameter :: near_rest = 1.0e6_wp, near_soft = 80.0_wp
 
    !> Room and settings of an iteration, made once a case.
    type :: newton_type
@@ -93,7 +94,7 @@ contains
       do
          ! Where the end is near forces alone tell whether this is it: the tangent of a state at rest would not be used.
          near = row%iteration > 0 .and. (soft .or. row%flips + row%moves == 0) .and. &
-                largest(row) <= merge(near_soft, near_final, soft)*tolerance*newton%force_scale
+                largest(row) <= merge(near_rest, near_soft, row%flips + row%moves == 0)*tolerance*newton%force_scale
          if (near) then
             call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix, forces_only=.true.)
             call take_residual(newton, row)
