@@ -11,7 +11,7 @@ module dg_mesh
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: friction_split, load_case_type
    use dg_model, only: model_type, string_index
-   use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc
+   use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
    private
    public :: mesh_type, new_mesh, node_depths, subdivided, graded
@@ -54,7 +54,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: depths(:)   !< of the nodes, from the first station to the bit [m]
       type(mesh_type), intent(out) :: mesh
-      real(wp) :: tangent(3), curvature(3), end_point(3), middle, top, distance
+      real(wp) :: end_point(3), middle, top, distance
       real(wp), allocatable :: tops(:)
       integer :: e, n, index, part
       index = string_index(model%strings, load_case%string)
@@ -62,11 +62,12 @@ contains
       mesh%nodes = size(mesh%md)
       mesh%elements = mesh%nodes - 1
       allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes))
+      mesh%arc(1) = 1
       do n = 1, mesh%nodes
-         mesh%arc(n) = arc_at(model%trajectory, mesh%md(n))
+         mesh%arc(n) = arc_at(model%trajectory, mesh%md(n), near=mesh%arc(max(n - 1, 1)))
          associate (arc => model%trajectory%arcs(mesh%arc(n)))
-            call point_on_arc(arc, mesh%md(n) - arc%md, mesh%base(:, n), tangent, curvature)
-            call frame_on_arc(arc, mesh%md(n) - arc%md, mesh%frame(:, 1, n), mesh%frame(:, 2, n), mesh%frame(:, 3, n))
+            call frame_on_arc(arc, mesh%md(n) - arc%md, mesh%frame(:, 1, n), mesh%frame(:, 2, n), mesh%frame(:, 3, n), &
+                              mesh%base(:, n))
          end associate
       end do
       n = mesh%elements

@@ -68,7 +68,8 @@ contains
          if (totals%runaway) return
          straight_down = is_straight_down(mesh)
          do e = 1, mesh%elements
-            curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1))))%curvature
+            curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1)), &
+                                                      near=mesh%arc(e)))%curvature
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing

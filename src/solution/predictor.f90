@@ -13,7 +13,7 @@ module dg_predictor
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
-   use dg_trajectory, only: arc_at, frame_on_arc, point_on_arc, trajectory_type
+   use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
@@ -275,12 +275,11 @@ contains
       real(wp), intent(in) :: slide, offset(2), slope(2)
       real(wp), intent(inout) :: unknowns(:)
       real(wp), intent(out) :: shift(3), d(3)
-      real(wp) :: tangent(3), lateral_1(3), lateral_2(3), curvature(3), axis(3), md
+      real(wp) :: tangent(3), lateral_1(3), lateral_2(3), axis(3), md
       integer :: arc, a
       md = mesh%md(node) + slide
-      arc = arc_at(trajectory, md)
-      call point_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, axis, tangent, curvature)
-      call frame_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, tangent, lateral_1, lateral_2)
+      arc = arc_at(trajectory, md, near=mesh%arc(node))
+      call frame_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, tangent, lateral_1, lateral_2, axis)
       do a = mesh%arc(node), arc - 1
          axis = axis + trajectory%arcs(a)%chord
       end do

@@ -31,7 +31,8 @@ contains
       profile = new_profile(mesh%nodes)
       profile%md = mesh%md
       do n = 1, mesh%nodes
-         call position_at(trajectory, mesh%md(n), position, tangent)
+         position = trajectory%arcs(mesh%arc(n))%origin + mesh%base(:, n)
+         tangent = mesh%frame(:, 1, n)
          profile%north(n) = position(1)
          profile%east(n) = position(2)
          profile%tvd(n) = position(3)

@@ -36,26 +36,26 @@ contains
       real(wp), intent(out) :: position(3)   !< relative to arc%origin [m]
       real(wp), intent(out) :: tangent(3)
       real(wp), intent(out) :: curvature(3)  !< [1/m]
-      real(wp) :: half, sine, cosine, chord, full_sine, full_cosine
+      real(wp) :: half, sine, cosine, full_sine, full_cosine
       half = 0.5_wp*arc%curvature*offset
       sine = sin(half)
       cosine = cos(half)
-      chord = offset
-      if (abs(half) > vanishing) chord = offset*(sine/half)
-      position = chord*(cosine*arc%tangent + sine*arc%normal)
+      position = chord_of(half, sine, offset)*(cosine*arc%tangent + sine*arc%normal)
       full_sine = 2.0_wp*sine*cosine
       full_cosine = 1.0_wp - 2.0_wp*sine*sine
       tangent = full_cosine*arc%tangent + full_sine*arc%normal
       curvature = arc%curvature*(full_cosine*arc%normal - full_sine*arc%tangent)
    end subroutine point_on_arc
 
-   !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly.
-   pure subroutine frame_on_arc(arc, offset, tangent, lateral_1, lateral_2)
+   !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly. Where it is asked for, the
+   !> point too, as by point_on_arc.
+   pure subroutine frame_on_arc(arc, offset, tangent, lateral_1, lateral_2, position)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: offset         !< along the arc from its start [m]
       real(wp), intent(out) :: tangent(3)
       real(wp), intent(out) :: lateral_1(3)
       real(wp), intent(out) :: lateral_2(3)  !< tangent x lateral_1
+      real(wp), intent(out), optional :: position(3)   !< relative to arc%origin [m]
       real(wp) :: half, sine, cosine, change(3)
       half = 0.5_wp*arc%curvature*offset
       sine = sin(half)
@@ -64,7 +64,16 @@ contains
       change = -2.0_wp*sine*(sine*arc%normal + cosine*arc%tangent)  ! of the normal
       lateral_1 = arc%lateral_1 + dot_product(arc%lateral_1, arc%normal)*change
       lateral_2 = arc%lateral_2 + dot_product(arc%lateral_2, arc%normal)*change
+      if (present(position)) position = chord_of(half, sine, offset)*(cosine*arc%tangent + sine*arc%normal)
    end subroutine frame_on_arc
+
+   !> Length [m] of the chord of `offset` metres of an arc, from half its angle and that half's sine.
+   elemental function chord_of(half, sine, offset) result(chord)
+      real(wp), intent(in) :: half, sine, offset
+      real(wp) :: chord
+      chord = offset
+      if (abs(half) > vanishing) chord = offset*(sine/half)
+   end function chord_of
 
    !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends).
    !> With a, b the point's components along tangent and normal and k the curvature, the foot lies at the angle

@@ -114,11 +114,23 @@ contains
    end function bottom_md
 
    !> Index of the arc that holds a measured depth [m]; at a joint the lower one, outside the first or last.
-   pure function arc_at(trajectory, md) result(index)
+   pure function arc_at(trajectory, md, near) result(index)
       type(trajectory_type), intent(in) :: trajectory
       real(wp), intent(in) :: md
+      integer, intent(in), optional :: near   !< an arc that is not far: it is looked for from there
       integer :: index
       integer :: above, middle
+      if (present(near)) then
+         index = near
+         do while (index > 1 .and. trajectory%arcs(index)%md > md)
+            index = index - 1
+         end do
+         do while (index < size(trajectory%arcs))
+            if (trajectory%arcs(index + 1)%md > md) exit
+            index = index + 1
+         end do
+         return
+      end if
       index = 1
       above = size(trajectory%arcs) + 1
       do while (above - index > 1)
