@@ -7,64 +7,66 @@ module dg_band_solver
    private
    public :: band_solver_type, new_band_solver, band_factor, band_solve
 
-   !> Off-diagonals on each side: two neighbouring nodes couple all their unknowns.
-   integer, parameter :: half_width = 2*block_size - 1
-   integer, parameter :: band_rows = 3*half_width + 1  !< dgbtrf wants room for fill above
-
    type :: band_solver_type
+      integer :: block = block_size            !< unknowns of a node
       integer :: unknowns = 0
-      real(wp), allocatable :: band(:, :)      !< (band_rows, unknowns), factors after band_factor
+      integer :: half_width = 0                !< off-diagonals on each side: two neighbours couple all their unknowns
+      real(wp), allocatable :: band(:, :)      !< (3 half_width + 1, unknowns), factors after band_factor
       integer, allocatable :: pivots(:)
    end type band_solver_type
 
 contains
 
    !> Room for a chain of so many nodes; the solver may be used again for any number of matrices.
-   pure function new_band_solver(nodes) result(solver)
+   pure function new_band_solver(nodes, unknowns) result(solver)
       integer, intent(in) :: nodes
+      integer, intent(in), optional :: unknowns   !< of a node; absent: block_size
       type(band_solver_type) :: solver
-      solver%unknowns = block_size*nodes
-      allocate (solver%band(band_rows, solver%unknowns), source=0.0_wp)
+      if (present(unknowns)) solver%block = unknowns
+      solver%unknowns = solver%block*nodes
+      solver%half_width = 2*solver%block - 1
+      allocate (solver%band(3*solver%half_width + 1, solver%unknowns), source=0.0_wp)   ! dgbtrf wants room for fill above
       allocate (solver%pivots(solver%unknowns), source=0)
    end function new_band_solver
 
-   !> Factors the matrix. info = 0: done; > 0: the unknown (6 a node) at which it is singular.
+   !> Factors the matrix. info = 0: done; > 0: the unknown at which it is singular.
    subroutine band_factor(solver, matrix, info)
       type(band_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       integer, intent(out) :: info
-      integer :: n, i, j, row, column, nodes
-      integer, parameter :: centre = 2*half_width + 1
-      nodes = solver%unknowns/block_size
+      integer :: n, i, j, row, column, nodes, block
+      block = solver%block
+      nodes = solver%unknowns/block
       solver%band = 0.0_wp
       do n = 1, nodes
-         do j = 1, block_size
-            column = block_size*(n - 1) + j
-            row = centre - j
-            do i = 1, block_size
+         do j = 1, block
+            column = block*(n - 1) + j
+            row = 2*solver%half_width + 1 - j
+            do i = 1, block
                solver%band(row + i, column) = matrix%diagonal(i, j, n)
             end do
             if (n < nodes) then
-               do i = 1, block_size
-                  solver%band(row + block_size + i, column) = matrix%lower(i, j, n)
+               do i = 1, block
+                  solver%band(row + block + i, column) = matrix%lower(i, j, n)
                end do
             end if
             if (n > 1) then
-               do i = 1, block_size
-                  solver%band(row - block_size + i, column) = matrix%upper(i, j, n - 1)
+               do i = 1, block
+                  solver%band(row - block + i, column) = matrix%upper(i, j, n - 1)
                end do
             end if
          end do
       end do
-      call dgbtrf(solver%unknowns, solver%unknowns, half_width, half_width, solver%band, band_rows, solver%pivots, info)
+      call dgbtrf(solver%unknowns, solver%unknowns, solver%half_width, solver%half_width, solver%band, size(solver%band, 1), &
+                  solver%pivots, info)
    end subroutine band_factor
 
-   !> Solves with the factors of band_factor; rhs(6,nodes) becomes the solution.
+   !> Solves with the factors of band_factor; rhs(unknowns of a node,nodes) becomes the solution.
    subroutine band_solve(solver, rhs)
       type(band_solver_type), intent(in) :: solver
       real(wp), intent(inout) :: rhs(:, :)
       integer :: info
-      call dgbtrs('N', solver%unknowns, half_width, half_width, 1, solver%band, band_rows, solver%pivots, rhs, &
-                  solver%unknowns, info)
+      call dgbtrs('N', solver%unknowns, solver%half_width, solver%half_width, 1, solver%band, size(solver%band, 1), &
+                  solver%pivots, rhs, solver%unknowns, info)
    end subroutine band_solve
 end module dg_band_solver

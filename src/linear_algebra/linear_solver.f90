@@ -3,8 +3,10 @@
 module dg_linear_solver
    use dg_kinds, only: wp
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
-   use dg_block_matrix, only: block_matrix_type, block_product
+   use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
    use dg_block_solver, only: block_back, block_factor, block_solve, block_solver_type, new_block_solver
+   use dg_small_block_solver, only: new_small_block_solver, small_block_back, small_block_factor, small_block_remainder, &
+                                    small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
@@ -12,7 +14,7 @@ module dg_linear_solver
    public :: linear_solver_type, new_linear_solver, solve_linear
    public :: solver_block, solver_banded, solver_sparse, solver_count, solver_name
 
-   integer, parameter :: solver_block = 1   !< 6 x 6 block elimination
+   integer, parameter :: solver_block = 1   !< elimination by blocks, 6 x 6 or 3 x 3
    integer, parameter :: solver_banded = 2  !< LAPACK's band LU
    !> Of SuiteSparse: LDL where the matrix is symmetric and positive definite, else KLU, a sparse LU.
    integer, parameter :: solver_sparse = 3
@@ -26,7 +28,9 @@ module dg_linear_solver
 
    type :: linear_solver_type
       integer :: kind = solver_block
+      integer :: unknowns = block_size          !< of a node
       type(block_solver_type) :: block
+      type(small_block_solver_type) :: small    !< instead of `block` in a plane
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
       type(symmetric_solver_type) :: symmetric
@@ -39,15 +43,22 @@ module dg_linear_solver
 contains
 
    !> Room for a chain of so many nodes. The band solver's room is taken when first needed.
-   pure subroutine new_linear_solver(kind, nodes, solver)
+   pure subroutine new_linear_solver(kind, nodes, solver, unknowns)
       integer, intent(in) :: kind
       integer, intent(in) :: nodes
       type(linear_solver_type), intent(out) :: solver
+      integer, intent(in), optional :: unknowns   !< of a node; absent: block_size
       solver%kind = kind
-      if (kind == solver_block) call new_block_solver(nodes, solver%block)
+      if (present(unknowns)) solver%unknowns = unknowns
+      if (kind /= solver_block) return
+      if (solver%unknowns == plane_block_size) then
+         call new_small_block_solver(nodes, solver%small)
+      else
+         call new_block_solver(nodes, solver%block)
+      end if
    end subroutine new_linear_solver
 
-   !> Newton's step: solves matrix step = -residual(6,nodes). info = 0: done; > 0: singular.
+   !> Newton's step: solves matrix step = -residual(unknowns of a node,nodes). info = 0: done; > 0: singular.
    subroutine solve_linear(solver, matrix, residual, step, info)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
@@ -57,7 +68,10 @@ contains
       logical :: good
       step = -residual
       if (solver%kind /= solver_banded) then
-         if (solver%kind == solver_block) then
+         if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
+            call small_block_factor(solver%small, matrix, info, step)
+            if (info == 0) call small_block_back(solver%small, matrix, step)
+         else if (solver%kind == solver_block) then
             call block_factor(solver%block, matrix, info, step)
             if (info == 0) call block_back(solver%block, matrix, step)
          else
@@ -79,7 +93,7 @@ contains
          solver%fallbacks = solver%fallbacks + 1
          step = -residual
       end if
-      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(step, 2))
+      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(step, 2), solver%unknowns)
       call band_factor(solver%band, matrix, info)
       if (info == 0) call band_solve(solver%band, step)
    end subroutine solve_linear
@@ -118,7 +132,9 @@ contains
       real(wp), allocatable :: correction(:, :)
       solver%refinements = solver%refinements + 1
       allocate (correction, source=-residual - block_product(matrix, step))
-      if (solver%kind == solver_block) then
+      if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
+         call small_block_solve(solver%small, matrix, correction)
+      else if (solver%kind == solver_block) then
          call block_solve(solver%block, matrix, correction)
       else
          call sparse_solve(solver%sparse, correction)
@@ -133,29 +149,40 @@ contains
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: step(:, :)
       logical, intent(out) :: good
+      real(wp) :: largest
+      if (size(residual, 1) == plane_block_size) then
+         call small_block_remainder(matrix, residual, step, largest)
+      else
+         call remainder(matrix, residual, step, largest)
+      end if
+      good = largest <= refine_above*maxval(abs(residual))
+   end subroutine check
+
+   !> Largest entry of residual + matrix step, six unknowns a node.
+   pure subroutine remainder(matrix, residual, step, largest)
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(in) :: residual(:, :), step(:, :)
+      real(wp), intent(out) :: largest
       integer :: n, j, before
-      real(wp) :: r(6), largest, scale
+      real(wp) :: r(block_size)
       largest = 0.0_wp
-      scale = 0.0_wp
       do n = 1, size(step, 2)
          r = residual(:, n)
-         scale = max(scale, maxval(abs(r)))
-         do j = 1, 6
+         do j = 1, block_size
             r = r + matrix%diagonal(:, j, n)*step(j, n)
          end do
          before = n - 1
          if (before >= 1) then
-            do j = 1, 6
+            do j = 1, block_size
                r = r + matrix%lower(:, j, before)*step(j, before)
             end do
          end if
          if (n < size(step, 2)) then
-            do j = 1, 6
+            do j = 1, block_size
                r = r + matrix%upper(:, j, n)*step(j, n + 1)
             end do
          end if
          largest = max(largest, maxval(abs(r)))
       end do
-      good = largest <= refine_above*scale
-   end subroutine check
+   end subroutine remainder
 end module dg_linear_solver

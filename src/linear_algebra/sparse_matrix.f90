@@ -2,7 +2,7 @@
 module dg_sparse_matrix
    use, intrinsic :: iso_c_binding, only: c_double, c_int
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_block_matrix, only: block_matrix_type
    implicit none
    private
    public :: sparse_matrix_type, set_sparse_matrix
@@ -22,39 +22,41 @@ contains
       type(block_matrix_type), intent(in) :: matrix
       type(sparse_matrix_type), intent(inout) :: sparse
       logical, intent(in) :: upper
-      integer :: n, j, nodes, place, column
+      integer :: n, j, nodes, place, column, block
+      block = size(matrix%diagonal, 1)
       nodes = size(matrix%diagonal, 3)
-      if (sparse%unknowns /= block_size*nodes) then
+      if (sparse%unknowns /= block*nodes) then
          if (allocated(sparse%columns)) deallocate (sparse%columns, sparse%rows, sparse%values)
-         sparse%unknowns = block_size*nodes
-         allocate (sparse%columns(sparse%unknowns + 1), sparse%rows(3*block_size*sparse%unknowns), &
-                   sparse%values(3*block_size*sparse%unknowns))
+         sparse%unknowns = block*nodes
+         allocate (sparse%columns(sparse%unknowns + 1), sparse%rows(3*block*sparse%unknowns), &
+                   sparse%values(3*block*sparse%unknowns))
       end if
       place = 0
       do n = 1, nodes
-         do j = 1, block_size
-            column = block_size*(n - 1) + j
+         do j = 1, block
+            column = block*(n - 1) + j
             sparse%columns(column) = int(place, c_int)
-            if (n > 1) call put_block(matrix%upper(:, j, n - 1), n - 1, sparse, place)
-            call put_block(matrix%diagonal(:merge(j, block_size, upper), j, n), n, sparse, place)
-            if (n < nodes .and. .not. upper) call put_block(matrix%lower(:, j, n), n + 1, sparse, place)
+            if (n > 1) call put_block(matrix%upper(:, j, n - 1), block*(n - 2), sparse, place)
+            call put_block(matrix%diagonal(:merge(j, block, upper), j, n), block*(n - 1), sparse, place)
+            if (n < nodes .and. .not. upper) call put_block(matrix%lower(:, j, n), block*n, sparse, place)
          end do
       end do
       sparse%columns(sparse%unknowns + 1) = int(place, c_int)
       sparse%entries = place
    end subroutine set_sparse_matrix
 
-   !> A column of a block of node `row`, or the upper part of it, behind the `place` entries that there are; no zeros.
-   pure subroutine put_block(values, row, sparse, place)
+   !> A column of a block below the first `above` rows, or the upper part of it, behind the `place` entries that there are; no
+   !> zeros.
+   pure subroutine put_block(values, above, sparse, place)
       real(wp), intent(in) :: values(:)
-      integer, intent(in) :: row
+      integer, intent(in) :: above
       type(sparse_matrix_type), intent(inout) :: sparse
       integer, intent(inout) :: place
       integer :: i
       do i = 1, size(values)
          if (.not. abs(values(i)) > 0.0_wp) cycle
          place = place + 1
-         sparse%rows(place) = int(block_size*(row - 1) + i - 1, c_int)
+         sparse%rows(place) = int(above + i - 1, c_int)
          sparse%values(place) = values(i)
       end do
    end subroutine put_block

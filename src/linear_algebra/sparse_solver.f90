@@ -51,7 +51,7 @@ contains
       info = 0
    end subroutine sparse_factor
 
-   !> Solves with the factors of sparse_factor; rhs(6,nodes) becomes the solution.
+   !> Solves with the factors of sparse_factor; rhs(unknowns of a node,nodes) becomes the solution.
    subroutine sparse_solve(solver, rhs)
       type(sparse_solver_type), intent(inout) :: solver
       real(wp), intent(inout) :: rhs(:, :)

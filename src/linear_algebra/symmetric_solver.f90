@@ -5,7 +5,7 @@
 module dg_symmetric_solver
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_null_ptr
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_block_matrix, only: block_matrix_type
    use dg_ldl, only: ldl_dsolve, ldl_lsolve, ldl_ltsolve, ldl_numeric, ldl_symbolic
    use dg_sparse_matrix, only: set_sparse_matrix, sparse_matrix_type
    implicit none
@@ -35,21 +35,21 @@ contains
    pure function is_symmetric(matrix) result(symmetric)
       type(block_matrix_type), intent(in) :: matrix
       logical :: symmetric
-      real(wp) :: scale(block_size), before(block_size)
+      real(wp), dimension(size(matrix%diagonal, 1)) :: scale, before
       integer :: n, i, j
       symmetric = .false.
       do n = 1, size(matrix%diagonal, 3)
-         do i = 1, block_size
+         do i = 1, size(scale)
             scale(i) = sqrt(abs(matrix%diagonal(i, i, n)))
          end do
-         do j = 1, block_size
+         do j = 1, size(scale)
             do i = 1, j - 1
                if (.not. alike(matrix%diagonal(i, j, n), matrix%diagonal(j, i, n), scale(i)*scale(j))) return
             end do
          end do
          if (n > 1) then
-            do j = 1, block_size
-               do i = 1, block_size
+            do j = 1, size(scale)
+               do i = 1, size(scale)
                   if (.not. alike(matrix%upper(i, j, n - 1), matrix%lower(j, i, n - 1), before(i)*scale(j))) return
                end do
             end do
@@ -94,7 +94,7 @@ contains
       solver%negative_pivots = count(solver%diagonal(:done) < 0.0_c_double)
    end subroutine symmetric_factor
 
-   !> Solves with the factors of symmetric_factor; rhs(6,nodes) becomes the solution.
+   !> Solves with the factors of symmetric_factor; rhs(unknowns of a node,nodes) becomes the solution.
    subroutine symmetric_solve(solver, rhs)
       type(symmetric_solver_type), intent(in) :: solver
       real(wp), intent(inout) :: rhs(:, :)

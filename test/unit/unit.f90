@@ -27,6 +27,7 @@ contains
       use dg_test_beam_angle, only: beam_angle_suite
       use dg_test_beam_element, only: beam_element_suite
       use dg_test_block_matrix, only: block_matrix_suite
+      use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
       use dg_test_director, only: director_suite
       use dg_test_gap_contact, only: gap_contact_suite
@@ -72,6 +73,7 @@ contains
       call suite%addTest(beam_angle_suite())
       call suite%addTest(beam_element_suite())
       call suite%addTest(block_matrix_suite())
+      call suite%addTest(plane_equations_suite())
       call suite%addTest(symmetric_solver_suite())
       call suite%addTest(director_suite())
       call suite%addTest(gap_contact_suite())
