@@ -3,7 +3,7 @@ module dg_beam_angle
    use dg_kinds, only: wp
    implicit none
    private
-   public :: angle_ratio, angle_square
+   public :: angle_ratio, angle_square, signed_angle
 
    !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
@@ -43,6 +43,24 @@ contains
          ddg = (3.0_wp*cosine*dg + g)/sine_square
       end if
    end subroutine angle_ratio
+
+   !> The angle alpha itself with its sign [rad], in a plane, from its cosine and sine; -pi to pi.
+   pure function signed_angle(cosine, sine) result(angle)
+      real(wp), intent(in) :: cosine, sine
+      real(wp) :: angle
+      real(wp) :: u
+      integer :: n
+      u = 1.0_wp - cosine
+      if (u < series_limit) then
+         angle = c(series_terms)
+         do n = series_terms - 1, 0, -1
+            angle = angle*u + c(n)
+         end do
+         angle = angle*sine
+      else
+         angle = atan2(sine, cosine)
+      end if
+   end function signed_angle
 
    !> alpha squared [rad2] from the cosine and g of angle_ratio: alpha**2 = g**2 sin(alpha)**2.
    pure function angle_square(cosine, g) result(square)

@@ -28,7 +28,7 @@ module dg_beam_element
    implicit none
    private
    public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, membrane_length
-   public :: torque_force, torque_tangent
+   public :: torque_force, torque_tangent, energy_weights
 
    !> What an element is made of.
    type :: beam_section_type
@@ -85,18 +85,20 @@ contains
       m%b_p = product
    end function measure
 
-   !> Weights of A and B in the energy's derivative, and the axial force.
-   pure subroutine energy_weights(section, m, axial, weight_a, weight_b)
+   !> Weights of A and B in the energy's derivative, and the axial force, from chord length and bowing: all that the element in a
+   !> plane (dg_plane_beam_element) has in common with the one in space, but the energy itself.
+   pure subroutine energy_weights(section, length, bowing, axial, weight_a, weight_b)
       type(beam_section_type), intent(in) :: section
-      type(measure_type), intent(in) :: m
-      real(wp), intent(out) :: axial     ! N, tension > 0 [N]
-      real(wp), intent(out) :: weight_a, weight_b
+      real(wp), intent(in) :: length     !< l [m]
+      real(wp), intent(in) :: bowing     !< b [-]
+      real(wp), intent(out) :: axial     !< N, tension > 0 [N]
+      real(wp), intent(out) :: weight_a, weight_b  !< dU/dA, dU/dB [N.m]
       real(wp) :: bending
-      axial = section%axial_stiffness*(m%length*(1.0_wp + m%bowing) - section%membrane_length)/section%membrane_length
+      axial = section%axial_stiffness*(length*(1.0_wp + bowing) - section%membrane_length)/section%membrane_length
       bending = 2.0_wp*section%bending_stiffness/section%length
       ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m
-      weight_a = axial*m%length/15.0_wp + bending
-      weight_b = -axial*m%length/30.0_wp + bending
+      weight_a = axial*length/15.0_wp + bending
+      weight_b = -axial*length/30.0_wp + bending
    end subroutine energy_weights
 
    !> Internal force dU/dy(12) [N; N.m per unit director] of the element, Eq. 9 left-hand side, and its axial force.
@@ -109,7 +111,7 @@ contains
       type(measure_type) :: m
       real(wp) :: weight_a, weight_b
       m = measure(chord, d_i, d_j)
-      call energy_weights(section, m, axial, weight_a, weight_b)
+      call energy_weights(section, m%length, m%bowing, axial, weight_a, weight_b)
       call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
    end subroutine beam_force
 
@@ -138,7 +140,7 @@ contains
       type(measure_type) :: m
       real(wp) :: weight_a, weight_b, bending, material(4, 4), stressed(4, 4), first(4)
       m = measure(chord, d_i, d_j)
-      call energy_weights(section, m, axial, weight_a, weight_b)
+      call energy_weights(section, m%length, m%bowing, axial, weight_a, weight_b)
       call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
       bending = 2.0_wp*section%bending_stiffness/section%length
       call scalar_hessian(section, m, axial, bending, material, stressed)

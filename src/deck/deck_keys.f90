@@ -153,12 +153,14 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(22) = [ &
+   type(key_rule_type), parameter :: solver_keys(23) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
-         meaning='sets element_length where that is not given: 30, 60, 10, 1 m; fast also gap_location and tolerance'), &
+         meaning='longest element 30, 60, 10, 1 m; auto and fast solve in_plane; fast has gap_location nodes and tolerance 1e-6'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
+      key_rule_type('solver', 'in_plane', kind_text, choices='auto never', &
+         meaning='auto: a string that stays in the plane of its hole is solved in it; default that of fidelity'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
          meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &

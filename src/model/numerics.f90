@@ -7,7 +7,7 @@ module dg_numerics
    public :: numerics_type, default_elastic_share
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
-   public :: fidelity_count, fidelity_name, settings_of, set_fidelity
+   public :: fidelity_count, fidelity_name, settings_of, set_fidelity, other_location
    public :: solver_banded, solver_block, solver_name, solver_sparse
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
@@ -17,8 +17,8 @@ module dg_numerics
    character(*), parameter :: gap_location_name(gap_location_count) = [character(8) :: 'extremum', 'nodes']
 
    integer, parameter :: fidelity_count = 4
-   !> Names in decks. auto lets elements be as long as the local scale bears; fast the same with fixed gaps and a loose
-   !> tolerance; standard and reference ask for a fine mesh everywhere.
+   !> Names in decks. auto lets elements be as long as the local scale bears and solves in their plane strings that stay in one;
+   !> fast the same with fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere, and for space.
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
    real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
@@ -36,6 +36,7 @@ module dg_numerics
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
+      logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 600          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
@@ -64,6 +65,13 @@ contains
       call set_fidelity(numerics, fidelity)
    end function settings_of
 
+   !> The place of the gaps that is not asked for.
+   elemental function other_location(location) result(other)
+      integer, intent(in) :: location
+      integer :: other
+      other = merge(gap_at_extremum, gap_at_nodes, location == gap_at_nodes)
+   end function other_location
+
    !> Gives settings what a fidelity decides, and leaves the others as they are.
    pure subroutine set_fidelity(numerics, fidelity)
       type(numerics_type), intent(inout) :: numerics
@@ -75,6 +83,7 @@ contains
          numerics%element_length = fidelity_length(i)
          numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity == 'fast')
          numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity == 'fast')
+         numerics%in_plane = fidelity == 'auto' .or. fidelity == 'fast'
       end do
    end subroutine set_fidelity
 end module dg_numerics

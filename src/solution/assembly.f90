@@ -8,13 +8,14 @@ module dg_assembly
    use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
-   use dg_gap_contact, only: contact_action_tangent, sliding_couple, support_action
+   use dg_end_supports, only: end_action
+   use dg_gap_contact, only: contact_action_tangent, sliding_couple
    use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
    use dg_gap_state, only: contact_force, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
-   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_trajectory, only: trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
@@ -299,35 +300,18 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: point(3), gap(3), tangent(3), curvature(3), offset, force(3), by_point(3, 3), support, chi
-      integer :: n, arc, i, j, pass
-      work%bit_reaction = 0.0_wp
+      real(wp) :: force(3), by_point(3, 3)
+      integer :: n, pass
       do pass = 1, 2
          n = merge(1, mesh%nodes, pass == 1)
-         support = merge(loads%top_support, loads%bit_support, pass == 1)
-         arc = mesh%arc(n)
-         point = mesh%base(:, n) + work%shift(:, n)
-         call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
-         call support_action(gap, tangent, curvature, support, force, by_point)
-         if (pass == 2) then
-            chi = 1.0_wp/(1.0_wp - dot_product(curvature, gap))
-            work%bit_reaction = force
-            work%bit_load = -loads%wob*tangent          ! the formation pushes up the hole
-            force = force + work%bit_load
-            do j = 1, 3
-               by_point(:, j) = by_point(:, j) - (loads%wob*chi*tangent(j))*curvature
-            end do
-            residual(dof_twist, n) = residual(dof_twist, n) + loads%tob
-         end if
+         call end_action(trajectory, mesh, n, merge(loads%top_support, loads%bit_support, pass == 1), loads%wob, work, force, &
+                         by_point)
          work%node_force(1:3, n) = work%node_force(1:3, n) - force
          if (.not. wanted) cycle
          by_point = matmul(transpose(mesh%frame(:, :, n)), matmul(by_point, mesh%frame(:, :, n)))
-         do j = 1, 3
-            do i = 1, 3
-               matrix%diagonal(i, j, n) = matrix%diagonal(i, j, n) - by_point(i, j)
-            end do
-         end do
+         matrix%diagonal(1:3, 1:3, n) = matrix%diagonal(1:3, 1:3, n) - by_point
       end do
+      residual(dof_twist, mesh%nodes) = residual(dof_twist, mesh%nodes) + loads%tob
    end subroutine add_supports
 
    !> Holds u and phi of the top node.

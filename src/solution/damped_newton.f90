@@ -277,7 +277,7 @@ contains
       subroutine solve_with_viscosity(fault)
          integer, intent(out) :: fault
          call add_viscosity(damped, newton%matrix)
-         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
+         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix, newton%laterals)
          if (vertical) then
             call solve_turning(newton%solver, damped%lump, damped%mode, damped%pull, newton%residual, newton%matrix, damped%trial, &
                                newton%step, fault)

@@ -5,22 +5,24 @@
 module dg_newton
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_matrix_type
+   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix, plane_block_size
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, judge_states, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
-   use dg_linear_solver, only: linear_solver_type, solve_linear
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear
    use dg_mesh, only: mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_plane, only: move_in_plane, plane_type, row_lateral, row_slope
+   use dg_plane_assembly, only: assemble_in_plane
    use dg_release_front, only: forget_fronts, release_ahead, release_front_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, place_nodes, &
                            workspace_type
    implicit none
    private
-   public :: newton_type, iterate, end_iterations, judge, take_residual, largest, add_gap_rigidity
+   public :: newton_type, iterate, make_room, end_iterations, judge, take_residual, largest, add_gap_rigidity
    public :: most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
@@ -51,8 +53,13 @@ module dg_newton
    type :: newton_type
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver
-      real(wp), allocatable :: residual(:, :)     !< (6,nodes)
-      real(wp), allocatable :: step(:, :)         !< (6,nodes)
+      real(wp), allocatable :: residual(:, :)     !< (6,nodes), or in a plane (3,nodes)
+      real(wp), allocatable :: step(:, :)         !< the same
+      logical :: planar = .false.                 !< only what moves the string in its plane is solved for
+      type(plane_type) :: plane
+      integer :: forces = 3                       !< rows of residual and step: forces come first, then moments
+      integer :: laterals(2) = [dof_lateral_1, dof_lateral_2]   !< from the one to the other
+      integer :: slopes(2) = [dof_slope_1, dof_slope_2]
       type(release_front_type) :: front           !< of release
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
@@ -96,11 +103,11 @@ contains
          near = row%iteration > 0 .and. (soft .or. row%flips + row%moves == 0) .and. &
                 largest(row) <= merge(near_rest, near_soft, row%flips + row%moves == 0)*tolerance*newton%force_scale
          if (near) then
-            call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix, forces_only=.true.)
+            call find_residual(newton, trajectory, mesh, loads, gaps, state, .true., work)
             call take_residual(newton, row)
          end if
          if (.not. (near .and. largest(row) <= tolerance*newton%force_scale)) then
-            call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix)
+            call find_residual(newton, trajectory, mesh, loads, gaps, state, .false., work)
             call take_residual(newton, row)
          end if
          row%hookload = work%hookload
@@ -134,10 +141,10 @@ contains
             outcome = newton_exhausted
             return
          end if
-         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix)
+         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix, newton%laterals)
          call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, info)
          if (info == 0) row%negative_pivots = newton%solver%negative_pivots
-         row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
+         row%lateral_step = maxval(abs(newton%step(newton%laterals(1):newton%laterals(2), :)))
          if (info /= 0 .or. .not. row%lateral_step < huge(row%lateral_step)) then
             if (rounds > 0) then
                call take_back()
@@ -146,7 +153,7 @@ contains
             outcome = newton_singular
             return
          end if
-         state = state + newton%step*step_share(newton, row, stalled)
+         call take_step(newton, step_share(newton, row, stalled), state)
          newton%iterations = newton%iterations + 1
          newton%front%before = gaps%state
          call judge(trajectory, mesh, numerics, soft, row%flips == 0, .false., state, gaps, work, row)
@@ -167,8 +174,56 @@ contains
       end subroutine take_back
    end subroutine iterate
 
-   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside.
-   pure subroutine end_iterations(newton, trajectory, mesh, loads, gaps, state, work)
+   !> Room for the equations of a mesh, in space or in the plane that `newton` names.
+   pure subroutine make_room(newton, kind, nodes, planar)
+      type(newton_type), intent(inout) :: newton
+      integer, intent(in) :: kind          !< of linear solver
+      integer, intent(in) :: nodes
+      logical, intent(in) :: planar
+      integer :: unknowns
+      newton%planar = planar
+      unknowns = merge(plane_block_size, block_size, planar)
+      newton%forces = (unknowns + 1)/2
+      newton%laterals = merge([row_lateral, row_lateral], [dof_lateral_1, dof_lateral_2], planar)
+      newton%slopes = merge([row_slope, row_slope], [dof_slope_1, dof_slope_2], planar)
+      newton%matrix = new_block_matrix(nodes, unknowns)
+      call new_linear_solver(kind, nodes, newton%solver, unknowns)
+      allocate (newton%residual(unknowns, nodes), newton%step(unknowns, nodes), source=0.0_wp)
+   end subroutine make_room
+
+   !> Residual and, unless forces alone are wanted, tangent.
+   pure subroutine find_residual(newton, trajectory, mesh, loads, gaps, state, forces_only, work)
+      type(newton_type), intent(inout) :: newton
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      logical, intent(in) :: forces_only
+      type(workspace_type), intent(inout) :: work
+      if (newton%planar) then
+         call assemble_in_plane(trajectory, mesh, newton%plane, loads, gaps, state, forces_only, work, newton%residual, &
+                                newton%matrix)
+      else
+         call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix, forces_only)
+      end if
+   end subroutine find_residual
+
+   !> state <- state + share step.
+   pure subroutine take_step(newton, share, state)
+      type(newton_type), intent(in) :: newton
+      real(wp), intent(in) :: share
+      real(wp), intent(inout) :: state(:, :)
+      if (newton%planar) then
+         call move_in_plane(newton%plane, newton%step, share, state)
+      else
+         state = state + newton%step*share
+      end if
+   end subroutine take_step
+
+   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside, in
+   !> space wherever the string was solved.
+   pure subroutine end_iterations(newton, trajectory, mesh, loads, gaps, state, work, largest_residual)
       type(newton_type), intent(inout) :: newton
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -176,11 +231,14 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
+      real(wp), intent(out), optional :: largest_residual   !< force or moment out of balance [N, N.m]
       newton%matrix = block_matrix_type()
       newton%solver = linear_solver_type()
-      deallocate (newton%step)
+      deallocate (newton%residual, newton%step)
+      allocate (newton%residual(block_size, mesh%nodes))
       call make_room_for_recovery(mesh, work)
       call assemble(trajectory, mesh, loads, gaps, state, .false., work, newton%residual, newton%matrix, forces_only=.true.)
+      if (present(largest_residual)) largest_residual = maxval(abs(newton%residual))
       deallocate (newton%residual)
    end subroutine end_iterations
 
@@ -188,8 +246,8 @@ contains
    pure subroutine take_residual(newton, row)
       type(newton_type), intent(in) :: newton
       type(iteration_type), intent(inout) :: row
-      row%residual_force = maxval(abs(newton%residual(1:3, :)))
-      row%residual_moment = maxval(abs(newton%residual(4:6, :)))
+      row%residual_force = maxval(abs(newton%residual(:newton%forces, :)))
+      row%residual_moment = maxval(abs(newton%residual(newton%forces + 1:, :)))
    end subroutine take_residual
 
    !> The larger of both [N, N.m].
@@ -207,7 +265,7 @@ contains
       integer, intent(in) :: stalled        !< iterations in a row with gaps changing
       real(wp) :: share
       share = 1.0_wp/max(1.0_wp, row%lateral_step/newton%step_limit, &
-                         maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn)
+                         maxval(abs(newton%step(newton%slopes(1):newton%slopes(2), :)))/largest_turn)
       if (stalled > patience) share = 0.5_wp*share
    end function step_share
 
@@ -232,15 +290,16 @@ contains
       call judge_states(gaps, work%displacement, row%flips)
    end subroutine judge
 
-   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns.
-   pure subroutine add_gap_rigidity(mesh, gk_min, matrix)
+   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns, from the first to the second of `rows`.
+   pure subroutine add_gap_rigidity(mesh, gk_min, matrix, rows)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: gk_min
       type(block_matrix_type), intent(inout) :: matrix
+      integer, intent(in) :: rows(2)
       integer :: n, i, e
       do e = 1, mesh%elements
          do n = e, e + 1
-            do i = dof_lateral_1, dof_lateral_2
+            do i = rows(1), rows(2)
                matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + 0.5_wp*gk_min*mesh%length(e)
             end do
          end do

@@ -3,21 +3,21 @@ module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
-   use dg_block_matrix, only: new_block_matrix
-   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
+                             way_planar
    use dg_damped_newton, only: iterate_damped
    use dg_error, only: error_type
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type, rotates
-   use dg_linear_solver, only: new_linear_solver
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case, shortest
    use dg_missing, only: missing
    use dg_model, only: model_type
-   use dg_newton, only: end_iterations, iterate, newton_converged, newton_exhausted, newton_type
-   use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
+   use dg_newton, only: end_iterations, iterate, make_room, newton_converged, newton_exhausted, newton_type
+   use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
+   use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
    use dg_release_front, only: new_release_front
@@ -27,7 +27,7 @@ module dg_static_analysis
    use dg_text, only: to_text
    use dg_turning_step, only: is_straight_down
    use dg_viscosity, only: damped_type, new_damped
-   use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls
+   use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls, tolerance_at
    use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
@@ -36,9 +36,6 @@ module dg_static_analysis
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
    !> string within micrometres of the axis, not so stiff as to spoil the matrix.
    real(wp), parameter :: support_length = 1.0_wp
-   !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
-   !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
-   real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
    !> Of a string without weight and load, which has no scale of its own [N].
    real(wp), parameter :: least_scale = 1.0_wp
    !> Residual over weight at which a stage before the last is left [-].
@@ -124,12 +121,12 @@ contains
       real(wp), allocatable :: state(:, :)
       type(soft_totals_type) :: totals
       real(wp) :: worst, pressing, compressed, waves, viscous_step, margin
-      logical :: may_buckle, started, damping, stable, straight_down
+      logical :: may_buckle, started, damping, stable, straight_down, stays
       logical :: known             ! the energy's tangent at the rest that has been found
       integer, allocatable :: gap_states(:)
       integer :: shortened(scale_count)
       integer :: plan(3)
-      integer :: attempt, outcome, place
+      integer :: attempt, outcome, place, way, in_plane
       call mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
       if (totals%runaway) then
          call result_of_lock_up(model, case_index, result)
@@ -140,14 +137,27 @@ contains
       allocate (gap_states(mesh%elements), source=state_free)
       started = .false.
       if (size(history) == 0) call start_from_coarse(model, case_index, mesh, waves > most_waves, state, gap_states, started)
-      call prepare(model, model%cases(case_index), mesh, newton, work)
+      call prepare(model, model%cases(case_index), mesh, compressed, newton, work, way)
       newton%iterations = size(history)
       newton%history(:size(history)) = history
       viscous_step = model%numerics%viscous_limit*maxval(mesh%clearance)
       margin = missing
       straight_down = is_straight_down(mesh)
       plan = plan_of(may_buckle, waves > most_waves, rotates(model%cases(case_index)%operation), straight_down)
-      do attempt = 1, count(plan /= nothing)
+      numerics = model%numerics
+      if (newton%planar) then
+         call try_in_plane(model, case_index, most, pressing, started, gap_states, mesh, numerics, newton, gaps, state, work, &
+                           loads, stays)
+         outcome = newton_converged
+         if (.not. stays) then     ! whatever the reason, space decides, as if nothing had been tried before
+            way = way_left
+            in_plane = newton%iterations - size(history)
+            newton%iterations = size(history)
+            if (started) call start_from_coarse(model, case_index, mesh, .false., state, gap_states, started)
+            call make_room(newton, numerics%linear_solver, mesh%nodes, planar=.false.)
+         end if
+      end if
+      do attempt = 1, merge(0, count(plan /= nothing), newton%planar)
          known = .false.
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
@@ -157,7 +167,7 @@ contains
          if (plan(attempt) == as_it_whirls .or. (may_buckle .and. straight_down)) &
             call whirling(model, case_index, mesh, work%climb)
          if (any(plan(attempt) == [other_place, other_place_damped])) &
-            numerics%gap_location = merge(gap_at_extremum, gap_at_nodes, numerics%gap_location == gap_at_nodes)
+            numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
          if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping) then
@@ -182,9 +192,12 @@ contains
       if (is_interrupted()) outcome = newton_exhausted     ! what an attempt that was cut short led to does not count
       if (outcome == newton_converged .and. may_buckle) &
          call find_stability_margin(newton, model%trajectory, mesh, loads, gaps, state, work, known, margin)
-      call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work)
+      if (.not. newton%planar) call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work)
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
       result%stability_margin = margin
+      result%way = way
+      if (way == way_left) call add_message(result, 'solved in space: '//to_text(in_plane)//' iterations in the plane of the '// &
+         'hole, which are not counted, found no rest that lasts')
       result%shortened = shortened
       result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
       if (result%status == result_converged .and. numerics%gap_location /= model%numerics%gap_location) &
@@ -192,6 +205,45 @@ contains
                           numerics%gap_location == gap_at_nodes))//', as with those at the place asked for it found no rest: '// &
                           'hook load, torque and contact force may be off by a percent, '//touched)
    end subroutine solve_on_mesh
+
+   !> Solves the case in the plane of its hole by Newton, with the gaps where they are asked for or at the other place. The string
+   !> stays there when it finds rest within the hole, and when that is rest in space too: with every force out of the plane within
+   !> the tolerance.
+   subroutine try_in_plane(model, case_index, most, pressing, started, gap_states, mesh, numerics, newton, gaps, state, work, &
+                           loads, stays)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index, most
+      real(wp), intent(in) :: pressing
+      logical, intent(in) :: started
+      integer, intent(in) :: gap_states(:)
+      type(mesh_type), intent(in) :: mesh
+      type(numerics_type), intent(out) :: numerics   !< that led to rest
+      type(newton_type), intent(inout) :: newton
+      type(gap_table_type), intent(out) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      type(load_type), intent(out) :: loads
+      logical, intent(out) :: stays
+      type(damped_type) :: damped
+      real(wp) :: residual, worst
+      integer :: attempt, outcome, place
+      integer, parameter :: plan(2) = [by_newton, other_place]
+      do attempt = 1, size(plan)
+         numerics = model%numerics
+         numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
+         if (plan(attempt) == other_place) numerics%gap_location = other_location(numerics%gap_location)
+         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, .false., mesh, &
+                                    newton, damped, gaps, state, work, loads, outcome)
+         stays = outcome == newton_converged
+         if (stays) then
+            call look_outside(model, mesh, work, worst, place)
+            stays = worst <= largest_excess
+         end if
+         if (stays) exit
+      end do
+      call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work, residual)
+      stays = stays .and. residual <= tolerance_at(numerics, gaps, newton%force_scale)*newton%force_scale
+   end subroutine try_in_plane
 
    !> The attempts in their order.
    pure function plan_of(may_buckle, buckles, rotating, straight_down) result(plan)
@@ -229,7 +281,7 @@ contains
       real(wp), allocatable :: solved(:, :)
       type(soft_totals_type) :: totals
       real(wp) :: pressing, compressed, waves
-      integer :: outcome, shortened(scale_count), none(0)
+      integer :: outcome, way, shortened(scale_count), none(0)
       started = .false.
       if (buckles .or. model%numerics%load_steps > 1) return
       numerics = settings_of('auto')
@@ -239,7 +291,7 @@ contains
       numerics = model%numerics
       numerics%max_iterations = min(coarse_iterations, numerics%max_iterations)
       numerics%tolerance = max(numerics%tolerance, coarse_tolerance)
-      call prepare(model, model%cases(case_index), coarse, newton, work)
+      call prepare(model, model%cases(case_index), coarse, compressed, newton, work, way)
       allocate (solved(6, coarse%nodes))
       call go_through_increments(model, case_index, numerics, pressing, .false., none, .false., coarse, newton, damped, gaps, &
                                  solved, work, loads, outcome)
@@ -281,7 +333,8 @@ contains
             damped%continued = stage > 1
             if (increment == 1 .and. stage == 1 .and. .not. started) &
                call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
-            tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/newton%force_scale)
+            if (newton%planar) call flatten(newton%plane, state)
+            tolerance = tolerance_at(numerics, gaps, newton%force_scale)
             if (stage < size(walls)) tolerance = max(tolerance, merge(settled_tolerance, stage_tolerance, damping))
             if (damping) then
                call iterate_damped(newton, damped, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), &
@@ -295,18 +348,19 @@ contains
       end do
    end subroutine go_through_increments
 
-   !> Room for the solution and the iteration's scales.
-   subroutine prepare(model, load_case, mesh, newton, work)
+   !> Room for the solution, in the plane of the hole or in space, and the iteration's scales.
+   subroutine prepare(model, load_case, mesh, compressed, newton, work, way)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: compressed   !< over the coiling load [-]
       type(newton_type), intent(out) :: newton
       type(workspace_type), intent(out) :: work
+      integer, intent(out) :: way          !< of solution, and why
       associate (numerics => model%numerics)
          call new_workspace(mesh, work)
-         newton%matrix = new_block_matrix(mesh%nodes)
-         call new_linear_solver(numerics%linear_solver, mesh%nodes, newton%solver)
-         allocate (newton%residual(6, mesh%nodes), newton%step(6, mesh%nodes), source=0.0_wp)
+         call choose_way(numerics%in_plane, mesh, load_case%tob, compressed > watch_share, newton%plane, way)
+         call make_room(newton, numerics%linear_solver, mesh%nodes, planar=way == way_planar)
          call new_release_front(mesh%elements, newton%front)
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)

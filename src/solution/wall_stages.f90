@@ -8,7 +8,7 @@ module dg_wall_stages
    use dg_numerics, only: gap_at_nodes, numerics_type
    implicit none
    private
-   public :: stage_walls, set_walls, lay_out_gaps
+   public :: stage_walls, set_walls, lay_out_gaps, tolerance_at
 
    !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
    !> are between two contacts, so that no single gap matters.
@@ -20,6 +20,9 @@ module dg_wall_stages
    !> Where contact forces are kept from one wall to the next, penetrations but the last [-]: then only what the shape of the
    !> string owes to them matters.
    real(wp), parameter :: kept_penetration(2) = [0.02_wp, 0.001_wp]
+   !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
+   !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
+   real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -66,6 +69,15 @@ contains
       gaps%law%contact = scale*mesh%wall*mesh%length
       gaps%law%maximum = scale*max(model%numerics%gk_max, mesh%wall)*mesh%length
    end subroutine set_walls
+
+   !> Tolerance of the residual over the force scale [-].
+   pure function tolerance_at(numerics, gaps, force_scale) result(tolerance)
+      type(numerics_type), intent(in) :: numerics
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: force_scale    !< [N]
+      real(wp) :: tolerance
+      tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/force_scale)
+   end function tolerance_at
 
    !> A table of free gaps with their laws, at their first places.
    pure subroutine lay_out_gaps(numerics, mesh, gaps)

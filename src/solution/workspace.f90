@@ -67,6 +67,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work
       integer :: m
+      if (allocated(work%end_force)) return
       m = mesh%elements
       allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), source=0.0_wp)
    end subroutine make_room_for_recovery

@@ -26,6 +26,7 @@ contains
       use dg_test_soft_string, only: soft_string_suite
       use dg_test_beam_angle, only: beam_angle_suite
       use dg_test_beam_element, only: beam_element_suite
+      use dg_test_plane_beam, only: plane_beam_suite
       use dg_test_block_matrix, only: block_matrix_suite
       use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
@@ -72,6 +73,7 @@ contains
       call suite%addTest(soft_string_suite())
       call suite%addTest(beam_angle_suite())
       call suite%addTest(beam_element_suite())
+      call suite%addTest(plane_beam_suite())
       call suite%addTest(block_matrix_suite())
       call suite%addTest(plane_equations_suite())
       call suite%addTest(symmetric_solver_suite())

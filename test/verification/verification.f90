@@ -10,6 +10,7 @@ contains
       use funit, only: TestSuite
       use dg_test_soft_wells, only: soft_wells_suite
       use dg_test_tangent, only: tangent_suite
+      use dg_test_plane, only: plane_suite
       use dg_test_fidelity, only: fidelity_suite
       use dg_test_bends, only: bends_suite
       use dg_test_straight_holes, only: straight_holes_suite
@@ -29,6 +30,7 @@ contains
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
+      call suite%addTest(plane_suite())
       call suite%addTest(fidelity_suite())
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())

@@ -1,0 +1,38 @@
+!> What acts on the ends of the string across the hole, and the formation's push on the bit.
+module dg_end_supports
+   use dg_kinds, only: wp
+   use dg_gap_contact, only: support_action
+   use dg_mesh, only: mesh_type
+   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: end_action
+
+contains
+
+   !> Force [N] on the top or the bottom node and its derivative by the node's place (3,3) [N/m], by the stiffness of its lateral
+   !> support [N/m] and, at the bit, its load [N]. `work` keeps the parts of what acts on the bit.
+   pure subroutine end_action(trajectory, mesh, node, support, wob, work, force, by_point)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      real(wp), intent(in) :: support, wob
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(out) :: force(3), by_point(3, 3)
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3), offset, chi
+      integer :: arc, j
+      arc = mesh%arc(node)
+      point = mesh%base(:, node) + work%shift(:, node)
+      call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
+      call support_action(gap, tangent, curvature, support, force, by_point)
+      if (node /= mesh%nodes) return
+      chi = 1.0_wp/(1.0_wp - dot_product(curvature, gap))
+      work%bit_reaction = force
+      work%bit_load = -wob*tangent                     ! the formation pushes up the hole
+      force = force + work%bit_load
+      do j = 1, 3
+         by_point(:, j) = by_point(:, j) - (wob*chi*tangent(j))*curvature
+      end do
+   end subroutine end_action
+end module dg_end_supports
