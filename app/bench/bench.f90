@@ -8,6 +8,7 @@ program bench
    use dg_bench_decks, only: print_decks
    use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
+   use dg_bench_plane, only: print_plane
    use dg_bench_sizes, only: print_sizes
    use dg_bench_solvers, only: print_solvers
    use dg_bench_tools, only: machine_name, median, now
@@ -34,6 +35,8 @@ program bench
    real(wp), parameter :: warm_up = 0.3_wp
    !> The case on which sizes are tried: it turns, so that hook load and torque are told.
    integer, parameter :: turning = 11
+   !> One that stays in the plane of the hole.
+   integer, parameter :: pulled = 9
    !> Element lengths: a thousand to a hundred thousand elements [m].
    real(wp), parameter :: lengths(5) = [3.2_wp, 1.0_wp, 0.32_wp, 0.1_wp, 0.032_wp]
    type(model_type) :: model
@@ -57,6 +60,7 @@ program bench
    call print_cases(model)
    call print_sizes(model, turning, lengths, runs)
    call print_phases(model, turning, lengths, runs)
+   call print_plane(model, pulled, lengths(:3), runs)
    call print_solvers(model, turning, lengths, runs)
    call print_orders(model)
    call print_walls(model, turning)
