@@ -30,7 +30,8 @@ contains
          do j = 1, 7
             along = trajectory%arcs(i)%length*real(j, wp)/8.0_wp
             call point_on_arc(trajectory%arcs(i), along, foot, t, k)
-            call frame_on_arc(trajectory%arcs(i), along, t, l1, l2)
+            call frame_on_arc(trajectory%arcs(i), along, t, l1, l2, point)
+            call assertEqual(foot, point, message='frame and point at once')
             side = 0.03_wp*(cos(real(j, wp))*l1 + sin(real(j, wp))*l2)
             point = foot + side
             index = i

@@ -3,6 +3,7 @@ module dg_test_mesh
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_case_result, only: scale_count
    use dg_component, only: buoyed_weight, component_type
    use dg_constants, only: degree
    use dg_error, only: error_type
@@ -12,9 +13,10 @@ module dg_test_mesh
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_out
    use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
+   use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_predictor, only: predict
-   use dg_soft_string_loads, only: soft_string_at
+   use dg_soft_string_loads, only: soft_string_at, soft_totals_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
@@ -30,6 +32,7 @@ contains
       call suite%addTest(TestMethod('no_sliver', test_no_sliver))
       call suite%addTest(TestMethod('subdivided', test_subdivided))
       call suite%addTest(TestMethod('graded', test_graded))
+      call suite%addTest(TestMethod('sag', test_sag))
       call suite%addTest(TestMethod('properties', test_properties))
       call suite%addTest(TestMethod('geometry', test_geometry))
       call suite%addTest(TestMethod('predicted_start', test_predicted_start))
@@ -116,6 +119,40 @@ contains
       call assertEqual(subdivided(depths, [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp]), &
                        graded(depths, [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp], 2.0_wp), 1.0e-12_wp, message='short everywhere')
    end subroutine test_graded
+
+   !> A string along a level hole may sag between two gaps by a quarter of the clearance, and no element is shorter than that asks
+   !> for: fixed ends hold it by q l^4/(384 EI) as a beam, and under tension T by q l^2/(8 T) as a rope, both side by side. 30 m
+   !> take three parts without tension, two with 2 MN.
+   subroutine test_sag()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      type(soft_totals_type) :: totals
+      type(error_type), allocatable :: error
+      real(wp), parameter :: pull(2) = [0.0_wp, 2.0e6_wp], level(2) = 90.0_wp*degree
+      integer, parameter :: parts(2) = [3, 2]
+      real(wp) :: compressed, waves, pressing
+      integer :: i, shortened(scale_count)
+      call build(model)
+      call new_trajectory(model%trajectory, [0.0_wp, 300.0_wp], level, [0.0_wp, 0.0_wp], interpolation_minimum_curvature, error)
+      model%holes = [hole_section_type('open', 0.0_wp, 300.0_wp, 0.21_wp)]
+      model%strings(1)%components = [model%strings(1)%components(2)]
+      model%cases(1)%bit_depth = 300.0_wp
+      do i = 1, size(pull)
+         model%cases(1)%wob = -pull(i)
+         call mesh_for_case(model, 1, 30.0_wp, mesh, totals, compressed, waves, pressing, shortened)
+         call assertEqual(10*parts(i), mesh%elements, message='parts')
+         call assertLessThan(sag(30.0_wp/parts(i)), 0.25_wp, message='bears it')
+         call assertLessThan(0.25_wp, sag(30.0_wp/(parts(i) - 1)), message='no shorter than that')
+      end do
+
+   contains
+
+      pure function sag(length) result(over_clearance)
+         real(wp), intent(in) :: length
+         real(wp) :: over_clearance
+         over_clearance = mesh%weight(1)/(384.0_wp*mesh%ei(1)/length**4 + 8.0_wp*pull(i)/length**2)/mesh%clearance(1)
+      end function sag
+   end subroutine test_sag
 
    subroutine test_properties()
       type(model_type) :: model

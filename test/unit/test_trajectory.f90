@@ -196,6 +196,11 @@ contains
       call assertEqual(2, arc_at(parts, 1000.0_wp), message='at a joint the lower one')
       call assertEqual(5, arc_at(parts, 9999.0_wp), message='outside the last')
       call assertEqual(1, arc_at(parts, -1.0_wp), message='outside the first')
+      do i = 1, size(parts%arcs)
+         call assertEqual([1, 1, 2, 5], [arc_at(parts, -1.0_wp, near=i), arc_at(parts, 999.999_wp, near=i), &
+                                         arc_at(parts, 1000.0_wp, near=i), arc_at(parts, 9999.0_wp, near=i)], &
+                          message='wherever it is looked for from')
+      end do
    end subroutine test_stations_far_and_near
 
    subroutine test_frame()
