@@ -5,7 +5,7 @@
 !> quarter turn from the string's tangent d: d.tau = 0, so that nothing pushes out of the plane and nothing twists.
 module dg_plane_gap
    use dg_kinds, only: wp
-   use dg_plane_beam_element, only: director_stiffness, plane_node_type, quarter_turn, unknowns
+   use dg_plane_beam_element, only: director_stiffness, plane_node_type, unknowns
    implicit none
    private
    public :: plane_gap
@@ -32,7 +32,7 @@ contains
       real(wp) :: by_t(unknowns), by_p(unknowns), by_d(unknowns), by_q(unknowns), on_t(unknowns), on_p(unknowns), on_q(unknowns)
       real(wp) :: chi, turning, pull(2)
       integer :: c
-      p = quarter_turn(tangent)
+      p = [-tangent(2), tangent(1)]                     ! quarter turns written out: a call costs more
       offset = gap(1)*p(1) + gap(2)*p(2)
       side = sign(1.0_wp, offset)
       by_t = motion(tangent, shape, i, j)
@@ -43,7 +43,7 @@ contains
       couple = axial*radius*normal_force
       stretch = 1.0_wp/sqrt(direction(1)**2 + direction(2)**2)
       d = direction*stretch
-      q = quarter_turn(d)
+      q = [-d(2), d(1)]
       across = side*(p(1)*q(1) + p(2)*q(2))             ! n.q
       bend = -couple*stretch*across
       if (abs(couple) > 0.0_wp) then

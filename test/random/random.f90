@@ -22,20 +22,21 @@ program random
    implicit none
 
    integer, parameter :: balance = 1, turned = 2, mirrored = 3, parted = 4, stationed = 5, bounded = 6, ordered = 7, &
-      steeper = 8, agreed = 9, turned_compressed = 10, coiled = 11, planar = 12, planar_compressed = 13, checks = 13
+      steeper = 8, agreed = 9, turned_compressed = 10, coiled = 11, planar = 12, planar_elsewhere = 13, checks = 13
    character(*), parameter :: name_of(checks) = [character(56) :: 'forces out of balance over the largest force', &
       'well turned about the vertical', 'mirror image of the well', 'component in two parts', 'one more station on an arc', &
       'friction beyond coefficient times contact force', 'up below free, free below down', &
       'more friction, less resistance', 'soft string in two parts, with a station more', &
       'turned or mirrored, with compression', 'in two parts or with a station more, coiled', &
-      'in the plane against space', 'in the plane against space, with compression']
+      'in the plane against space', 'in the plane against space, by another way']
    !> Largest part of the largest force in the string [-]. Balance, and a turned or mirrored well, are round-off and what the
    !> iteration leaves (1e-9 of the weight at any node), where the string is in tension; a compressed one has equilibria next
    !> to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh shows the
    !> mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as much again
-   !> as the soft string's or more, rests wherever its friction holds it: a little to and fro is no error.
+   !> as the soft string's or more, rests wherever its friction holds it: a little to and fro is no error. Round-off also decides
+   !> where gaps that move for long come to rest: the plane and space then take other ways, seen by their iterations and moves.
    real(wp), parameter :: tolerance(checks) = [1.0e-7_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
-      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 5.0e-2_wp, 1.0e-6_wp, 5.0e-5_wp]
+      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 5.0e-2_wp, 1.0e-7_wp, 1.0e-3_wp]
    integer, parameter :: default_first = 1, default_count = 20
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
@@ -189,7 +190,7 @@ contains
          call solve(changed, plane, good_plane)
          if (good_space .neqv. good_plane) call fail('converged in the plane or in space, not in both')
          if (good_space .and. good_plane .and. plane%way == way_planar .and. same_places(space, plane)) &
-            call note(merge(planar_compressed, planar, minval(space%profile%axial) < -compression*scale), &
+            call note(merge(planar, planar_elsewhere, space%iterations == plane%iterations .and. space%moves == plane%moves), &
                       abs(plane%hookload - space%hookload)/scale)
       end do
    end subroutine check_plane
