@@ -64,6 +64,8 @@ module dg_damped_newton
    real(wp), parameter :: failing = 15.0_wp
    !> Near a whirling string's rest, whose drive has no energy, a step counts that leaves this part of the residual [-].
    real(wp), parameter :: halved = 0.5_wp
+   !> Such steps in a row with gaps changing after which gaps are taken to be cycling, and steps are halved.
+   integer, parameter :: patience = 10
    !> Iterations after which such a string whose gaps have moved is taken back: those that come to rest do so in 3 to 8.
    integer, parameter :: longest_turning_round = 10
 
@@ -92,6 +94,7 @@ contains
       logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed, lost
       logical :: put           ! gaps to the depths of their linear forces
       integer :: info, rounds, round_start, wait, start
+      integer :: stalled       ! steps in a row with gaps changing
       lagged = loads
       lagged%lagged = .true.
       vertical = is_straight_down(mesh)
@@ -104,6 +107,7 @@ contains
       rounds = 0
       round_start = start
       wait = 0
+      stalled = 0
       growth = until_definite
       damped%viscosity = 0.0_wp
       damped%drive = 0.0_wp
@@ -161,6 +165,7 @@ contains
          if (.not. good) call stop_at_contact(good)
          fresh = good
          if (good) then
+            stalled = merge(stalled + 1, 0, row%flips > 0)
             if (damped%viscosity > 0.0_wp .and. slope < 0.0_wp) call draw_out()
             wait = max(wait - 1, 0)
             damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
@@ -295,6 +300,7 @@ contains
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          share = 1.0_wp/max(1.0_wp, row%lateral_step/damped%step_limit, &
                             maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn)
+         if (put .and. stalled > patience) share = 0.5_wp*share
          newton%step = share*newton%step
          call look()
       end subroutine take_step

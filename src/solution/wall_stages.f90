@@ -17,9 +17,9 @@ module dg_wall_stages
    real(wp), parameter :: largest_stiffening = 50.0_wp
    !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
    real(wp), parameter :: gentle_stiffening = 15.0_wp
-   !> Where contact forces are kept from one wall to the next, penetrations but the last [-]: then only what the shape of the
-   !> string owes to them matters.
-   real(wp), parameter :: kept_penetration(2) = [0.02_wp, 0.001_wp]
+   !> The same where contact forces are kept from one wall to the next [-]: then only what the shape of the string owes to the
+   !> penetration matters, and one softer wall is enough. 0.001 to 0.02 cost the same.
+   real(wp), parameter :: kept_penetration = 0.005_wp
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
@@ -47,8 +47,8 @@ contains
       largest = merge(gentle_stiffening, largest_stiffening, damping)
       stages = 1
       if (kept .and. soft > 0.0_wp .and. model%numerics%soften) then
-         walls = [pressing/(kept_penetration*stiff), 1.0_wp]
-         walls = pack(walls, walls < 1.0_wp .or. [(i > size(kept_penetration), i=1, size(walls))])
+         walls = [1.0_wp]
+         if (pressing < kept_penetration*stiff) walls = [pressing/(kept_penetration*stiff), 1.0_wp]
          return
       end if
       if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))

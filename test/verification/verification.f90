@@ -26,6 +26,7 @@ contains
       use dg_test_operations, only: operations_suite
       use dg_test_assemblies, only: assemblies_suite
       use dg_test_hard_cases, only: hard_cases_suite
+      use dg_test_whirling, only: whirling_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -46,5 +47,6 @@ contains
       call suite%addTest(operations_suite())
       call suite%addTest(assemblies_suite())
       call suite%addTest(hard_cases_suite())
+      call suite%addTest(whirling_suite())
    end function load_tests
 end program verification
