@@ -19,7 +19,14 @@ module dg_gap_contact
    use dg_kinds, only: wp
    implicit none
    private
-   public :: contact_action, contact_action_tangent, sliding_couple, support_action
+   public :: normal_force_type, contact_action, contact_action_tangent, sliding_couple, support_action
+
+   !> A normal force for contact_action_tangent.
+   type :: normal_force_type
+      real(wp) :: force = 0.0_wp      !< [N]
+      real(wp) :: stiffness = 0.0_wp  !< its derivative by |f| [N/m]
+      real(wp) :: carried = 0.0_wp    !< what the derivatives take for it [N]
+   end type normal_force_type
 
 contains
 
@@ -41,14 +48,14 @@ contains
    end subroutine contact_action
 
    !> As contact_action, with the derivatives of F and M by the point's position (3,3) [N/m, N].
-   !> Friction may be asked for at another normal force Q than R, with another derivative: a lagged one, or none.
-   pure subroutine contact_action_tangent(gap, tangent, curvature, normal_force, stiffness, pressing, pressing_stiffness, axial, &
-                                          rotary, climbing, radius, force, moment, force_tangent, moment_tangent)
+   !> Friction may be asked for at another normal force Q than R, with another derivative: a lagged one, or none. The
+   !> derivatives may be asked for as if R and Q were others than in F and M.
+   pure subroutine contact_action_tangent(gap, tangent, curvature, normal, pressing, axial, rotary, climbing, radius, &
+                                          force, moment, force_tangent, moment_tangent)
       real(wp), intent(in) :: gap(3), tangent(3)
-      real(wp), intent(in) :: curvature(3)  !< k = dt/ds of the hole axis at the foot [1/m]
-      real(wp), intent(in) :: normal_force  !< R [N]
-      real(wp), intent(in) :: stiffness     !< dR/d|f| [N/m]
-      real(wp), intent(in) :: pressing, pressing_stiffness !< Q and dQ/d|f|
+      real(wp), intent(in) :: curvature(3)             !< k = dt/ds of the hole axis at the foot [1/m]
+      type(normal_force_type), intent(in) :: normal    !< R
+      type(normal_force_type), intent(in) :: pressing  !< Q
       real(wp), intent(in) :: axial, rotary, radius
       real(wp), intent(in) :: climbing      !< what stands for m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(out) :: force(3), moment(3)
@@ -63,15 +70,16 @@ contains
       k_tau = sum(curvature*tau)
       direction = axial*tangent - climbing*tau
       lever = -radius*(axial*tau + rotary*tangent)
-      force = pressing*direction - normal_force*n
-      moment = pressing*lever
+      force = pressing%force*direction - normal%force*n
+      moment = pressing%force*lever
       ! dyads with n, tau and t on the right
-      by_n = pressing_stiffness*direction - stiffness*n
-      by_tau = reciprocal*(pressing*climbing*n - normal_force*tau)
-      by_t = pressing*(chi*(axial*curvature + climbing*k_tau*tangent)) - (normal_force*(1.0_wp - chi)*reciprocal)*tangent
-      lever_n = pressing_stiffness*lever
-      lever_tau = (pressing*radius*axial*reciprocal)*n
-      lever_t = (pressing*radius*chi)*(axial*k_tau*tangent - rotary*curvature)
+      by_n = pressing%stiffness*direction - normal%stiffness*n
+      by_tau = reciprocal*(pressing%carried*climbing*n - normal%carried*tau)
+      by_t = pressing%carried*(chi*(axial*curvature + climbing*k_tau*tangent)) &
+             - (normal%carried*(1.0_wp - chi)*reciprocal)*tangent
+      lever_n = pressing%stiffness*lever
+      lever_tau = (pressing%carried*radius*axial*reciprocal)*n
+      lever_t = (pressing%carried*radius*chi)*(axial*k_tau*tangent - rotary*curvature)
       do j = 1, 3
          force_tangent(:, j) = by_n*n(j) + by_tau*tau(j) + by_t*tangent(j)
          moment_tangent(:, j) = lever_n*n(j) + lever_tau*tau(j) + lever_t*tangent(j)

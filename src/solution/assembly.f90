@@ -9,7 +9,7 @@ module dg_assembly
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
-   use dg_gap_contact, only: contact_action_tangent, sliding_couple
+   use dg_gap_contact, only: contact_action_tangent, normal_force_type, sliding_couple
    use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
    use dg_gap_state, only: contact_force, state_free
    use dg_gap_table, only: gap_table_type
@@ -171,7 +171,8 @@ contains
       real(wp), intent(inout) :: residual(:, :), force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: shape(4), slope(4), direction(3), axial, rotary, gap_stiffness, action(3), moment(3)
-      real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2), radius, pressing, pressing_stiffness
+      real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2), radius
+      type(normal_force_type) :: normal, pressing
       logical :: sliding
       call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), gap_stiffness)
       if (gaps%state(e) == state_free) return
@@ -184,11 +185,11 @@ contains
       ! A string that slides without turning takes axial friction's moment as a couple that bends it.
       sliding = .not. rotary > 0.0_wp .and. abs(axial) > 0.0_wp
       radius = merge(0.0_wp, mesh%radius(e), sliding)
-      pressing = merge(work%pressing(e), work%normal(e), loads%lagged)
-      pressing_stiffness = merge(0.0_wp, gap_stiffness, loads%lagged)
-      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                  gap_stiffness, pressing, pressing_stiffness, axial, rotary, work%climb(e)*rotary, radius, &
-                                  action, moment, by_point, moment_by_point)
+      normal = normal_force_type(work%normal(e), gap_stiffness, merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
+      pressing = normal
+      if (loads%lagged) pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
+      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, axial, &
+                                  rotary, work%climb(e)*rotary, radius, action, moment, by_point, moment_by_point)
       if (allocated(work%contact_force)) then
          work%contact_force(:, e) = action
          work%contact_moment(:, e) = moment
@@ -198,18 +199,17 @@ contains
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
       if (conservative .and. tangent) then
-         call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), work%normal(e), &
-                                     gap_stiffness, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, &
-                                     by_point, moment_by_point)
+         call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, &
+                                     normal_force_type(), 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, by_point, moment_by_point)
       end if
       if (.not. sliding) then
          if (tangent) call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, &
                                              by_point, moment_by_point, element%k, element%twist_row)
          return
       end if
-      if (conservative) pressing_stiffness = 0.0_wp
-      call add_couple(e, axial*mesh%radius(e)*pressing, axial*mesh%radius(e)*pressing_stiffness, shape, slope, direction, tangent, &
-                      by_point, work, force, element%k)
+      if (conservative) pressing%stiffness = 0.0_wp
+      call add_couple(e, axial*mesh%radius(e)*pressing%force, axial*mesh%radius(e)*pressing%stiffness, shape, slope, direction, &
+                      tangent, by_point, work, force, element%k)
    end subroutine add_gap
 
    !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`, and with it that

@@ -6,6 +6,7 @@ module dg_newton
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix, plane_block_size
+   use dg_carried_force, only: carry_contact_forces
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
@@ -18,8 +19,8 @@ module dg_newton
    use dg_plane_assembly, only: assemble_in_plane
    use dg_release_front, only: forget_fronts, release_ahead, release_front_type
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, place_nodes, &
-                           workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, nothing_carried, &
+                           place_nodes, workspace_type
    implicit none
    private
    public :: newton_type, iterate, make_room, end_iterations, judge, take_residual, largest, add_gap_rigidity
@@ -153,7 +154,7 @@ contains
             outcome = newton_singular
             return
          end if
-         call take_step(newton, step_share(newton, row, stalled), state)
+         call take_step(newton, mesh, gaps, step_share(newton, row, stalled), state, work)
          newton%iterations = newton%iterations + 1
          newton%front%before = gaps%state
          call judge(trajectory, mesh, numerics, soft, row%flips == 0, .false., state, gaps, work, row)
@@ -166,6 +167,7 @@ contains
       !> Back to the rest before the gaps moved, which then is the end.
       subroutine take_back()
          state = newton%rest
+         work%carried = nothing_carried
          call take_gaps_back(newton%gaps_at_rest, gaps)
          newton%gaps_taken_back = .true.
          rounds = most_rounds
@@ -210,14 +212,19 @@ contains
    end subroutine find_residual
 
    !> state <- state + share step.
-   pure subroutine take_step(newton, share, state)
-      type(newton_type), intent(in) :: newton
+   pure subroutine take_step(newton, mesh, gaps, share, state, work)
+      type(newton_type), intent(inout) :: newton
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: share
       real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work   !< placed and surveyed at `state`
       if (newton%planar) then
          call move_in_plane(newton%plane, newton%step, share, state)
       else
-         state = state + newton%step*share
+         newton%step = newton%step*share
+         call carry_contact_forces(mesh, gaps, state, newton%step, work)
+         state = state + newton%step
       end if
    end subroutine take_step
 

@@ -11,7 +11,7 @@ module dg_stability
    use dg_newton, only: newton_type
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, weigh
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, nothing_carried, workspace_type
    implicit none
    private
    public :: is_stable, margin_of, find_stability_margin, push_off
@@ -39,6 +39,7 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: stable
+      work%carried = nothing_carried
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%residual, newton%matrix)
       call weigh(mesh, work, newton%step)
       call block_positive_definite(newton%matrix, margin_of(mesh, loads), newton%step, stable)

@@ -28,7 +28,7 @@ module dg_static_analysis
    use dg_turning_step, only: is_straight_down
    use dg_viscosity, only: damped_type, new_damped
    use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls, tolerance_at
-   use dg_workspace, only: new_workspace, workspace_type
+   use dg_workspace, only: new_workspace, nothing_carried, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -321,6 +321,7 @@ contains
       real(wp) :: fraction, tolerance
       integer :: increment, stage
       newton%gaps_taken_back = .false.
+      work%carried = nothing_carried
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
       call stage_walls(model, mesh, pressing, damping, damping .and. is_straight_down(mesh), walls)

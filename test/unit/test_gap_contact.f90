@@ -3,7 +3,7 @@ module dg_test_gap_contact
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use dg_constants, only: degree
    use dg_error, only: error_type
-   use dg_gap_contact, only: contact_action, contact_action_tangent, sliding_couple, support_action
+   use dg_gap_contact, only: contact_action, contact_action_tangent, normal_force_type, sliding_couple, support_action
    use dg_kinds, only: wp
    use dg_trajectory, only: closest_point, interpolation_minimum_curvature, new_trajectory, trajectory_type
    use dg_vector, only: cross
@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('components', test_components))
       call suite%addTest(TestMethod('senses', test_senses))
       call suite%addTest(TestMethod('derivatives_on_a_bend', test_derivatives_on_a_bend))
+      call suite%addTest(TestMethod('carried_force', test_carried_force))
       call suite%addTest(TestMethod('couple_moment', test_couple_moment))
       call suite%addTest(TestMethod('couple_against_turning', test_couple_against_turning))
       call suite%addTest(TestMethod('couple_derivatives', test_couple_derivatives))
@@ -101,14 +102,35 @@ contains
          load = contact*(norm - clearance)
          pressing = lagged*load
          if (way == 2) pressing = lagged*contact*(1.0_wp - clearance) + lag_stiffness*contact*(norm - 1.0_wp)
-         call contact_action_tangent(gap, t, curvature, load, contact, pressing, lag_stiffness*contact, 0.3_wp, 0.2_wp, &
-                                     0.2_wp, radius, f, mom, df, dm)
+         call contact_action_tangent(gap, t, curvature, normal_force_type(load, contact, load), &
+                                     normal_force_type(pressing, lag_stiffness*contact, pressing), 0.3_wp, 0.2_wp, 0.2_wp, radius, &
+                                     f, mom, df, dm)
          if (way == 2) return
          call contact_action(gap, t, load, 0.3_wp, 0.2_wp, radius, plain_force, plain_moment)
          call assertEqual(plain_force, f, 1.0e-9_wp, message='same force')
          call assertEqual(plain_moment, mom, 1.0e-9_wp, message='same moment')
       end subroutine action_at
    end subroutine test_derivatives_on_a_bend
+
+   !> A carried force is in the derivatives what the force itself would be there, and nothing in force and moment.
+   subroutine test_carried_force()
+      real(wp), parameter :: t(3) = [1.0_wp, 0.0_wp, 0.0_wp], gap(3) = [0.0_wp, 0.03_wp, 0.04_wp]
+      real(wp), parameter :: bend(3) = [0.0_wp, 0.01_wp, -0.02_wp]
+      real(wp), parameter :: found = 3.0e3_wp, meant = 1.0e3_wp, stiffness = 1.0e6_wp
+      real(wp) :: force(3, 3), moment(3, 3), by_point(3, 3, 3), moment_by_point(3, 3, 3)
+      type(normal_force_type) :: normal
+      integer :: i
+      do i = 1, 3
+         normal = normal_force_type(merge(meant, found, i == 3), stiffness, merge(found, meant, i == 1))
+         call contact_action_tangent(gap, t, bend, normal, normal, 0.3_wp, 0.2_wp, 0.2_wp, radius, force(:, i), moment(:, i), &
+                                     by_point(:, :, i), moment_by_point(:, :, i))
+      end do
+      call assertEqual(force(:, 1), force(:, 2), 0.0_wp, message='force')
+      call assertEqual(moment(:, 1), moment(:, 2), 0.0_wp, message='moment')
+      call assertGreaterThan(maxval(abs(by_point(:, :, 1) - by_point(:, :, 2))), 0.5_wp*(found - meant)/norm2(gap), message='felt')
+      call assertEqual(by_point(:, :, 3), by_point(:, :, 2), 0.0_wp, message='derivatives')
+      call assertEqual(moment_by_point(:, :, 3), moment_by_point(:, :, 2), 0.0_wp, message='of moments')
+   end subroutine test_carried_force
 
    !> Along the hole the couple is Eq. 5's moment, d x P = -r R a tau, with no force; a string that slants across the wall
    !> by a small angle turns d x P by that angle, and feels F_tau = -r R a (d.tau)/|f|.
