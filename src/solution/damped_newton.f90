@@ -9,12 +9,13 @@
 !>      step this holds back the modes of least stiffness only. No slope felt at all, the step is drawn out.
 !>   3. Lateral steps of nodes near the wall are turns about the hole axis. Along straight lines a string on a round wall
 !>      could only creep.
-!>   4. Friction goes by a lagged normal force where the live one would run away: after a wall has been stiffened, and where
-!>      friction's tangent spoils the descent. A gap that opens or closes drops its lagged friction, lest it come and go as a whole.
+!>   4. Where a rotating string's friction spoils the descent it goes by a lagged normal force for a while. A gap that opens or
+!>      closes drops its lagged friction, lest it come and go as a whole. A sliding string's friction stays live: coils hold by it;
+!>      the residual then has a say in whether a step counts.
 !>   5. In a vertical hole nothing resists a turn of the whole string about the axis. Torque drives that turn: its drive is taken
 !>      off the residual, and the string found is the whirling one, seen as it turns. Without torque that only guides the way,
 !>      and the string is at last turned to where nothing drives it.
-!>   6. There closed gaps go where the step's linear forces have them (dg_gap_depths): a stiff wall is then no stiffer a problem
+!>   6. After a step closed gaps go where its linear forces have them (dg_gap_depths): a stiff wall is then no stiffer a problem
 !>      than a soft one.
 !> All of it acts on steps. At convergence lagged and live normal forces are one, and the residual is the true one but for 5.
 module dg_damped_newton
@@ -55,16 +56,13 @@ module dg_damped_newton
    !> clearance.
    real(wp), parameter :: still_falling = 0.5_wp, drawn = 3.0_wp, drawn_limit = 0.3_wp
    !> Lagged friction ends when normal forces differ from it by this part in sum, or the residual over the force scale is
-   !> below this [-]; after some steps the lag follows by half the difference, by no more than this part of itself.
+   !> below this [-].
    real(wp), parameter :: friction_drift = 0.1_wp, calm_residual = 1.0e-4_wp
-   real(wp), parameter :: follow = 0.5_wp, follow_limit = 0.25_wp
-   integer, parameter :: follow_after = 2
-   !> Steps by the energy's tangent alone once friction's has failed; refusals in a row that are such a failure (2**4).
-   integer, parameter :: energy_steps = 3
-   real(wp), parameter :: failing = 15.0_wp
-   !> Near a whirling string's rest, whose drive has no energy, a step counts that leaves this part of the residual [-].
-   real(wp), parameter :: halved = 0.5_wp
-   !> Such steps in a row with gaps changing after which gaps are taken to be cycling, and steps are halved.
+   !> Where an energy tells little, a step counts that leaves this part of the residual: near a whirling string's rest, whose drive
+   !> has none, and where a string slides, whose friction is much of what holds it; near rest a sliding string's residual may even
+   !> grow by this [-].
+   real(wp), parameter :: halved = 0.5_wp, grown = 5.0_wp
+   !> Steps of such a string in a row with gaps changing after which gaps are taken to be cycling, and steps are halved.
    integer, parameter :: patience = 10
    !> Iterations after which such a string whose gaps have moved is taken back: those that come to rest do so in 3 to 8.
    integer, parameter :: longest_turning_round = 10
@@ -92,32 +90,34 @@ contains
       type(phase_type) :: phase
       real(wp) :: before, slope, slope_after, growth, share, margin
       logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed, lost
-      logical :: put           ! gaps to the depths of their linear forces
       integer :: info, rounds, round_start, wait, start
       integer :: stalled       ! steps in a row with gaps changing
+      logical :: emptied       ! lagged friction taken off gaps since the last good step
       lagged = loads
       lagged%lagged = .true.
       vertical = is_straight_down(mesh)
-      put = vertical
       torque = any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
       margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
-      lag = damped%continued
+      lag = .false.
       start = newton%iterations
       rounds = 0
       round_start = start
       wait = 0
       stalled = 0
+      emptied = .false.
       growth = until_definite
       damped%viscosity = 0.0_wp
       damped%drive = 0.0_wp
       row%increment = increment
       fresh = .true.
       call judge(trajectory, mesh, numerics, soft, .true., .false., state, gaps, work, row)
-      if (put .and. damped%continued) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+      if (damped%continued) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
       do
          if (fresh) then
             call measure()
+            row%iteration = newton%iterations
+            newton%history(newton%iterations + 1) = row
             if (.not. lag .and. before <= tolerance*newton%force_scale .and. (row%flips == 0 .or. soft)) then
                call look_round(settled, changed)
                if (settled .and. vertical .and. .not. torque .and. damped%drive > tolerance*newton%force_scale) then
@@ -128,7 +128,7 @@ contains
                      damped%drive = 0.0_wp
                   end if
                   call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
-                  if (put) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+                  call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
                   cycle
                end if
                if (settled) then
@@ -165,6 +165,7 @@ contains
          if (.not. good) call stop_at_contact(good)
          fresh = good
          if (good) then
+            emptied = .false.
             stalled = merge(stalled + 1, 0, row%flips > 0)
             if (damped%viscosity > 0.0_wp .and. slope < 0.0_wp) call draw_out()
             wait = max(wait - 1, 0)
@@ -172,20 +173,17 @@ contains
             if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
             growth = until_definite
             if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, .false., state, gaps, work, row)
-            if (put .and. row%moves > 0) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
-         else if (.not. (live .or. sliding .or. vertical) .and. loses_friction()) then
+            if (row%moves > 0) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+         else if (.not. (live .or. sliding .or. vertical .or. emptied) .and. loses_friction()) then
             call go_back(damped%old)
+            emptied = .true.      ! once a step: what is measured anew may bring it back
             fresh = .true.
-         else if (live .and. slope >= 0.0_wp) then
+         else if (live .and. slope >= 0.0_wp .and. .not. sliding) then
             wait = 1
             call go_back(damped%old)
          else
             damped%viscosity = min(max(damped%viscosity, viscosity_start)*growth, viscosity_most)
             growth = until_definite*growth
-            if (live .and. sliding .and. (slope_after < 0.0_wp .or. growth > failing)) then
-               wait = energy_steps
-               lag = .true.
-            end if
             call go_back(damped%old)
             if (damped%viscosity >= viscosity_most) then      ! no step leads down any more
                if (vertical .and. rounds > 0 .and. .not. newton%gaps_taken_back) then
@@ -204,21 +202,17 @@ contains
 
       !> Residual and energy's tangent at the state, with live friction or with the lagged one that follows it.
       subroutine measure()
-         real(wp) :: drift, total, mean
-         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy, forces_only=.true.)
          if (lag) then
-            total = sum(work%pressing)
-            drift = sum(abs(work%normal - work%pressing))
-            lag = drift > friction_drift*total .and. maxval(abs(newton%residual)) > calm_residual*newton%force_scale
+            call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy, forces_only=.true.)
+            lag = sum(abs(work%normal - work%pressing)) > friction_drift*sum(work%pressing) .and. &
+                  maxval(abs(newton%residual)) > calm_residual*newton%force_scale
          end if
-         if (.not. lag) then
+         if (lag) then
+            call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
+         else
+            call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%residual, damped%energy)
             work%pressing = work%normal
-         else if (sliding .and. newton%iterations > start + follow_after) then
-            mean = total/size(work%pressing)
-            work%pressing = work%pressing + sign(min(follow*abs(work%normal - work%pressing), &
-                                                     follow_limit*abs(work%pressing + mean)), work%normal - work%pressing)
          end if
-         call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
          call weigh(mesh, work, damped%lump)
          if (vertical) then
             call turning_mode(state, damped%mode)
@@ -242,7 +236,7 @@ contains
          call keep_gaps(gaps, newton%gaps_at_rest)
          call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
          changed = row%moves > 0 .or. row%flips > 0
-         if (put .and. changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+         if (changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
          settled = .not. changed
       end subroutine look_round
 
@@ -260,19 +254,18 @@ contains
          fresh = .true.
       end subroutine take_back
 
-      !> Newton's step with friction's tangent; where that does not lead down, or has failed, the energy's.
+      !> Newton's step with friction's tangent; where that does not lead down, or there is no friction, the energy's.
       subroutine solve_step(fault)
          integer, intent(out) :: fault
          live = .not. lag .and. wait == 0
          slope = 0.0_wp
-         if (live) then
+         if (live .and. (sliding .or. torque)) then
             call assemble(trajectory, mesh, loads, gaps, state, .false., work, damped%trial, newton%matrix)
             call solve_with_viscosity(fault)
-            if (fault /= 0) return
+            if (fault /= 0 .or. slope < 0.0_wp .or. sliding .or. near_whirl()) return
+            lag = .true.
+            live = .false.
          end if
-         if (live .and. (slope < 0.0_wp .or. near_whirl())) return
-         lag = lag .or. live
-         live = .false.
          newton%matrix%diagonal = damped%energy%diagonal
          newton%matrix%upper = damped%energy%upper
          newton%matrix%lower = damped%energy%lower
@@ -300,7 +293,7 @@ contains
          row%lateral_step = maxval(abs(newton%step(dof_lateral_1:dof_lateral_2, :)))
          share = 1.0_wp/max(1.0_wp, row%lateral_step/damped%step_limit, &
                             maxval(abs(newton%step(dof_slope_1:dof_slope_2, :)))/largest_turn)
-         if (put .and. stalled > patience) share = 0.5_wp*share
+         if (vertical .and. stalled > patience) share = 0.5_wp*share
          newton%step = share*newton%step
          call look()
       end subroutine take_step
@@ -309,11 +302,11 @@ contains
       subroutine look()
          type(load_type) :: used
          real(wp) :: ignored(2)
-         if (put) call depths_after(mesh, gaps, newton%step, work, damped%depth)
+         call depths_after(mesh, gaps, newton%step, work, damped%depth)
          call turn_along_wall(trajectory, mesh, work, newton%step, state)
-         if (put) call put_gaps(trajectory, mesh, gaps, damped%depth, state, work)
+         call put_gaps(trajectory, mesh, gaps, damped%depth, state, work)
          call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
-         if (put) call close_gently(trajectory, mesh, gaps, damped%depth, state, work)
+         call close_gently(trajectory, mesh, gaps, damped%depth, state, work)
          used = loads
          used%lagged = .not. live
          call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix, forces_only=.true.)
@@ -349,7 +342,9 @@ contains
          down = slope < 0.0_wp .and. slope_after < -largest_rise*slope
          if (live) down = slope < 0.0_wp .and. slope_after > largest_fall*slope .and. &
                           (slope_after < -largest_rise*slope .or. maxval(abs(damped%trial)) < before)
-         if (live .and. near_whirl()) down = down .or. maxval(abs(damped%trial)) < halved*before
+         if (.not. (live .and. (sliding .or. near_whirl()))) return
+         down = down .or. maxval(abs(damped%trial)) < before*merge(grown, halved, sliding .and. &
+                                                                   before < calm_residual*newton%force_scale)
       end function leads_down
 
       !> Cuts a refused step that brings one gap to the wall where it does so: the energy falls to there, and then rises as steeply

@@ -48,7 +48,7 @@ module dg_static_analysis
    !> where it rotates as it whirls: without what friction does to climb the wall where it is compressed.
    integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
                          other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
-   integer, parameter :: longest_attempt(7) = [70, 25, 70, 400, 400, 400, 120]
+   integer, parameter :: longest_attempt(7) = [70, 25, 70, 150, 250, 400, 120]
    !> Parts of the coiling load [-]: from the first on equilibria are checked for stability, from the second on the plan is that
    !> of a string that may buckle. Sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's first mode of a vertical string
    !> at 1/2, at 1/4 when it is very long.
@@ -324,7 +324,7 @@ contains
       work%carried = nothing_carried
       call lay_out_gaps(numerics, mesh, gaps)
       if (started) gaps%state = gap_states
-      call stage_walls(model, mesh, pressing, damping, damping .and. is_straight_down(mesh), walls)
+      call stage_walls(model, mesh, pressing, damping, walls)
       outcome = newton_exhausted
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps

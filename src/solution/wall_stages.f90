@@ -13,13 +13,11 @@ module dg_wall_stages
    !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
    !> are between two contacts, so that no single gap matters.
    real(wp), parameter :: soft_penetration = 0.1_wp
-   !> Largest ratio of stiffness from one stage to the next [-]: 30 to 100 cost the same, more loses cases.
+   !> Largest ratio of stiffness from one stage to the next [-]: 30 to 200 cost the same.
    real(wp), parameter :: largest_stiffening = 50.0_wp
-   !> The same in damped Newton, which does not forgive gaps that are thrown open [-].
-   real(wp), parameter :: gentle_stiffening = 15.0_wp
-   !> The same where contact forces are kept from one wall to the next [-]: then only what the shape of the string owes to the
-   !> penetration matters, and one softer wall is enough. 0.001 to 0.02 cost the same.
-   real(wp), parameter :: kept_penetration = 0.005_wp
+   !> The penetration where contact forces are kept from one wall to the next [-]: then only what the shape of the string owes to
+   !> it matters, and one softer wall is enough. Of 0.005, 0.01 and 0.02 it costs least.
+   real(wp), parameter :: kept_penetration = 0.01_wp
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
@@ -33,25 +31,23 @@ contains
    !> opens or closes throws its neighbours about, and a span that overshoots is thrown back with thousands of kN. Against
    !> a soft wall, which the string's weight presses in by a visible part of the clearance, the problem is smooth; each
    !> stiffer wall then starts from the state before.
-   pure subroutine stage_walls(model, mesh, pressing, damping, kept, walls)
+   pure subroutine stage_walls(model, mesh, pressing, kept, walls)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
-      logical, intent(in) :: damping     !< for damped Newton
-      logical, intent(in) :: kept        !< which keeps contact forces from one wall to the next
+      logical, intent(in) :: kept        !< contact forces are, from one wall to the next: damped Newton
       real(wp), allocatable, intent(out) :: walls(:)
-      real(wp) :: soft, stiff, ratio, largest
+      real(wp) :: soft, stiff, ratio
       integer :: stages, i
       soft = pressing/soft_penetration
       stiff = maxval(mesh%wall)
-      largest = merge(gentle_stiffening, largest_stiffening, damping)
       stages = 1
       if (kept .and. soft > 0.0_wp .and. model%numerics%soften) then
          walls = [1.0_wp]
          if (pressing < kept_penetration*stiff) walls = [pressing/(kept_penetration*stiff), 1.0_wp]
          return
       end if
-      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest))
+      if (soft > 0.0_wp .and. model%numerics%soften) stages = 1 + ceiling(log(max(stiff/soft, 1.0_wp))/log(largest_stiffening))
       allocate (walls(stages), source=1.0_wp)
       if (stages == 1) return
       ratio = (soft/stiff)**(1.0_wp/(stages - 1))
@@ -60,7 +56,7 @@ contains
       end do
    end subroutine stage_walls
 
-   !> Gives every gap its wall, `scale` times the final stiffness.
+   !> Gives every gap its wall, `scale` times the final stiffness: 1 for the deck's, less for a stage before it.
    pure subroutine set_walls(model, mesh, scale, gaps)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

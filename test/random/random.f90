@@ -27,16 +27,17 @@ program random
       'well turned about the vertical', 'mirror image of the well', 'component in two parts', 'one more station on an arc', &
       'friction beyond coefficient times contact force', 'up below free, free below down', &
       'more friction, less resistance', 'soft string in two parts, with a station more', &
-      'turned or mirrored, with compression', 'in two parts or with a station more, coiled', &
+      'turned or mirrored, with compression or another way', 'a coil changed in any of these ways', &
       'in the plane against space', 'in the plane against space, by another way']
    !> Largest part of the largest force in the string [-]. Balance, and a turned or mirrored well, are round-off and what the
-   !> iteration leaves (1e-9 of the weight at any node), where the string is in tension; a compressed one has equilibria next
-   !> to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh shows the
-   !> mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as much again
-   !> as the soft string's or more, rests wherever its friction holds it: a little to and fro is no error. Round-off also decides
-   !> where gaps that move for long come to rest: the plane and space then take other ways, seen by their iterations and moves.
-   real(wp), parameter :: tolerance(checks) = [1.0e-7_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
-      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 5.0e-2_wp, 1.0e-7_wp, 1.0e-3_wp]
+   !> iteration leaves (1e-9 of the weight at any of some hundred nodes), where the string is in tension; a compressed one has
+   !> equilibria next to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh
+   !> shows the mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as
+   !> much again as the soft string's or more, rests wherever its friction holds it: near lock-up, where friction makes four times
+   !> of the soft string's push, a tenth to and fro is no error. Round-off also decides where gaps that move for long come to
+   !> rest: turned wells, the plane and space then take other ways, seen by their iterations and moves.
+   real(wp), parameter :: tolerance(checks) = [1.0e-6_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
+      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 0.15_wp, 1.0e-6_wp, 1.0e-3_wp]
    integer, parameter :: default_first = 1, default_count = 20
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
@@ -133,14 +134,12 @@ contains
       changed = model
       call lay_path(other, changed)
       call solve(changed, again, good_again)
-      if (good_again) call note(merge(turned_compressed, turned, compressed), &
-                                abs(again%hookload - result%hookload)/scale)
+      if (good_again) call note_turned(turned, compressed, coils, scale, result, again)
       if (.not. rotates(model%cases(1)%operation) .and. .not. model%cases(1)%tob > 0.0_wp) then
          other%azimuth = modulo(-stations%azimuth, 360.0_wp)
          call lay_path(other, changed)
          call solve(changed, again, good_again)
-         if (good_again) call note(merge(turned_compressed, mirrored, compressed), &
-                                   abs(again%hookload - result%hookload)/scale)
+         if (good_again) call note_turned(mirrored, compressed, coils, scale, result, again)
       end if
       if (moves_axially(model%cases(1)%operation)) call note_friction(model, scale, result)
 
@@ -166,6 +165,20 @@ contains
       end do
    end subroutine check_well
 
+   !> A turned or mirrored well: the same to digits, but where round-off decides between places of gaps or of a coil.
+   subroutine note_turned(way, compressed, coils, scale, result, again)
+      integer, intent(in) :: way                 !< turned or mirrored
+      logical, intent(in) :: compressed, coils
+      real(wp), intent(in) :: scale
+      type(case_result_type), intent(in) :: result, again
+      if (coils) then
+         call note(coiled, abs(again%hookload - result%hookload)/largest(scale, result))
+      else
+         call note(merge(turned_compressed, way, compressed .or. another_way(result, again)), &
+                   abs(again%hookload - result%hookload)/scale)
+      end if
+   end subroutine note_turned
+
    !> The well without its turns and its string without rotation, in the plane where the program takes it so, and in space.
    subroutine check_plane(model, stations, scale)
       type(model_type), intent(in) :: model
@@ -190,7 +203,7 @@ contains
          call solve(changed, plane, good_plane)
          if (good_space .neqv. good_plane) call fail('converged in the plane or in space, not in both')
          if (good_space .and. good_plane .and. plane%way == way_planar .and. same_places(space, plane)) &
-            call note(merge(planar, planar_elsewhere, space%iterations == plane%iterations .and. space%moves == plane%moves), &
+            call note(merge(planar_elsewhere, planar, another_way(space, plane)), &
                       abs(plane%hookload - space%hookload)/scale)
       end do
    end subroutine check_plane
@@ -236,6 +249,13 @@ contains
       logical :: same
       same = index(a%message//b%message, 'converged with gaps') == 0
    end function same_places
+
+   !> Whether two solutions came to rest by different ways, their gaps perhaps at other places.
+   pure function another_way(a, b) result(another)
+      type(case_result_type), intent(in) :: a, b
+      logical :: another
+      another = a%iterations /= b%iterations .or. a%moves /= b%moves
+   end function another_way
 
    !> Solves the case by beams; `good` where it converged to numbers.
    subroutine solve(model, result, good)
