@@ -2,17 +2,24 @@
 module dg_bench_chain
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, block_product, new_block_matrix
+   use dg_bench_tools, only: now
    use dg_gap_state, only: gap_law_type
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, judge_states, new_gap_table
    use dg_kinds, only: wp
+   use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
    use dg_predictor, only: predict
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
-   public :: chain_type, new_chain, assemble_chain, survey_chain, remaining
+   public :: chain_type, new_chain, assemble_chain, survey_chain, time_chain, remaining, phases, least_elements
+
+   !> Phases of an iteration: survey of the gaps, assembly, solution.
+   integer, parameter :: phases = 3
+   !> Elements that a measurement of them goes through at least, smaller meshes several times.
+   integer, parameter :: least_elements = 20000
 
    type :: chain_type
       type(mesh_type) :: mesh
@@ -71,6 +78,32 @@ contains
       call assemble(model%trajectory, chain%mesh, chain%loads, chain%gaps, chain%state, .false., chain%work, chain%residual, &
                     chain%matrix)
    end subroutine assemble_chain
+
+   !> Seconds of each phase, so many times over; `x` is the solution.
+   subroutine time_chain(model, repeats, chain, solver, x, seconds)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: repeats
+      type(chain_type), intent(inout) :: chain
+      type(linear_solver_type), intent(inout) :: solver
+      real(wp), intent(inout) :: x(:, :)         !< (6,nodes)
+      real(wp), intent(out) :: seconds(phases)
+      real(wp) :: t(0:phases)
+      integer :: again, info
+      t(0) = now()
+      do again = 1, repeats
+         call survey_chain(model, chain)
+      end do
+      t(1) = now()
+      do again = 1, repeats
+         call assemble_chain(model, chain)
+      end do
+      t(2) = now()
+      do again = 1, repeats
+         call solve_linear(solver, chain%matrix, chain%residual, x, info)
+      end do
+      t(3) = now()
+      seconds = t(1:) - t(:phases - 1)
+   end subroutine time_chain
 
    !> Largest |r + K x| over the largest |r| [-].
    pure function remaining(chain, x) result(remainder)

@@ -1,18 +1,15 @@
 !> Phases of one iteration against the size of the mesh: survey of the gaps, assembly, solution of the equations.
 module dg_bench_phases
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use dg_bench_chain, only: assemble_chain, chain_type, new_chain, survey_chain
-   use dg_bench_tools, only: median, now
+   use dg_bench_chain, only: chain_type, least_elements, new_chain, phases, time_chain
+   use dg_bench_tools, only: median
    use dg_kinds, only: wp
-   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver
    use dg_model, only: model_type
    implicit none
    private
    public :: print_phases
 
-   integer, parameter :: phases = 3
-   !> Elements that a measurement goes through at least, smaller meshes several times.
-   integer, parameter :: least_elements = 20000
    real(wp), parameter :: microseconds = 1.0e6_wp
 
 contains
@@ -43,28 +40,15 @@ contains
       type(chain_type) :: chain
       type(linear_solver_type) :: solver
       real(wp), allocatable :: x(:, :)
-      real(wp) :: t(0:phases), times(runs, phases)
-      integer :: run, again, repeats, i, info
+      real(wp) :: times(runs, phases)
+      integer :: run, repeats, i
       call new_chain(model, case_index, length, chain)
       call new_linear_solver(model%numerics%linear_solver, chain%mesh%nodes, solver)
       allocate (x, mold=chain%residual)
       elements = chain%mesh%elements
       repeats = max(1, least_elements/chain%mesh%elements)
       do run = 1, runs
-         t(0) = now()
-         do again = 1, repeats
-            call survey_chain(model, chain)
-         end do
-         t(1) = now()
-         do again = 1, repeats
-            call assemble_chain(model, chain)
-         end do
-         t(2) = now()
-         do again = 1, repeats
-            call solve_linear(solver, chain%matrix, chain%residual, x, info)
-         end do
-         t(3) = now()
-         times(run, :) = t(1:) - t(:phases - 1)
+         call time_chain(model, repeats, chain, solver, x, times(run, :))
       end do
       do i = 1, phases
          cost(i) = microseconds*median(times(:, i))/(elements*repeats)

@@ -2,7 +2,7 @@
 !> space on the same mesh.
 module dg_bench_plane
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use dg_bench_chain, only: assemble_chain, chain_type, new_chain, survey_chain
+   use dg_bench_chain, only: chain_type, least_elements, new_chain, phases, time_chain
    use dg_bench_tools, only: median, now
    use dg_block_matrix, only: block_matrix_type, new_block_matrix, plane_block_size
    use dg_case_result, only: case_result_type, way_planar
@@ -21,8 +21,6 @@ module dg_bench_plane
    integer, parameter :: in_space = 1, in_plane = 2
    !> Phases: survey of the gaps, the same for both; assembly; solution.
    integer, parameter :: survey = 1, assembly = 2, solution = 3
-   !> Elements that a measurement goes through at least, smaller meshes several times.
-   integer, parameter :: least_elements = 20000
    real(wp), parameter :: microseconds = 1.0e6_wp, kilobyte = 1024.0_wp, per_cent = 100.0_wp
 
 contains
@@ -66,7 +64,7 @@ contains
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver(2)
       real(wp), allocatable :: x(:, :), residual(:, :), y(:, :)
-      real(wp) :: t(0:5), times(5, runs)
+      real(wp) :: t(0:2), times(phases + 2, runs)     ! assembly and solution in the plane come last
       logical :: found
       integer :: run, again, repeats, info
       call new_chain(model, case_index, length, chain)
@@ -79,30 +77,20 @@ contains
       allocate (residual(plane_block_size, chain%mesh%nodes), y(plane_block_size, chain%mesh%nodes))
       repeats = max(1, least_elements/chain%mesh%elements)
       do run = 1, runs
+         call time_chain(model, repeats, chain, solver(in_space), x, times(:phases, run))
          t(0) = now()
-         do again = 1, repeats
-            call survey_chain(model, chain)
-         end do
-         t(1) = now()
-         do again = 1, repeats
-            call assemble_chain(model, chain)
-         end do
-         t(2) = now()
-         do again = 1, repeats
-            call solve_linear(solver(in_space), chain%matrix, chain%residual, x, info)
-         end do
-         t(3) = now()
          do again = 1, repeats
             call assemble_in_plane(model%trajectory, chain%mesh, plane, chain%loads, chain%gaps, chain%state, .false., chain%work, &
                                    residual, matrix)
          end do
-         t(4) = now()
+         t(1) = now()
          do again = 1, repeats
             call solve_linear(solver(in_plane), matrix, residual, y, info)
          end do
-         t(5) = now()
-         times(:, run) = (t(1:) - t(:4))*microseconds/(real(repeats, wp)*chain%mesh%elements)
+         t(2) = now()
+         times(phases + 1:, run) = t(1:) - t(:1)
       end do
+      times = times*microseconds/(real(repeats, wp)*chain%mesh%elements)
       cost(survey, :) = median(times(1, :))
       cost(assembly, in_space) = median(times(2, :))
       cost(solution, in_space) = median(times(3, :))

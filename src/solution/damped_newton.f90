@@ -90,7 +90,7 @@ contains
       type(phase_type) :: phase
       real(wp) :: before, slope, slope_after, growth, share, margin
       logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed, lost
-      integer :: info, rounds, round_start, wait, start
+      integer :: info, rounds, round_start, wait
       integer :: stalled       ! steps in a row with gaps changing
       logical :: emptied       ! lagged friction taken off gaps since the last good step
       lagged = loads
@@ -100,9 +100,8 @@ contains
       margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
       lag = .false.
-      start = newton%iterations
       rounds = 0
-      round_start = start
+      round_start = newton%iterations
       wait = 0
       stalled = 0
       emptied = .false.
@@ -116,8 +115,7 @@ contains
       do
          if (fresh) then
             call measure()
-            row%iteration = newton%iterations
-            newton%history(newton%iterations + 1) = row
+            call record()
             if (.not. lag .and. before <= tolerance*newton%force_scale .and. (row%flips == 0 .or. soft)) then
                call look_round(settled, changed)
                if (settled .and. vertical .and. .not. torque .and. damped%drive > tolerance*newton%force_scale) then
@@ -138,8 +136,7 @@ contains
                if (changed) cycle
             end if
          end if
-         row%iteration = newton%iterations
-         newton%history(newton%iterations + 1) = row
+         call record()
          if (rounds > 0 .and. newton%iterations >= min(round_start + merge(longest_turning_round, longest_round, vertical), &
                                                           numerics%max_iterations) .and. .not. is_interrupted()) then
             call take_back()
@@ -190,8 +187,7 @@ contains
                   call take_back()
                   cycle
                end if
-               row%iteration = newton%iterations
-               newton%history(newton%iterations + 1) = row
+               call record()
                outcome = newton_exhausted
                return
             end if
@@ -223,6 +219,12 @@ contains
          row%hookload = work%hookload
          row%contacts = count(gaps%state /= state_free)
       end subroutine measure
+
+      !> Enters the row in the history, in place of what stands there of this iteration.
+      subroutine record()
+         row%iteration = newton%iterations
+         newton%history(newton%iterations + 1) = row
+      end subroutine record
 
       !> Whether the present rest is stable and, against the final wall, no gap wants another place; those that do have it.
       subroutine look_round(settled, changed)
