@@ -35,7 +35,7 @@ module dg_damped_newton
    use dg_numerics, only: numerics_type
    use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
-   use dg_turning_step, only: is_straight_down, phase_type, solve_turning, take_off_drive, turn_along_wall, turning_mode, &
+   use dg_turning_step, only: axis_of, is_straight_down, phase_type, solve_turning, take_off_drive, turn_along_wall, turning_mode, &
                               turn_to_rest
    use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, &
                            viscosity_start, weigh
@@ -120,7 +120,10 @@ contains
                call look_round(settled, changed)
                if (settled .and. vertical .and. .not. torque .and. damped%drive > tolerance*newton%force_scale) then
                   ! without torque nothing drives that turn: something holds it
+                  call axis_of(trajectory, mesh, work, state, damped%old)
+                  state = state - damped%old
                   call turn_to_rest(phase, damped%pull, state, lost)
+                  state = state + damped%old
                   if (lost) then
                      vertical = .false.
                      damped%drive = 0.0_wp
@@ -236,7 +239,8 @@ contains
          round_start = newton%iterations
          newton%rest = state
          call keep_gaps(gaps, newton%gaps_at_rest)
-         call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
+         call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp .and. .not. vertical, &
+                    state, gaps, work, row)
          changed = row%moves > 0 .or. row%flips > 0
          if (changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
          settled = .not. changed

@@ -12,6 +12,7 @@ module dg_predictor
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
+   use dg_predicted_helix, only: lay_helix, touch_above_bit
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_vector, only: cross
@@ -45,7 +46,7 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
-      integer :: i, e
+      integer :: i, e, laid
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale, coiled=.true.)
       offset = 0.0_wp
       do i = 1, mesh%nodes
@@ -63,13 +64,15 @@ contains
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call bend_over(mesh, axial, offset)
       call slopes_of(mesh%md, offset, slope)
-      call coil(mesh, axial, model%numerics%imperfection, load, wall, offset, slope)
+      call coil(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, model%boundary%bit_centred, &
+                load, wall, offset, slope, laid)
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
          gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
       end do
+      if (model%boundary%bit_centred .and. laid == mesh%nodes) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
 
    !> Share of circumferential friction's force that stays, by element [-]: 0 where the soft string is compressed near buckling.
@@ -94,19 +97,22 @@ contains
    !>   beyond Dawson & Paslay's   a snake about the side that it lies on (see `snake_swing`)
    !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
    !>                              could not leave that state
-   pure subroutine coil(mesh, axial, imperfection, load, wall, offset, slope)
+   pure subroutine coil(mesh, axial, place, imperfection, top_centred, bit_centred, load, wall, offset, slope, laid)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: imperfection       !< over the clearance [-]
+      logical, intent(in) :: top_centred, bit_centred
       real(wp), intent(in) :: axial(:), wall(:)
+      real(wp), intent(in) :: place(:)           !< x0/L of the gaps [-]
       real(wp), intent(inout) :: load(:)         !< contact force per metre [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)
+      integer, intent(out) :: laid               !< node to which a helix goes that begins in a vertical hole
       real(wp) :: phase, side, rate, radius, force, swing, wave
       logical :: coiling
       integer :: i, e
-      coiling = .false.
-      phase = 0.0_wp
+      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, phase)
+      coiling = laid > 0
       wave = 0.0_wp
-      do i = 2, mesh%nodes
+      do i = max(laid + 1, 2), mesh%nodes
          if (.not. axial(i) < 0.0_wp) cycle
          e = min(i, mesh%elements)
          rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))

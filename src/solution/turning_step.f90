@@ -18,7 +18,7 @@ module dg_turning_step
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist, workspace_type
    implicit none
    private
-   public :: is_straight_down, turn_along_wall, turning_mode, take_off_drive, solve_turning, phase_type, turn_to_rest
+   public :: is_straight_down, turn_along_wall, turning_mode, take_off_drive, solve_turning, phase_type, turn_to_rest, axis_of
 
    !> Nodes so far off the axis, over the clearance, are turned about it, by no more than this in a step [rad].
    real(wp), parameter :: turned_beyond = 0.3_wp, largest_swing = 0.5_wp
@@ -92,13 +92,33 @@ contains
       mode(dof_slope_2, :) = state(dof_slope_1, :)
    end subroutine turning_mode
 
+   !> What of the lateral places and slopes of a string belongs to the hole axis where its nodes now are: a string that hangs
+   !> a little below a vertical hole's end stands in a bend there, and what turns about the axis turns about the bent one.
+   pure subroutine axis_of(trajectory, mesh, work, state, axis)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work       !< nodes placed at `state`
+      real(wp), intent(in) :: state(:, :)
+      real(wp), intent(out) :: axis(:, :)
+      real(wp) :: gap(3), tangent(3)
+      integer :: n
+      axis = 0.0_wp
+      do n = 1, mesh%nodes
+         call node_offset(trajectory, mesh, work, n, gap, tangent)
+         axis(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) &
+                                                - [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
+         axis(dof_slope_1:dof_slope_2, n) = [dot_product(tangent, mesh%frame(:, 2, n)), &
+                                             dot_product(tangent, mesh%frame(:, 3, n))]/dot_product(tangent, mesh%frame(:, 1, n))
+      end do
+   end subroutine axis_of
+
    !> Turns a string at rest but for the drive to where that may be nothing, and a further turn would be resisted. By the phase
    !> theta the drive is a + b cos(theta) + c sin(theta), whatever holds the string being one tilt or one side load. `lost`: there
    !> is no such phase.
    pure subroutine turn_to_rest(phase, pull, state, lost)
       type(phase_type), intent(inout) :: phase
       real(wp), intent(in) :: pull                 !< lambda of take_off_drive
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), intent(inout) :: state(:, :)       !< less axis_of
       logical, intent(out) :: lost
       real(wp) :: a, b, c, turn
       integer :: n

@@ -11,6 +11,7 @@ contains
       use dg_test_soft_wells, only: soft_wells_suite
       use dg_test_tangent, only: tangent_suite
       use dg_test_plane, only: plane_suite
+      use dg_test_predicted_helix, only: predicted_helix_suite
       use dg_test_fidelity, only: fidelity_suite
       use dg_test_bends, only: bends_suite
       use dg_test_straight_holes, only: straight_holes_suite
@@ -32,6 +33,7 @@ contains
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
       call suite%addTest(plane_suite())
+      call suite%addTest(predicted_helix_suite())
       call suite%addTest(fidelity_suite())
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())
