@@ -4,7 +4,7 @@ module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
-   public :: block_matrix_type, new_block_matrix, block_product, block_size, plane_block_size
+   public :: block_matrix_type, new_block_matrix, copy_matrix, swap_matrices, block_product, block_size, plane_block_size
 
    integer, parameter :: block_size = 6         !< unknowns of a node in space
    integer, parameter :: plane_block_size = 3   !< in a plane
@@ -29,6 +29,39 @@ contains
       allocate (matrix%upper(b, b, nodes - 1), source=0.0_wp)
       allocate (matrix%lower(b, b, nodes - 1), source=0.0_wp)
    end function new_block_matrix
+
+   !> to <- from, of the same size.
+   pure subroutine copy_matrix(from, to)
+      type(block_matrix_type), intent(in) :: from
+      type(block_matrix_type), intent(inout) :: to
+      call copy(size(from%diagonal), from%diagonal, to%diagonal)
+      call copy(size(from%upper), from%upper, to%upper)
+      call copy(size(from%lower), from%lower, to%lower)
+   end subroutine copy_matrix
+
+   !> Plain numbers, which go several at a time.
+   pure subroutine copy(n, from, to)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: from(n)
+      real(wp), intent(out) :: to(n)
+      to = from
+   end subroutine copy
+
+   !> Exchanges two matrices at no cost.
+   pure subroutine swap_matrices(a, b)
+      type(block_matrix_type), intent(inout) :: a, b
+      call swap(a%diagonal, b%diagonal)
+      call swap(a%upper, b%upper)
+      call swap(a%lower, b%lower)
+   end subroutine swap_matrices
+
+   pure subroutine swap(a, b)
+      real(wp), allocatable, intent(inout) :: a(:, :, :), b(:, :, :)
+      real(wp), allocatable :: c(:, :, :)
+      call move_alloc(a, c)
+      call move_alloc(b, a)
+      call move_alloc(c, b)
+   end subroutine swap
 
    !> Matrix times vector(b,nodes).
    pure function block_product(matrix, vector) result(product)

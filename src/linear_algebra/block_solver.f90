@@ -4,8 +4,7 @@
 !> D_n again, which costs no more than reading V. A fifth of the work of a band LU, at a price: no row is
 !> exchanged between nodes, so that a nearly singular block may let numbers grow. The solution is therefore refined against
 !> the matrix itself, and what the last correction says of the error is returned; where it is not small the caller
-!> takes the band solver instead. For a symmetric matrix the same pass with Cholesky's factors of the blocks tells
-!> whether it is positive definite.
+!> takes the band solver instead. For a symmetric matrix the signs of the pivots tell whether it is positive definite.
 module dg_block_solver
    use, intrinsic :: iso_fortran_env, only: int8
    use dg_kinds, only: wp
@@ -109,27 +108,59 @@ contains
       end do
    end function less_product
 
-   !> Whether a symmetric matrix, with `factor` times `added`(6,nodes) on its diagonal, is positive definite.
-   !> The upper blocks are not read: lower = transpose(upper).
-   pure subroutine block_positive_definite(matrix, factor, added, definite)
+   !> Whether a symmetric matrix, with `factor` times `added`(6,nodes) on its diagonal, is positive definite: all pivots of an
+   !> elimination without exchange of rows are positive. The upper blocks are not read: lower = transpose(upper). Where it is, a
+   !> solver that is given has its factors, as of block_factor.
+   pure subroutine block_positive_definite(matrix, factor, added, definite, solver)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: factor
       real(wp), intent(in) :: added(:, :)
       logical, intent(out) :: definite
-      real(wp) :: pivot(block_size, block_size), coupling(block_size, block_size)
-      integer :: n, i
+      type(block_solver_type), intent(inout), optional :: solver
+      ! columns of the node's pivot block and of the coupling below, eliminated, and the same over their pivot
+      real(wp), dimension(2*block_size, block_size) :: column, scaled
+      integer :: n, i, j, k
+      definite = .false.
+      scaled = 0.0_wp
+      column = 0.0_wp
       do n = 1, size(matrix%diagonal, 3)
-         pivot = matrix%diagonal(:, :, n)
+         column(:block_size, :) = matrix%diagonal(:, :, n) - product_of_transposed(scaled, column)
          do i = 1, block_size
-            pivot(i, i) = pivot(i, i) + factor*added(i, n)
+            column(i, i) = column(i, i) + factor*added(i, n)
          end do
-         ! D - W W^T with W = L C^-T, C the Cholesky factor of the block above
-         if (n > 1) call subtract_square(coupling, pivot)
-         call cholesky_block(pivot, definite)
-         if (.not. definite) return
-         if (n < size(matrix%diagonal, 3)) call solve_cholesky(pivot, matrix%lower(:, :, n), coupling)
+         if (n < size(matrix%diagonal, 3)) column(block_size + 1:, :) = matrix%lower(:, :, n)
+         do k = 1, block_size
+            if (.not. (column(k, k) > 0.0_wp .and. column(k, k) <= huge(column))) return
+            scaled(:, k) = column(:, k)*(1.0_wp/column(k, k))
+            do j = k + 1, block_size
+               column(:, j) = column(:, j) - scaled(:, k)*column(j, k)
+            end do
+         end do
+         if (.not. present(solver)) cycle
+         do j = 1, block_size
+            solver%pivot(j, n) = int(j, int8)
+            solver%factor(j, j, n) = 1.0_wp/column(j, j)
+            do i = j + 1, block_size
+               solver%factor(i, j, n) = scaled(i, j)
+               solver%factor(j, i, n) = column(i, j)
+            end do
+         end do
       end do
+      definite = .true.
    end subroutine block_positive_definite
+
+   !> A B^T of the lower halves.
+   pure function product_of_transposed(a, b) result(c)
+      real(wp), intent(in), dimension(2*block_size, block_size) :: a, b
+      real(wp) :: c(block_size, block_size)
+      integer :: i, j
+      do j = 1, block_size
+         do i = 1, block_size
+            c(i, j) = a(i + 6, 1)*b(j + 6, 1) + a(i + 6, 2)*b(j + 6, 2) + a(i + 6, 3)*b(j + 6, 3) + a(i + 6, 4)*b(j + 6, 4) &
+                      + a(i + 6, 5)*b(j + 6, 5) + a(i + 6, 6)*b(j + 6, 6)
+         end do
+      end do
+   end function product_of_transposed
 
    !> c <- c - a b.
    pure subroutine subtract_product(a, b, c)
@@ -244,53 +275,4 @@ contains
       y(1) = (y(1) - a(1, 6)*y(6) - a(1, 5)*y(5) - a(1, 4)*y(4) - a(1, 3)*y(3) - a(1, 2)*y(2))*a(1, 1)
       x = y
    end subroutine solve_vector
-
-   !> c <- c - w w^T, lower triangle.
-   pure subroutine subtract_square(w, c)
-      real(wp), intent(in) :: w(block_size, block_size)
-      real(wp), intent(inout) :: c(block_size, block_size)
-      integer :: i, j, k
-      do k = 1, block_size
-         do j = 1, block_size
-            do i = j, block_size
-               c(i, j) = c(i, j) - w(i, k)*w(j, k)
-            end do
-         end do
-      end do
-   end subroutine subtract_square
-
-   !> Cholesky factor of a block in place (lower triangle), its diagonal stored inverted.
-   pure subroutine cholesky_block(a, definite)
-      real(wp), intent(inout) :: a(block_size, block_size)
-      logical, intent(out) :: definite
-      integer :: i, j, k
-      definite = .false.
-      do k = 1, block_size
-         if (.not. (a(k, k) > 0.0_wp .and. a(k, k) <= huge(a(k, k)))) return
-         a(k, k) = 1.0_wp/sqrt(a(k, k))
-         do i = k + 1, block_size
-            a(i, k) = a(i, k)*a(k, k)
-         end do
-         do j = k + 1, block_size
-            do i = j, block_size
-               a(i, j) = a(i, j) - a(i, k)*a(j, k)
-            end do
-         end do
-      end do
-      definite = .true.
-   end subroutine cholesky_block
-
-   !> w = l c^-T.
-   pure subroutine solve_cholesky(c, l, w)
-      real(wp), intent(in) :: c(block_size, block_size), l(block_size, block_size)
-      real(wp), intent(out) :: w(block_size, block_size)
-      integer :: j, k
-      do j = 1, block_size
-         w(:, j) = l(:, j)
-         do k = 1, j - 1
-            w(:, j) = w(:, j) - w(:, k)*c(j, k)
-         end do
-         w(:, j) = w(:, j)*c(j, j)
-      end do
-   end subroutine solve_cholesky
 end module dg_block_solver

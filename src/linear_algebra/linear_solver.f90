@@ -59,18 +59,25 @@ contains
    end subroutine new_linear_solver
 
    !> Newton's step: solves matrix step = -residual(unknowns of a node,nodes). info = 0: done; > 0: singular.
-   subroutine solve_linear(solver, matrix, residual, step, info)
+   !> `factored`: solver%block has the matrix's factors already, by block_positive_definite.
+   subroutine solve_linear(solver, matrix, residual, step, info, factored)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: residual(:, :)
       real(wp), intent(out) :: step(:, :)
       integer, intent(out) :: info
-      logical :: good
+      logical, intent(in), optional :: factored   !< absent: no
+      logical :: good, known
+      known = .false.
+      if (present(factored)) known = factored
       step = -residual
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
             call small_block_factor(solver%small, matrix, info, step)
             if (info == 0) call small_block_back(solver%small, matrix, step)
+         else if (known) then
+            info = 0
+            call block_solve(solver%block, matrix, step)
          else if (solver%kind == solver_block) then
             call block_factor(solver%block, matrix, info, step)
             if (info == 0) call block_back(solver%block, matrix, step)

@@ -15,12 +15,13 @@ module dg_assembly
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
+   use dg_scatter, only: element_type, hold_top, scatter, scatter_more, scatter_point
    use dg_trajectory, only: trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, assemble
+   public :: load_type, assemble, add_friction
 
    !> Loads and supports of a load case at its present increment.
    type :: load_type
@@ -32,13 +33,19 @@ module dg_assembly
       real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
    end type load_type
 
-   !> Tangent of one element in space axes, and its coupling with the twist.
-   type :: element_type
-      real(wp) :: k(12, 12)           !< by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_row(2, 12)    !< torque residuals of both nodes by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_column(12)    !< forces by phi_j; by phi_i the opposite
-      real(wp) :: twist_stiffness     !< GJ/L
-   end type element_type
+   !> Parts of the tangent: all of it, what derives from an energy, and the rest, by friction and torque.
+   integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
+
+   !> Contact at a gap.
+   type :: contact_type
+      real(wp) :: shape(4), slope(4)        !< N and dN/dx there
+      real(wp) :: direction(3)              !< r' of the string
+      real(wp) :: axial, rotary             !< friction coefficients
+      real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
+      logical :: sliding                    !< it is such a couple: the string slides without turning
+      type(normal_force_type) :: normal     !< R
+      type(normal_force_type) :: pressing   !< that friction goes by
+   end type contact_type
 
 contains
 
@@ -64,7 +71,8 @@ contains
       real(wp) :: force(12), load(4), top_force(3), chord(3)
       real(wp) :: gradient(3, 2), next(3, 2)   ! of directors by slopes
       logical :: tangent
-      integer :: e, n, j
+      integer :: e, n, j, part
+      part = merge(part_energy, part_all, conservative)
       tangent = .true.
       if (present(forces_only)) tangent = .not. forces_only
       work%node_force = 0.0_wp
@@ -83,13 +91,13 @@ contains
          else
             call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
          end if
-         call add_torque(section, work, e, state(dof_twist, e + 1) - state(dof_twist, e), conservative, tangent, force, &
-                         element)
+         call add_torque(section, work, e, state(dof_twist, e + 1) - state(dof_twist, e), part, tangent, force, element)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))
          force(3) = force(3) - load(1)
          force(6) = force(6) - load(2)
          force(9) = force(9) - load(3)
          force(12) = force(12) - load(4)
+         element%symmetric = conservative
          call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
          residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)
          residual(dof_twist, e + 1) = residual(dof_twist, e + 1) + work%torque(e)
@@ -123,16 +131,16 @@ contains
    end subroutine assemble
 
    !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
-   pure subroutine add_torque(section, work, e, twist, conservative, tangent, force, element)
+   pure subroutine add_torque(section, work, e, twist, part, tangent, force, element)
       type(beam_section_type), intent(in) :: section
       type(workspace_type), intent(inout) :: work
       integer, intent(in) :: e
       real(wp), intent(in) :: twist
-      logical, intent(in) :: conservative
+      integer, intent(in) :: part          !< of the tangent
       logical, intent(in) :: tangent       !< is wanted
       real(wp), intent(inout) :: force(12)
       type(element_type), intent(inout) :: element
-      real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3)
+      real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3), plain, turned
       element%twist_stiffness = section%torsional_stiffness/section%length
       work%torque(e) = element%twist_stiffness*twist
       element%twist_row = 0.0_wp
@@ -143,21 +151,43 @@ contains
       force(10:12) = force(10:12) + end_moment
       if (.not. tangent) return
       call torque_tangent(work%torque(e), work%d(:, e), work%d(:, e + 1), by_i, by_j, by_torque)
-      if (conservative) then
-         ! its symmetric part, which is all of it but at the ends and at given torque
-         element%k(4:6, 4:6) = element%k(4:6, 4:6) + 0.5_wp*(by_i + transpose(by_i))
-         element%k(10:12, 10:12) = element%k(10:12, 10:12) + 0.5_wp*(by_j + transpose(by_j))
-         element%k(4:6, 10:12) = element%k(4:6, 10:12) + 0.5_wp*(by_j + transpose(by_i))
-         element%k(10:12, 4:6) = element%k(10:12, 4:6) + 0.5_wp*(by_i + transpose(by_j))
-         return
-      end if
-      element%k(4:6, 4:6) = element%k(4:6, 4:6) + by_i
-      element%k(10:12, 4:6) = element%k(10:12, 4:6) + by_i
-      element%k(4:6, 10:12) = element%k(4:6, 10:12) + by_j
-      element%k(10:12, 10:12) = element%k(10:12, 10:12) + by_j
+      ! from an energy derives the symmetric part, which is all of it but at the ends and at given torque
+      plain = merge(1.0_wp, 0.5_wp, part == part_all)
+      turned = 1.0_wp - plain
+      if (part == part_rest) turned = -turned
+      element%k(4:6, 4:6) = element%k(4:6, 4:6) + plain*by_i + turned*transpose(by_i)
+      element%k(10:12, 10:12) = element%k(10:12, 10:12) + plain*by_j + turned*transpose(by_j)
+      element%k(4:6, 10:12) = element%k(4:6, 10:12) + plain*by_j + turned*transpose(by_i)
+      element%k(10:12, 4:6) = element%k(10:12, 4:6) + plain*by_i + turned*transpose(by_j)
+      if (part == part_energy) return
       element%twist_column(4:6) = element%twist_stiffness*by_torque
       element%twist_column(10:12) = element%twist_column(4:6)
    end subroutine add_torque
+
+   !> Contact at a closed gap: what string and friction there are like.
+   pure subroutine find_contact(mesh, loads, gaps, e, work, contact)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      type(workspace_type), intent(inout) :: work   !< the normal force is entered
+      type(contact_type), intent(out) :: contact
+      real(wp) :: stiffness
+      call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), stiffness)
+      contact%axial = mesh%axial(e)*loads%friction_scale
+      contact%rotary = mesh%rotary(e)*loads%friction_scale
+      contact%shape = hermite_value(gaps%xi(e), mesh%length(e))
+      contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
+      contact%direction = contact%slope(1)*work%shift(:, e) + contact%slope(2)*work%d(:, e) &
+                          + contact%slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + contact%slope(4)*work%d(:, e + 1)
+      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
+      contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
+      contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
+      contact%normal = normal_force_type(work%normal(e), stiffness, &
+                                         merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
+      contact%pressing = contact%normal
+      if (loads%lagged) contact%pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
+   end subroutine find_contact
 
    !> The element's MCGE: takes its force off `force` and its tangent off the element's (Eqs. 4, 6, 11).
    pure subroutine add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
@@ -170,126 +200,122 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :), force(12)
       type(element_type), intent(inout) :: element
-      real(wp) :: shape(4), slope(4), direction(3), axial, rotary, gap_stiffness, action(3), moment(3)
-      real(wp) :: by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2), radius
-      type(normal_force_type) :: normal, pressing
-      logical :: sliding
-      call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), gap_stiffness)
-      if (gaps%state(e) == state_free) return
-      axial = mesh%axial(e)*loads%friction_scale
-      rotary = mesh%rotary(e)*loads%friction_scale
-      shape = hermite_value(gaps%xi(e), mesh%length(e))
-      slope = hermite_slope(gaps%xi(e), mesh%length(e))
-      direction = slope(1)*work%shift(:, e) + slope(2)*work%d(:, e) &
-                  + slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + slope(4)*work%d(:, e + 1)
-      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
-      sliding = .not. rotary > 0.0_wp .and. abs(axial) > 0.0_wp
-      radius = merge(0.0_wp, mesh%radius(e), sliding)
-      normal = normal_force_type(work%normal(e), gap_stiffness, merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
-      pressing = normal
-      if (loads%lagged) pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
-      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, axial, &
-                                  rotary, work%climb(e)*rotary, radius, action, moment, by_point, moment_by_point)
+      type(contact_type) :: contact
+      real(wp) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2)
+      if (gaps%state(e) == state_free) then
+         work%normal(e) = 0.0_wp
+         return
+      end if
+      call find_contact(mesh, loads, gaps, e, work, contact)
+      call act(contact, contact%normal, contact%pressing, e, work, action, moment, by_point, moment_by_point)
       if (allocated(work%contact_force)) then
          work%contact_force(:, e) = action
          work%contact_moment(:, e) = moment
       end if
-      call gap_nodal_force(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, action, moment, nodal, twisting)
+      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
+                           moment, nodal, twisting)
       force = force - nodal
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
-      if (conservative .and. tangent) then
-         call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, &
-                                     normal_force_type(), 0.0_wp, 0.0_wp, 0.0_wp, radius, action, moment, by_point, moment_by_point)
+      if (conservative .and. tangent .and. (abs(contact%axial) > 0.0_wp .or. contact%rotary > 0.0_wp)) &
+         call act(contact, contact%normal, normal_force_type(), e, work, action, moment, by_point, moment_by_point)
+      if (contact%sliding) then
+         if (conservative) contact%pressing%stiffness = 0.0_wp
+         ! along a curved axis the couple derives from no energy, if hardly so
+         element%symmetric = conservative .and. .not. any(abs(work%axis_curvature(:, e)) > 0.0_wp)
+         call add_couple(mesh, e, contact, tangent, by_point, work, force, element%k)
+      else if (tangent) then
+         call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
+                                moment, by_point, moment_by_point, element%k, element%twist_row)
       end if
-      if (.not. sliding) then
-         if (tangent) call gap_nodal_tangent(gaps%xi(e), shape, slope, work%d(:, e), work%d(:, e + 1), direction, moment, &
-                                             by_point, moment_by_point, element%k, element%twist_row)
-         return
-      end if
-      if (conservative) pressing%stiffness = 0.0_wp
-      call add_couple(e, axial*mesh%radius(e)*pressing%force, axial*mesh%radius(e)*pressing%stiffness, shape, slope, direction, &
-                      tangent, by_point, work, force, element%k)
    end subroutine add_gap
+
+   !> contact_action_tangent at a gap.
+   pure subroutine act(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
+      type(contact_type), intent(in) :: contact
+      type(normal_force_type), intent(in) :: normal, pressing
+      integer, intent(in) :: e
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3)
+      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
+                                  contact%axial, contact%rotary, work%climb(e)*contact%rotary, contact%radius, action, moment, &
+                                  by_point, moment_by_point)
+   end subroutine act
+
+   !> Adds to a conservative tangent at `state` what friction and torque have besides, which makes it the whole one; elements
+   !> without either are left out.
+   pure subroutine add_friction(mesh, loads, gaps, state, work, matrix)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work    !< placed and surveyed at `state`
+      type(block_matrix_type), intent(inout) :: matrix
+      type(element_type) :: element
+      type(contact_type) :: contact
+      real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
+      real(wp) :: ignored(12), action(3), moment(3), twist, gradient_i(3, 2), gradient_j(3, 2)
+      logical :: rubs, twisted
+      integer :: e
+      ignored = 0.0_wp
+      do e = 1, mesh%elements
+         twist = state(dof_twist, e + 1) - state(dof_twist, e)
+         twisted = abs(twist) > 0.0_wp
+         rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
+         if (.not. (rubs .or. twisted)) cycle
+         gradient_i = director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e))
+         gradient_j = director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1))
+         contact%sliding = .false.
+         if (rubs) then
+            call find_contact(mesh, loads, gaps, e, work, contact)
+            call act(contact, normal_force_type(), contact%pressing, e, work, action, moment, by_point, moment_by_point)
+         end if
+         if (contact%sliding) then
+            call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, 0.0_wp, &
+                                contact%axial*mesh%radius(e)*contact%pressing%stiffness, action, moment, push_by_point, &
+                                push_by_direction, bend_by_point, bend_by_direction)
+            call scatter_point(mesh, e, gradient_i, gradient_j, contact%shape, contact%slope, by_point + push_by_point, &
+                               bend_by_point, matrix)
+            if (.not. twisted) cycle
+         end if
+         element%k = 0.0_wp
+         call add_torque(beam_section_type(length=mesh%length(e), torsional_stiffness=mesh%gj(e)), work, e, twist, part_rest, &
+                         .true., ignored, element)
+         element%twist_stiffness = 0.0_wp
+         if (rubs .and. .not. contact%sliding) &
+            call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
+                                   moment, by_point, moment_by_point, element%k, element%twist_row)
+         call scatter_more(mesh, e, gradient_i, gradient_j, element, matrix)
+      end do
+      call hold_top(matrix)
+   end subroutine add_friction
 
    !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`, and with it that
    !> of the contact force itself.
-   pure subroutine add_couple(e, couple, couple_stiffness, shape, slope, direction, tangent, force_tangent, work, force, stiffness)
+   pure subroutine add_couple(mesh, e, contact, tangent, force_tangent, work, force, stiffness)
+      type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
-      real(wp), intent(in) :: couple            !< normal force times friction coefficient times radius, signed [N.m]
-      real(wp), intent(in) :: couple_stiffness  !< its derivative by |f| [N]
-      real(wp), intent(in) :: shape(4), slope(4), direction(3)
+      type(contact_type), intent(in) :: contact
       logical, intent(in) :: tangent            !< is wanted
       real(wp), intent(in) :: force_tangent(3, 3) !< of the contact force by the point [N/m]
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: force(12), stiffness(12, 12)
       real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
       integer :: a
-      call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), direction, couple, couple_stiffness, &
-                          push, bend, push_by_point, push_by_direction, bend_by_point, bend_by_direction)
+      call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
+                          contact%axial*mesh%radius(e)*contact%pressing%force, &
+                          contact%axial*mesh%radius(e)*contact%pressing%stiffness, push, bend, push_by_point, push_by_direction, &
+                          bend_by_point, bend_by_direction)
       if (allocated(work%contact_force)) then
          work%contact_force(:, e) = work%contact_force(:, e) + push
-         work%contact_moment(:, e) = work%contact_moment(:, e) + cross(direction, bend)
+         work%contact_moment(:, e) = work%contact_moment(:, e) + cross(contact%direction, bend)
       end if
       do a = 1, 4
-         force(3*a - 2:3*a) = force(3*a - 2:3*a) - shape(a)*push - slope(a)*bend
+         force(3*a - 2:3*a) = force(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
       end do
-      if (tangent) call add_couple_tangent(shape, slope, force_tangent + push_by_point, push_by_direction, bend_by_point, &
-                                           bend_by_direction, stiffness)
+      if (tangent) call add_couple_tangent(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, &
+                                           bend_by_point, bend_by_direction, stiffness)
    end subroutine add_couple
-
-   !> Turns an element's matrix from space axes to its 12 unknowns and adds it to the chain.
-   pure subroutine scatter(mesh, e, gradient_i, gradient_j, element, matrix)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: e
-      real(wp), intent(in) :: gradient_i(3, 2), gradient_j(3, 2)
-      type(element_type), intent(in) :: element
-      type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: block(6, 6)
-      associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
-         call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
-         matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + block
-         call project(element, 2, 2, frame_j, gradient_j, frame_j, gradient_j, matrix%diagonal(:, :, e + 1))
-         call project(element, 1, 2, frame_i, gradient_i, frame_j, gradient_j, matrix%upper(:, :, e))
-         call project(element, 2, 1, frame_j, gradient_j, frame_i, gradient_i, matrix%lower(:, :, e))
-      end associate
-   end subroutine scatter
-
-   !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
-   pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)
-      type(element_type), intent(in) :: element
-      integer, intent(in) :: p, q
-      real(wp), intent(in) :: frame_p(3, 3), gradient_p(3, 2), frame_q(3, 3), gradient_q(3, 2)
-      real(wp), intent(out) :: block(6, 6)
-      real(wp) :: half(6, 6)
-      integer :: i, j, r, c
-      r = 6*(p - 1)
-      c = 6*(q - 1)
-      do j = 1, 3
-         do i = 1, 6
-            half(i, j) = element%k(r + i, c + 1)*frame_q(1, j) + element%k(r + i, c + 2)*frame_q(2, j) &
-                         + element%k(r + i, c + 3)*frame_q(3, j)
-         end do
-         block(4, j) = sum(element%twist_row(p, c + 1:c + 3)*frame_q(:, j))
-      end do
-      half(:, 4) = merge(element%twist_column(r + 1:r + 6), -element%twist_column(r + 1:r + 6), q == 2)
-      block(4, 4) = merge(element%twist_stiffness, -element%twist_stiffness, p == q)
-      do j = 1, 2
-         do i = 1, 6
-            half(i, 4 + j) = element%k(r + i, c + 4)*gradient_q(1, j) + element%k(r + i, c + 5)*gradient_q(2, j) &
-                             + element%k(r + i, c + 6)*gradient_q(3, j)
-         end do
-         block(4, 4 + j) = sum(element%twist_row(p, c + 4:c + 6)*gradient_q(:, j))
-      end do
-      do j = 1, 6
-         do i = 1, 3
-            block(i, j) = frame_p(1, i)*half(1, j) + frame_p(2, i)*half(2, j) + frame_p(3, i)*half(3, j)
-         end do
-         do i = 1, 2
-            block(4 + i, j) = gradient_p(1, i)*half(4, j) + gradient_p(2, i)*half(5, j) + gradient_p(3, i)*half(6, j)
-         end do
-      end do
-   end subroutine project
 
    !> Lateral supports of the ends, weight and torque on bit.
    pure subroutine add_supports(trajectory, mesh, loads, wanted, work, residual, matrix)
@@ -313,18 +339,4 @@ contains
       end do
       residual(dof_twist, mesh%nodes) = residual(dof_twist, mesh%nodes) + loads%tob
    end subroutine add_supports
-
-   !> Holds u and phi of the top node.
-   pure subroutine hold_top(matrix)
-      type(block_matrix_type), intent(inout) :: matrix
-      integer, parameter :: held(2) = [dof_axial, dof_twist]
-      integer :: i
-      do i = 1, size(held)
-         matrix%diagonal(held(i), :, 1) = 0.0_wp
-         matrix%diagonal(:, held(i), 1) = 0.0_wp
-         matrix%diagonal(held(i), held(i), 1) = 1.0_wp
-         matrix%upper(held(i), :, 1) = 0.0_wp
-         matrix%lower(:, held(i), 1) = 0.0_wp
-      end do
-   end subroutine hold_top
 end module dg_assembly

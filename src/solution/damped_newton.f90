@@ -21,24 +21,24 @@
 module dg_damped_newton
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
+   use dg_block_matrix, only: swap_matrices
    use dg_block_solver, only: block_positive_definite
    use dg_case_result, only: iteration_type
+   use dg_damped_step, only: drop_friction, find_step, flips_friction
    use dg_gap_survey, only: survey_gaps
    use dg_gap_depths, only: close_gently, depths_after, keep_forces, put_gaps
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
-   use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_newton, only: add_gap_rigidity, judge, largest, largest_turn, longest_round, most_rounds, newton_converged, &
-                        newton_exhausted, newton_singular, newton_type, take_residual
+   use dg_newton, only: add_gap_rigidity, judge, judge_surveyed, largest, largest_turn, longest_round, most_rounds, &
+                        newton_converged, newton_exhausted, newton_singular, newton_type, take_residual
    use dg_numerics, only: numerics_type
    use dg_stability, only: margin_of
    use dg_trajectory, only: trajectory_type
-   use dg_turning_step, only: axis_of, is_straight_down, phase_type, solve_turning, take_off_drive, turn_along_wall, turning_mode, &
+   use dg_turning_step, only: axis_of, is_straight_down, phase_type, take_off_drive, turn_along_wall, turning_mode, &
                               turn_to_rest
-   use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity, until_definite, viscosity_least, viscosity_most, &
-                           viscosity_start, weigh
+   use dg_viscosity, only: damped_type, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
@@ -89,10 +89,13 @@ contains
       type(load_type) :: lagged
       type(phase_type) :: phase
       real(wp) :: before, slope, slope_after, growth, share, margin
+      real(wp) :: taken        ! off the trial's residual: lambda
       logical :: fresh, good, lag, live, vertical, torque, sliding, settled, changed, lost
+      logical :: known         ! residual and tangent, as they have been assembled for the trial
       integer :: info, rounds, round_start, wait
       integer :: stalled       ! steps in a row with gaps changing
       logical :: emptied       ! lagged friction taken off gaps since the last good step
+      logical :: moving        ! gaps moved after the last good step, and may again: a trial's tangent would be of no use
       lagged = loads
       lagged%lagged = .true.
       vertical = is_straight_down(mesh)
@@ -105,11 +108,13 @@ contains
       wait = 0
       stalled = 0
       emptied = .false.
+      moving = soft
       growth = until_definite
       damped%viscosity = 0.0_wp
       damped%drive = 0.0_wp
       row%increment = increment
       fresh = .true.
+      known = .false.
       call judge(trajectory, mesh, numerics, soft, .true., .false., state, gaps, work, row)
       if (damped%continued) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
       do
@@ -149,9 +154,9 @@ contains
             outcome = newton_exhausted
             return
          end if
-         call raise_viscosity(damped, merge(margin, viscosity_least, before < near_rest*newton%force_scale))
-         row%viscosity = damped%viscosity
+         if (fresh) call add_gap_rigidity(mesh, numerics%gk_min, damped%energy, newton%laterals)
          call solve_step(info)
+         row%viscosity = damped%viscosity
          if (info /= 0) then
             outcome = newton_singular
             return
@@ -172,9 +177,12 @@ contains
             damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
             if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
             growth = until_definite
-            if (soft) call judge(trajectory, mesh, numerics, .true., row%flips == 0, .false., state, gaps, work, row)
+            if (soft) call judge_surveyed(trajectory, mesh, numerics, .true., row%flips == 0, .false., gaps, work, row)
+            moving = row%moves > 0 .or. (soft .and. row%flips > 0)
+            known = known .and. .not. moving
             if (row%moves > 0) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
-         else if (.not. (live .or. sliding .or. vertical .or. emptied) .and. loses_friction()) then
+         else if (.not. (live .or. sliding .or. vertical .or. emptied) .and. flips_friction(damped, gaps, work)) then
+            call drop_friction(damped, gaps, work)
             call go_back(damped%old)
             emptied = .true.      ! once a step: what is measured anew may bring it back
             fresh = .true.
@@ -201,17 +209,23 @@ contains
 
       !> Residual and energy's tangent at the state, with live friction or with the lagged one that follows it.
       subroutine measure()
+         if (known) then
+            newton%residual = damped%trial
+            if (vertical) newton%residual = newton%residual + taken*damped%lump*damped%mode
+         end if
          if (lag) then
-            call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy, forces_only=.true.)
+            if (.not. known .or. live) call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, &
+                                                     damped%energy, forces_only=.true.)
             lag = sum(abs(work%normal - work%pressing)) > friction_drift*sum(work%pressing) .and. &
                   maxval(abs(newton%residual)) > calm_residual*newton%force_scale
          end if
-         if (lag) then
-            call assemble(trajectory, mesh, lagged, gaps, state, .true., work, newton%residual, damped%energy)
+         if (known .and. (live .neqv. lag)) then
+            call swap_matrices(newton%matrix, damped%energy)
          else
-            call assemble(trajectory, mesh, loads, gaps, state, .true., work, newton%residual, damped%energy)
-            work%pressing = work%normal
+            call assemble(trajectory, mesh, merge(lagged, loads, lag), gaps, state, .true., work, newton%residual, damped%energy)
          end if
+         if (.not. lag) work%pressing = work%normal
+         known = .false.
          call weigh(mesh, work, damped%lump)
          if (vertical) then
             call turning_mode(state, damped%mode)
@@ -239,8 +253,8 @@ contains
          round_start = newton%iterations
          newton%rest = state
          call keep_gaps(gaps, newton%gaps_at_rest)
-         call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp .and. .not. vertical, &
-                    state, gaps, work, row)
+         call judge_surveyed(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp .and. .not. vertical, gaps, &
+                             work, row)
          changed = row%moves > 0 .or. row%flips > 0
          if (changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
          settled = .not. changed
@@ -263,35 +277,17 @@ contains
       !> Newton's step with friction's tangent; where that does not lead down, or there is no friction, the energy's.
       subroutine solve_step(fault)
          integer, intent(out) :: fault
+         real(wp) :: least
+         least = merge(margin, viscosity_least, before < near_rest*newton%force_scale)
          live = .not. lag .and. wait == 0
-         slope = 0.0_wp
          if (live .and. (sliding .or. torque)) then
-            call assemble(trajectory, mesh, loads, gaps, state, .false., work, damped%trial, newton%matrix)
-            call solve_with_viscosity(fault)
+            call find_step(newton, damped, mesh, loads, gaps, least, vertical, .true., state, work, slope, fault)
             if (fault /= 0 .or. slope < 0.0_wp .or. sliding .or. near_whirl()) return
             lag = .true.
             live = .false.
          end if
-         newton%matrix%diagonal = damped%energy%diagonal
-         newton%matrix%upper = damped%energy%upper
-         newton%matrix%lower = damped%energy%lower
-         call solve_with_viscosity(fault)
+         call find_step(newton, damped, mesh, loads, gaps, least, vertical, .false., state, work, slope, fault)
       end subroutine solve_step
-
-      subroutine solve_with_viscosity(fault)
-         integer, intent(out) :: fault
-         call add_viscosity(damped, newton%matrix)
-         call add_gap_rigidity(mesh, numerics%gk_min, newton%matrix, newton%laterals)
-         if (vertical) then
-            call solve_turning(newton%solver, damped%lump, damped%mode, damped%pull, newton%residual, newton%matrix, damped%trial, &
-                               newton%step, fault)
-         else
-            call solve_linear(newton%solver, newton%matrix, newton%residual, newton%step, fault)
-         end if
-         if (fault /= 0) return
-         slope = sum(newton%step*newton%residual)
-         if (.not. abs(slope) < huge(slope)) fault = 1
-      end subroutine solve_with_viscosity
 
       !> Takes the step within its limits, and looks what is there.
       subroutine take_step()
@@ -307,34 +303,24 @@ contains
       !> Places the string a step off the old state, whose nodes stand in `work`; slope_after is that along the step.
       subroutine look()
          type(load_type) :: used
-         real(wp) :: ignored(2)
+         real(wp) :: ignored
          call depths_after(mesh, gaps, newton%step, work, damped%depth)
          call turn_along_wall(trajectory, mesh, work, newton%step, state)
+         call place_nodes(mesh, state, work)
+         call survey_gaps(trajectory, mesh, gaps, work)
          call put_gaps(trajectory, mesh, gaps, damped%depth, state, work)
-         call judge(trajectory, mesh, numerics, .false., .true., .false., state, gaps, work, row)
+         call judge_surveyed(trajectory, mesh, numerics, .false., .true., .false., gaps, work, row)
          call close_gently(trajectory, mesh, gaps, damped%depth, state, work)
          used = loads
          used%lagged = .not. live
-         call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix, forces_only=.true.)
+         call assemble(trajectory, mesh, used, gaps, state, .true., work, damped%trial, newton%matrix, forces_only=moving)
+         known = .not. moving
          if (vertical) then
             call turning_mode(state, damped%mode)
-            call take_off_drive(damped%lump, damped%mode, damped%trial, ignored(1), ignored(2))
+            call take_off_drive(damped%lump, damped%mode, damped%trial, ignored, taken)
          end if
          slope_after = sum(newton%step*damped%trial)
       end subroutine look
-
-      !> Takes lagged friction off gaps that a refused step opens or closes: it would come and go with their states as a whole,
-      !> however short the step, while the normal force goes to nothing. True where there was any.
-      function loses_friction() result(lost)
-         logical :: lost
-         integer :: e
-         lost = .false.
-         do e = 1, mesh%elements
-            if ((damped%states(e) == state_free .eqv. gaps%state(e) == state_free) .or. .not. work%pressing(e) > 0.0_wp) cycle
-            work%pressing(e) = 0.0_wp
-            lost = .true.
-         end do
-      end function loses_friction
 
       !> Whether the residual alone may tell of a step.
       pure function near_whirl() result(near)
@@ -413,6 +399,7 @@ contains
          gaps%state = damped%states
          gaps%flips = damped%flips
          row%flips = 0
+         known = .false.
          call place_nodes(mesh, state, work)
          call survey_gaps(trajectory, mesh, gaps, work)
          if (vertical) call turning_mode(state, damped%mode)

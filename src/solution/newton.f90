@@ -23,7 +23,7 @@ module dg_newton
                            place_nodes, workspace_type
    implicit none
    private
-   public :: newton_type, iterate, make_room, end_iterations, judge, take_residual, largest, add_gap_rigidity
+   public :: newton_type, iterate, make_room, end_iterations, judge, judge_surveyed, take_residual, largest, add_gap_rigidity
    public :: most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
@@ -291,11 +291,23 @@ contains
       type(iteration_type), intent(inout) :: row
       call place_nodes(mesh, state, work)
       call survey_gaps(trajectory, mesh, gaps, work)
+      call judge_surveyed(trajectory, mesh, numerics, relocate, closed, closely, gaps, work, row)
+   end subroutine judge
+
+   !> The same where nodes are placed and gaps measured already.
+   pure subroutine judge_surveyed(trajectory, mesh, numerics, relocate, closed, closely, gaps, work, row)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(numerics_type), intent(in) :: numerics
+      logical, intent(in) :: relocate, closed, closely
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work
+      type(iteration_type), intent(inout) :: row
       row%moves = 0
       if (relocate .and. numerics%gap_location == gap_at_extremum) &
          call relocate_gaps(trajectory, mesh, numerics%relocation, closed, closely, gaps, work, row%moves)
       call judge_states(gaps, work%displacement, row%flips)
-   end subroutine judge
+   end subroutine judge_surveyed
 
    !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns, from the first to the second of `rows`.
    pure subroutine add_gap_rigidity(mesh, gk_min, matrix, rows)

@@ -5,7 +5,8 @@
 module dg_viscosity
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix
-   use dg_block_solver, only: block_positive_definite
+   use dg_block_solver, only: block_positive_definite, block_solver_type
+   use dg_gap_depths, only: depths_type, new_depths
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
@@ -35,7 +36,7 @@ module dg_viscosity
       integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
       real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
       real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
-      real(wp), allocatable :: depth(:)            !< |f| that closed gaps are to have (elements) [m]
+      type(depths_type) :: depth                   !< that closed gaps are to have
       real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
       real(wp) :: pull = 0.0_wp                    !< it over the weights `lump` times `mode` [-]
       logical :: continued = .false.               !< the state is at rest against a softer wall
@@ -52,7 +53,7 @@ contains
       allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
                 damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
       allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
-      allocate (damped%depth(mesh%elements), source=0.0_wp)
+      call new_depths(mesh%elements, damped%depth)
       damped%step_limit = step_limit
    end subroutine new_damped
 
@@ -88,13 +89,22 @@ contains
       end do
    end subroutine add_viscosity
 
-   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin.
-   pure subroutine raise_viscosity(damped, margin)
+   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin. Where a solver is given that has
+   !> then the factors of the tangent with viscosity, if that is definite: `factored`.
+   pure subroutine raise_viscosity(damped, margin, solver, factored)
       type(damped_type), intent(inout) :: damped
       real(wp), intent(in) :: margin
+      type(block_solver_type), intent(inout), optional :: solver
+      logical, intent(out), optional :: factored
       logical :: definite
       do
-         call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
+         definite = .false.
+         if (present(solver)) then
+            call block_positive_definite(damped%energy, damped%viscosity, damped%lump, definite, solver)
+            factored = definite
+         end if
+         if (.not. definite .and. (margin > damped%viscosity .or. .not. present(solver))) &
+            call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
          if (definite .or. damped%viscosity > viscosity_most) return
          damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
       end do

@@ -6,7 +6,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_nodes, make_room_for_recovery
+   public :: workspace_type, new_workspace, place_node, place_nodes, make_room_for_recovery
    public :: nothing_carried
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
@@ -85,8 +85,17 @@ contains
       type(workspace_type), intent(inout) :: work
       integer :: n
       do n = 1, mesh%nodes
-         work%shift(:, n) = state(1, n)*mesh%frame(:, 1, n) + state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)
-         work%d(:, n) = director(mesh%frame(:, :, n), state(5:6, n))
+         call place_node(mesh, state, n, work)
       end do
    end subroutine place_nodes
+
+   !> Those of one node.
+   pure subroutine place_node(mesh, state, n, work)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: state(:, :)
+      integer, intent(in) :: n
+      type(workspace_type), intent(inout) :: work
+      work%shift(:, n) = state(1, n)*mesh%frame(:, 1, n) + state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)
+      work%d(:, n) = director(mesh%frame(:, :, n), state(5:6, n))
+   end subroutine place_node
 end module dg_workspace

@@ -1,6 +1,6 @@
 !> The chain matrix and its solutions, banded and by blocks, against the same matrix written out in full.
 module dg_test_block_matrix
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
    use dg_block_solver, only: block_back, block_factor, block_positive_definite, block_solve, block_solver_type, new_block_solver
@@ -293,9 +293,11 @@ contains
    !> free at the other end is 2 - 2 cos(pi/(2 N + 1)). Taking more than that off the diagonal must be seen.
    subroutine test_definiteness()
       type(block_matrix_type) :: matrix
-      real(wp) :: ones(6, nodes), least
+      type(linear_solver_type) :: solver
+      real(wp) :: ones(6, nodes), load(6, nodes), x(6, nodes), least
+      logical :: found
       real(wp), parameter :: pi = 3.14159265358979324_wp
-      integer :: n, i
+      integer :: n, i, info
       matrix = new_block_matrix(nodes)
       do n = 1, nodes
          do i = 1, 6
@@ -312,6 +314,18 @@ contains
       matrix%diagonal(3, 3, 2) = matrix%diagonal(3, 3, 2) - 10.0_wp
       call assertFalse(definite(0.0_wp), message='one soft unknown')
       call assertTrue(definite(20.0_wp), message='stiffened')
+      ! the factors solve what was found definite, the matrix with what was added
+      solver = linear_solver_type()
+      call new_linear_solver(solver_block, nodes, solver)
+      call block_positive_definite(matrix, 20.0_wp, ones, found, solver%block)
+      do i = 1, 6
+         matrix%diagonal(i, i, :) = matrix%diagonal(i, i, :) + 20.0_wp
+      end do
+      load = reshape([(cos(1.0_wp*i), i=1, 6*nodes)], [6, nodes])
+      call solve_linear(solver, matrix, load, x, info, factored=.true.)
+      call assertEqual(0, info)
+      call assertLessThan(maxval(abs(block_product(matrix, x) + load)), 1.0e-14_wp, message='solution')
+      call assertEqual(0, solver%refinements + solver%fallbacks, message='at once')
    contains
       function definite(factor)
          real(wp), intent(in) :: factor

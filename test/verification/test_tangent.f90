@@ -4,7 +4,7 @@ module dg_test_tangent
    use funit, only: TestMethod, TestSuite, assertTrue, assertEqual, assertLessThan
    use dg_kinds, only: wp
    use dg_constants, only: degree
-   use dg_assembly, only: assemble, load_type
+   use dg_assembly, only: add_friction, assemble, load_type
    use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_error, only: error_type
@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('beam_parts_sum_to_second_derivative', beam_parts_sum_to_second_derivative))
       call suite%addTest(TestMethod('whole_string_tangent_matches_differences', whole_string_tangent_matches_differences))
       call suite%addTest(TestMethod('conservative_tangent_is_symmetric', conservative_tangent_is_symmetric))
+      call suite%addTest(TestMethod('friction_makes_it_whole', friction_makes_it_whole))
       call suite%addTest(TestMethod('forces_alone_are_the_same', forces_alone_are_the_same))
    end function tangent_suite
 
@@ -182,6 +183,36 @@ contains
       dense = to_dense(matrix)
       call assertLessThan(maxval(abs(dense - transpose(dense)))/maxval(abs(dense)), 1.0e-13_wp, message='asymmetry')
    end subroutine conservative_tangent_is_symmetric
+
+   !> The conservative tangent with what friction and torque add is the whole one: everything acting at once; a string that slides
+   !> without turning, torque or none; one without friction, to which nothing is added.
+   subroutine friction_makes_it_whole()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(block_matrix_type) :: whole, parts
+      real(wp), allocatable :: state(:, :), residual(:, :), added(:, :)
+      integer :: kind
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      call new_workspace(mesh, work)
+      whole = new_block_matrix(mesh%nodes)
+      parts = new_block_matrix(mesh%nodes)
+      allocate (residual, mold=state)
+      do kind = 1, 4
+         if (kind > 1) mesh%rotary = 0.0_wp
+         if (kind > 2) state(4, :) = 0.0_wp
+         if (kind > 3) mesh%axial = 0.0_wp
+         call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, whole)
+         call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, parts)
+         added = to_dense(whole) - to_dense(parts)
+         call assertTrue(maxval(abs(added)) > 1.0_wp .eqv. kind < 4, message='something is missing but without friction')
+         call add_friction(mesh, loads, gaps, state, work, parts)
+         added = to_dense(whole) - to_dense(parts)
+         call assertLessThan(maxval(abs(added))/maxval(abs(to_dense(whole))), 1.0e-14_wp, message='whole')
+      end do
+   end subroutine friction_makes_it_whole
 
    !> Forces without their tangent are the same to the last bit, and leave the matrix alone but for its supports.
    subroutine forces_alone_are_the_same()

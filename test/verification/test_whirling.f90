@@ -6,7 +6,7 @@ module dg_test_whirling
    use dg_case_result, only: case_result_type, result_converged
    use dg_constants, only: pi
    use dg_error, only: error_type
-   use dg_gap_depths, only: close_gently, depths_after, keep_forces, put_gaps
+   use dg_gap_depths, only: close_gently, depths_after, depths_type, keep_forces, new_depths, put_gaps
    use dg_gap_state, only: gap_law_type, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, new_gap_table
@@ -118,13 +118,15 @@ contains
       type(mesh_type) :: mesh
       type(workspace_type) :: work
       type(gap_table_type) :: gaps
-      real(wp), allocatable :: state(:, :), before(:, :), depth(:), step(:, :)
+      type(depths_type) :: depth
+      real(wp), allocatable :: state(:, :), before(:, :), step(:, :)
       integer :: e
       call hang(model, mesh, work, gaps, state)
       gaps%xi(3:4) = [1.0_wp, 0.0_wp]
       gaps%state = state_elastic
       gaps%state(6) = state_free
-      allocate (depth(mesh%elements), step(6, mesh%nodes))
+      allocate (step(6, mesh%nodes))
+      call new_depths(mesh%elements, depth)
       call place_nodes(mesh, state, work)
       call survey_gaps(model%trajectory, mesh, gaps, work)
       ! a step of a micrometre: its depths to first order are those it leads to, but for its square over the clearance
@@ -133,15 +135,18 @@ contains
       call depths_after(mesh, gaps, step, work, depth)
       call place_nodes(mesh, state + step, work)
       call survey_gaps(model%trajectory, mesh, gaps, work)
-      call assertLessThan(maxval(abs(depth - work%displacement), mask=gaps%state /= state_free), 1.0e-9_wp, message='first order')
+      call assertLessThan(maxval(abs(depth%wanted - work%displacement), mask=gaps%state /= state_free), 1.0e-9_wp, &
+                          message='first order')
       do e = 1, mesh%elements
-         depth(e) = mesh%clearance(e) + 1.0e-5_wp*e
+         depth%wanted(e) = mesh%clearance(e) + 1.0e-5_wp*e
       end do
-      depth(4) = depth(3)
-      depth(6) = 0.0_wp
+      depth%wanted(4) = depth%wanted(3)
+      depth%wanted(6) = 0.0_wp
       before = state
+      call place_nodes(mesh, state, work)
+      call survey_gaps(model%trajectory, mesh, gaps, work)
       call put_gaps(model%trajectory, mesh, gaps, depth, state, work)
-      call assertLessThan(maxval(abs(depth - work%displacement), mask=depth > 0.0_wp), exact, message='depths')
+      call assertLessThan(maxval(abs(depth%wanted - work%displacement), mask=depth%wanted > 0.0_wp), exact, message='depths')
       call assertEqual(0.0_wp, maxval(abs(state(:4, [1, mesh%nodes]) - before(:4, [1, mesh%nodes]))), message='ends stay')
       call assertLessThan(maxval(abs(state(2:3, :) - before(2:3, :))), 0.5_wp*mesh%clearance(1), message='not far')
       call assertEqual(state_free, gaps%state(6), message='open ones stay open')
@@ -154,11 +159,12 @@ contains
       type(mesh_type) :: mesh
       type(workspace_type) :: work
       type(gap_table_type) :: gaps
-      real(wp), allocatable :: state(:, :), depth(:)
+      type(depths_type) :: depth
+      real(wp), allocatable :: state(:, :)
       integer :: e
       call hang(model, mesh, work, gaps, state)
       gaps%state = state_elastic
-      allocate (depth(mesh%elements), source=0.0_wp)
+      call new_depths(mesh%elements, depth)
       call place_nodes(mesh, state, work)
       call survey_gaps(model%trajectory, mesh, gaps, work)
       work%normal = [(100.0_wp*e, e=1, mesh%elements)]
@@ -168,7 +174,7 @@ contains
          call assertRelativelyEqual(100.0_wp*e, gaps%law(e)%contact*(work%displacement(e) - mesh%clearance(e)), digits, &
                                     message='kept')
       end do
-      depth(5) = 0.0_wp      ! as if it had just closed
+      depth%wanted(5) = 0.0_wp      ! as if it had just closed
       call close_gently(model%trajectory, mesh, gaps, depth, state, work)
       call assertLessThan(abs(work%displacement(5) - mesh%clearance(5)), 1.0e-12_wp, message='touches')
       call assertEqual(state_elastic, gaps%state(5))
