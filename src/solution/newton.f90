@@ -64,6 +64,7 @@ module dg_newton
       type(release_front_type) :: front           !< of release
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       real(wp) :: step_limit = 0.0_wp             !< largest lateral change in one iteration [m]
+      real(wp) :: wild_step = huge(1.0_wp)        !< one that ends the iteration [m]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< in all increments so far
       real(wp), allocatable :: rest(:, :)         !< the last rest against the final wall, before gaps moved
@@ -152,6 +153,10 @@ contains
                cycle
             end if
             outcome = newton_singular
+            return
+         end if
+         if (row%lateral_step > newton%wild_step) then
+            outcome = newton_exhausted
             return
          end if
          call take_step(newton, mesh, gaps, step_share(newton, row, stalled), state, work)

@@ -49,6 +49,9 @@ module dg_static_analysis
    integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
                          other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
    integer, parameter :: longest_attempt(7) = [70, 25, 70, 150, 250, 400, 120]
+   !> A lateral step over the clearance by which plain Newton shows that a compressed string's tangent is next to singular [-]: those
+   !> that it solves take steps of less than one.
+   real(wp), parameter :: wild = 3.0_wp
    !> Parts of the coiling load [-]: from the first on equilibria are checked for stability, from the second on the plan is that
    !> of a string that may buckle. Sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's first mode of a vertical string
    !> at 1/2, at 1/4 when it is very long.
@@ -162,6 +165,7 @@ contains
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
          if (attempt == count(plan /= nothing)) numerics%max_iterations = most
+         newton%wild_step = merge(wild*maxval(mesh%clearance), huge(wild), plan(attempt) == briefly)
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
          if (damping .and. .not. allocated(damped%lump)) call new_damped(mesh, viscous_step, damped)
          if (plan(attempt) == as_it_whirls .or. (may_buckle .and. straight_down)) &
