@@ -46,6 +46,9 @@ module dg_damped_newton
 
    !> A residual over the force scale so small that the margin is left alone, lest viscosity delay the end [-].
    real(wp), parameter :: near_rest = 1.0e-6_wp
+   !> The same at which gaps are first given the places that they want: their moves are no less good for it, and what is left to do
+   !> is done with them.
+   real(wp), parameter :: settling_residual = 1.0e-3_wp
    !> Viscosity after a step that was good at first try, after one that was not, and on indefiniteness; each refusal doubles
    !> its own factor (Nielsen 1999).
    real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
@@ -141,6 +144,9 @@ contains
                   outcome = newton_converged
                   return
                end if
+               if (changed) cycle
+            else if (.not. (lag .or. soft .or. row%flips > 0) .and. before <= settling_residual*newton%force_scale) then
+               call move_gaps(changed)
                if (changed) cycle
             end if
          end if
@@ -248,17 +254,26 @@ contains
          logical, intent(out) :: settled, changed
          changed = .false.
          call block_positive_definite(damped%energy, margin, damped%lump, settled)
-         if (.not. settled .or. soft .or. rounds >= most_rounds) return
-         rounds = rounds + 1
-         round_start = newton%iterations
+         if (.not. settled .or. soft) return
+         call move_gaps(changed)
+         settled = .not. changed
+      end subroutine look_round
+
+      !> Gives gaps the places that they want.
+      subroutine move_gaps(changed)
+         logical, intent(out) :: changed
+         changed = .false.
+         if (rounds >= most_rounds) return
          newton%rest = state
          call keep_gaps(gaps, newton%gaps_at_rest)
          call judge_surveyed(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp .and. .not. vertical, gaps, &
                              work, row)
          changed = row%moves > 0 .or. row%flips > 0
-         if (changed) call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
-         settled = .not. changed
-      end subroutine look_round
+         if (.not. changed) return
+         rounds = rounds + 1
+         round_start = newton%iterations
+         call keep_forces(trajectory, mesh, gaps, damped%depth, state, work)
+      end subroutine move_gaps
 
       !> Back to the rest before gaps moved, which then is the end.
       subroutine take_back()
