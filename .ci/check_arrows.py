@@ -20,7 +20,7 @@ MAY_USE = {
     "results": {"base", "gap_element"},
     "buckling": {"base"},
     "soft_string": {"base", "buckling", "trajectory", "string", "hole", "model", "gap_element", "results"},
-    "solution": {"base", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
+    "solution": {"base", "buckling", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
     "mixed_string": {"base", "trajectory", "string", "model", "results", "soft_string", "rigid_string", "solution"},

@@ -7,13 +7,15 @@
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
+   use dg_buckled_start, only: lay_buckled
+   use dg_end_span, only: lift_end
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_predicted_helix, only: lay_helix, touch_above_bit
-   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at
+   use dg_predicted_helix, only: touch_above_bit
+   use dg_soft_string_loads, only: coiling_load, soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
@@ -60,12 +62,16 @@ contains
          offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
-      if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
-      if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call bend_over(mesh, axial, offset)
       call slopes_of(mesh%md, offset, slope)
-      call coil(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, model%boundary%bit_centred, &
-                load, wall, offset, slope, laid)
+      call lay_buckled(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, &
+                       model%boundary%bit_centred, wall, load, offset, slope, laid)
+      if (model%boundary%top_centred) call lift_end(mesh%md - mesh%md(1), 1, -axial(1), mesh%ei(1), load(1), mesh%clearance(1), &
+                                                    offset, slope)
+      if (model%boundary%bit_centred) call lift_end(mesh%md(mesh%nodes) - mesh%md, -1, -axial(mesh%nodes), &
+                                                    mesh%ei(mesh%elements), load(mesh%nodes), mesh%clearance(mesh%elements), &
+                                                    offset, slope)
+      if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
@@ -90,71 +96,6 @@ contains
                                                                               mesh%weight(e), mesh%clearance(e)))
       end do
    end subroutine whirling
-
-   !> Lays a string that the soft string finds compressed by F as it will buckle. From the straight state the iteration would
-   !> have to grow every turn out of nothing, left- and right-handed by chance, and then work the reversals out of the string.
-   !>   beyond the coiling load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
-   !>   beyond Dawson & Paslay's   a snake about the side that it lies on (see `snake_swing`)
-   !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
-   !>                              could not leave that state
-   pure subroutine coil(mesh, axial, place, imperfection, top_centred, bit_centred, load, wall, offset, slope, laid)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: imperfection       !< over the clearance [-]
-      logical, intent(in) :: top_centred, bit_centred
-      real(wp), intent(in) :: axial(:), wall(:)
-      real(wp), intent(in) :: place(:)           !< x0/L of the gaps [-]
-      real(wp), intent(inout) :: load(:)         !< contact force per metre [N/m]
-      real(wp), intent(inout) :: offset(:, :), slope(:, :)
-      integer, intent(out) :: laid               !< node to which a helix goes that begins in a vertical hole
-      real(wp) :: phase, side, rate, radius, force, swing, wave
-      logical :: coiling
-      integer :: i, e
-      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, phase)
-      coiling = laid > 0
-      wave = 0.0_wp
-      do i = max(laid + 1, 2), mesh%nodes
-         if (.not. axial(i) < 0.0_wp) cycle
-         e = min(i, mesh%elements)
-         rate = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
-         phase = phase + rate*(mesh%md(i) - mesh%md(i - 1))
-         if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
-            if (.not. coiling) phase = atan2(offset(2, i), offset(1, i))    ! goes on from where the string lies
-            coiling = .true.
-            force = coil_force(mesh%ei(e), -axial(i), mesh%clearance(e))
-            radius = mesh%clearance(e) + force/wall(e)
-            offset(:, i) = radius*[cos(phase), sin(phase)]
-            slope(:, i) = radius*rate*[-sin(phase), cos(phase)]
-            load(i) = max(load(i), force)
-            cycle
-         end if
-         coiling = .false.
-         swing = snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
-         if (swing > 0.0_wp) then
-            rate = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp
-            wave = wave + rate*(mesh%md(i) - mesh%md(i - 1))
-            side = atan2(offset(2, i), offset(1, i)) + swing*sin(wave)
-            radius = norm2(offset(:, i))
-            offset(:, i) = radius*[cos(side), sin(side)]
-            slope(:, i) = radius*swing*rate*cos(wave)*[-sin(side), cos(side)]
-         else
-            offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase), sin(phase)]
-         end if
-      end do
-   end subroutine coil
-
-   !> Angle [rad] by which a string under compression F [N] and side load n [N/m] snakes to either side: 0 below Dawson & Paslay's
-   !> (1984) load F_s = 2 sqrt(EI n/c), beyond it Mitchell's (1997) fit to his solutions of the post-buckled state,
-   !> 1.1227 b^-0.04 (b - 1)^0.46 with b = F/F_s. The wave number is that of the onset, (n/(EI c))^(1/4).
-   elemental function snake_swing(compression, ei, side_load, clearance) result(swing)
-      real(wp), intent(in) :: compression, ei, side_load, clearance
-      real(wp) :: swing
-      real(wp), parameter :: factor = 1.1227_wp, exponent_of_ratio = -0.04_wp, exponent_of_excess = 0.46_wp
-      real(wp) :: onset
-      swing = 0.0_wp
-      onset = 2.0_wp*sqrt(ei*side_load/clearance)
-      if (.not. onset > 0.0_wp .or. compression <= onset) return
-      swing = factor*(compression/onset)**exponent_of_ratio*(compression/onset - 1.0_wp)**exponent_of_excess
-   end function snake_swing
 
    !> Lets the string bend where the soft string steps from one side of the hole to the other: there its offsets y become those of
    !> y - l^2 y'' = y_soft, with l = sqrt(EI/|T|), over which bending fades in a string under tension, but no longer than

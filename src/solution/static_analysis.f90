@@ -49,8 +49,8 @@ module dg_static_analysis
    integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
                          other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
    integer, parameter :: longest_attempt(7) = [70, 25, 70, 150, 250, 400, 120]
-   !> A lateral step over the clearance by which plain Newton shows that a compressed string's tangent is next to singular [-]: those
-   !> that it solves take steps of less than one.
+   !> A lateral step over the clearance by which plain Newton shows that a compressed string's tangent is next to singular [-]:
+   !> those that it solves take steps of less than one.
    real(wp), parameter :: wild = 3.0_wp
    !> Parts of the coiling load [-]: from the first on equilibria are checked for stability, from the second on the plan is that
    !> of a string that may buckle. Sinusoidal buckling comes at 1/sqrt(2) of it, Lubinski's first mode of a vertical string

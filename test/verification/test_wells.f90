@@ -16,9 +16,10 @@ module dg_test_wells
    private
    public :: new_well, three_part_well, part, pipe, solve, note, string_weight
 
-   !> Unbalanced force over the string's weight and bit load, moment over that times the string's extent: the residual is
-   !> iterated to 1e-9 at any node, and nodes' shares add up. Seen: 3e-9, most cases 1e-10.
-   real(wp), parameter :: balance = 1.0e-8_wp
+   !> Unbalanced force of a node over the string's weight and bit load, to which each of its three components is iterated; moment
+   !> over that times the string's extent. What is left of all nodes may lie to one side: a snake that stops within the tolerance by
+   !> its last step leaves 2e-8 of a hundred nodes, most cases 1e-10.
+   real(wp), parameter :: balance = 1.0e-9_wp
 
 contains
 
@@ -114,7 +115,7 @@ contains
       type(case_result_type), intent(out) :: result
       character(*), intent(in) :: what
       type(error_type), allocatable :: error
-      real(wp) :: scale
+      real(wp) :: scale, left
       model%cases(1)%operation = operation
       model%cases(1)%wob = wob
       model%cases(1)%tob = tob
@@ -127,8 +128,9 @@ contains
       call note(what//': force out of balance over weight', result%equilibrium_force/scale)
       call note(what//': moment out of balance over weight times length', &
                 result%equilibrium_moment/(scale*model%cases(1)%bit_depth))
-      call assertLessThan(result%equilibrium_force, balance*scale, message=what//': forces balance')
-      call assertLessThan(result%equilibrium_moment, balance*scale*model%cases(1)%bit_depth, message=what//': moments balance')
+      left = sqrt(3.0_wp)*balance*scale*size(result%profile%md)
+      call assertLessThan(result%equilibrium_force, left, message=what//': forces balance')
+      call assertLessThan(result%equilibrium_moment, left*model%cases(1)%bit_depth, message=what//': moments balance')
    end subroutine solve
 
    !> Weight of the whole string in the hole [N]; components but the last as long as they say.

@@ -1,0 +1,322 @@
+!> The start of a compressed string: snakes and coils laid as they will be, phase included.
+!>
+!> From the straight state the iteration would have to grow every turn out of nothing, left- and right-handed by chance, and then
+!> work the reversals out of the string. Amplitude and pitch are known from theory; so is where along the hole the waves lie,
+!> which depends on what ends them: to shift a whole snake by a quarter wave takes Newton ten to twenty iterations, since the way
+!> there is curved.
+module dg_buckled_start
+   use dg_buckling_limits, only: sinusoidal_limit
+   use dg_constants, only: pi
+   use dg_kinds, only: wp
+   use dg_mesh, only: mesh_type
+   use dg_predicted_helix, only: lay_helix
+   use dg_soft_string_loads, only: coil_force, coiling_load
+   implicit none
+   private
+   public :: lay_buckled, snake_swing
+
+   !> What a place of the string does.
+   integer, parameter :: stretched = 0, lying = 1, snaking = 2, coiling = 3
+   !> What ends a snake: nothing, its load fades; an end in the middle of the hole; a stiffer part that lies still; a coil.
+   integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
+   !> Where a snake's first zero lies, in half waves from what ends it, and by how many radians of phase its envelope is longer
+   !> than the way from there. At an end in the middle of the hole: linear theory at the load of onset, where the snake
+   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall (dg_end_span: 1.745 long, 2.019
+   !> of contact force where it touches). At a part r times as stiff: 1 - 1/(2 r) and nothing, which is a clamp's where it is rigid
+   !> and what the beams' own solutions have at heavy-weight pipe (r = 1.9: 0.73) and at collars (r = 5: 0.87 to 0.93).
+   real(wp), parameter :: zero_at_end = 0.730_wp, lead_at_end = 2.926_wp
+   real(wp), parameter :: zero_at_clamp = 1.0_wp, zero_by_stiffness = 0.5_wp
+   !> Phase from a centred end at which a coil turns at its full rate [rad]: as the beams' own solutions do, a quarter turn late.
+   real(wp), parameter :: coil_turns = pi
+   !> The angle to the low side, before it, at which a coil comes from the middle of the hole [rad]: its weight is lowest so, the
+   !> end turning slowly as `held_back` has it, at the height of dg_end_span.
+   real(wp), parameter :: lag_at_end = 0.92_wp
+   !> Waves are stretched or pressed together by no more than this to suit both ends of a zone [-].
+   real(wp), parameter :: largest_stretch = 0.25_wp
+   !> Change of bending stiffness that ends a snake [-].
+   real(wp), parameter :: much_stiffer = 1.5_wp
+
+   !> What ends a zone.
+   type :: end_type
+      integer :: kind = fades
+      real(wp) :: zero = 0.0_wp   !< way of a snake's first zero from there [half waves]
+      real(wp) :: lead = 0.0_wp   !< of a snake's envelope [rad]
+   end type end_type
+
+   !> A run of nodes that do the same.
+   type :: zone_type
+      integer :: first, last
+      type(end_type) :: above, below
+   end type zone_type
+
+contains
+
+   !> Lays a string that the soft string finds compressed by F as it will buckle.
+   !>   beyond the coiling load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
+   !>   beyond Dawson & Paslay's   a snake about the side that it lies on, to A to either side (see `snake_swing`), of the wave
+   !>                              number k with which its energy is least: with lengths in units of (EI c/n)^(1/4),
+   !>                              E = <(theta''^2 + theta'^4)/2 - b theta'^2 + 1 - cos(theta)> of theta = A sin(k x)
+   !>                              gives k^4 = 2 J_1(A)/A
+   !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
+   !>                              could not leave that state
+   pure subroutine lay_buckled(mesh, axial, place, imperfection, top_centred, bit_centred, wall, load, offset, slope, laid)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:)           !< tension > 0, by node [N]
+      real(wp), intent(in) :: place(:)           !< x0/L of the gaps, by element [-]
+      real(wp), intent(in) :: imperfection       !< over the clearance [-]
+      logical, intent(in) :: top_centred, bit_centred
+      real(wp), intent(in) :: wall(:)            !< stiffness per length, by element [N/m2]
+      real(wp), intent(inout) :: load(:)         !< contact force per metre, by node [N/m]
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
+      integer, intent(out) :: laid               !< node to which a helix goes that begins in a vertical hole (dg_predicted_helix)
+      integer :: does(mesh%nodes), i, e
+      real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
+      type(zone_type) :: zone
+      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, angle)
+      call sort_out(mesh, axial, load, does, rate)
+      does(:laid) = coiling
+      phase = 0.0_wp
+      do i = 2, mesh%nodes
+         phase(i) = phase(i - 1) + rate(i)*(mesh%md(i) - mesh%md(i - 1))
+      end do
+      zone%first = laid + 1
+      do while (zone%first <= mesh%nodes)
+         zone%last = zone%first
+         do while (zone%last < mesh%nodes)
+            if (does(zone%last + 1) /= does(zone%first)) exit
+            zone%last = zone%last + 1
+         end do
+         zone%above = what_ends(mesh, does, zone%first, -1, top_centred)
+         zone%below = what_ends(mesh, does, zone%last, 1, bit_centred)
+         select case (does(zone%first))
+         case (coiling)
+            if (laid > 0 .and. zone%first == laid + 1) then
+               angle = angle + phase(zone%first) - phase(laid)
+            else
+               angle = atan2(offset(2, zone%first), offset(1, zone%first)) - lag(zone%above)
+            end if
+            call coil(mesh, zone, axial, rate, wall, phase, angle, load, offset, slope)
+         case (snaking)
+            call snake(mesh, zone, axial, load, rate, phase, offset, slope)
+         case (lying)
+            do i = max(zone%first, 2), zone%last
+               e = min(i, mesh%elements)
+               offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase(i)), sin(phase(i))]
+            end do
+         case default      ! in tension: nothing
+         end select
+         zone%first = zone%last + 1
+      end do
+   end subroutine lay_buckled
+
+   !> What the string does at each node, and the wave number of that [rad/m].
+   pure subroutine sort_out(mesh, axial, load, does, rate)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:)
+      real(wp), intent(inout) :: load(:)      !< between two parts that of the weaker, which decides there
+      integer, intent(out) :: does(:)
+      real(wp), intent(out) :: rate(:)
+      real(wp) :: swing
+      integer :: i, e
+      do i = 1, mesh%nodes
+         e = weaker(mesh, i)
+         does(i) = stretched
+         rate(i) = 0.0_wp
+         if (.not. axial(i) < 0.0_wp) cycle
+         does(i) = lying
+         rate(i) = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
+         if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+            does(i) = coiling
+         else
+            swing = snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
+            if (.not. swing > 0.0_wp) cycle
+            does(i) = snaking
+            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e))*2.0_wp*bessel_j1(swing)/swing)**0.25_wp
+         end if
+      end do
+      do i = 2, mesh%elements
+         e = 0
+         if (mesh%ei(i) > much_stiffer*mesh%ei(i - 1)) e = i - 1
+         if (mesh%ei(i - 1) > much_stiffer*mesh%ei(i)) e = i + 1
+         if (e == 0) cycle
+         does(i) = does(e)
+         rate(i) = rate(e)
+         load(i) = load(e)
+      end do
+   end subroutine sort_out
+
+   !> The element next to a node that bends more easily.
+   pure function weaker(mesh, node) result(e)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      integer :: e
+      integer :: above
+      above = max(node - 1, 1)
+      e = min(node, mesh%elements)
+      if (mesh%ei(above) < mesh%ei(e)) e = above
+   end function weaker
+
+   !> How far off the axis a node lies [m], and how that changes along the hole [-]; of one that lies on the axis, the clearance.
+   pure subroutine radius_of(clearance, offset, slope, radius, growth)
+      real(wp), intent(in) :: clearance
+      real(wp), intent(in) :: offset(2), slope(2)
+      real(wp), intent(out) :: radius, growth
+      radius = norm2(offset)
+      growth = 0.0_wp
+      if (radius > 0.0_wp) then
+         growth = dot_product(offset, slope)/radius
+      else
+         radius = clearance
+      end if
+   end subroutine radius_of
+
+   !> What ends the zone at one of its nodes, `way` being out of it.
+   pure function what_ends(mesh, does, node, way, centred) result(ends)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: does(:)
+      integer, intent(in) :: node, way
+      logical, intent(in) :: centred
+      type(end_type) :: ends
+      real(wp) :: stiffness
+      integer :: inside, beyond
+      if (node + way < 1 .or. node + way > mesh%nodes) then
+         if (centred) ends = end_type(centred_end, zero_at_end, lead_at_end)
+      else if (does(node + way) == coiling .or. (does(node) == coiling .and. does(node + way) == snaking)) then
+         ends%kind = coil_beyond
+      else
+         beyond = min(max(merge(node + way, node, way < 0), 1), mesh%elements)
+         inside = min(max(merge(node, node - 1, way < 0), 1), mesh%elements)
+         stiffness = mesh%ei(beyond)/mesh%ei(inside)
+         if (stiffness > much_stiffer) &
+            ends = end_type(stiff_part, zero_at_clamp - zero_by_stiffness/stiffness, 0.0_wp)
+      end if
+   end function what_ends
+
+   !> Lays a helix from where the string lies above it on; where it lies below it, too, its turns are stretched to end there.
+   pure subroutine coil(mesh, zone, axial, rate, wall, phase, start, load, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      type(zone_type), intent(in) :: zone
+      real(wp), intent(in) :: axial(:), rate(:), wall(:), phase(:)
+      real(wp), intent(in) :: start           !< angle at its upper end [rad]
+      real(wp), intent(inout) :: load(:), offset(:, :), slope(:, :)
+      real(wp) :: side(2), turns, stretch, angle, away, left, force, radius, growth
+      integer :: i, e
+      turns = phase(zone%last) - phase(zone%first)
+      turns = turns - held_back(zone%above, turns) - held_back(zone%below, turns)
+      stretch = 1.0_wp
+      side = offset(:, min(zone%last + 1, mesh%nodes))
+      if (norm2(side) > 0.0_wp) stretch = stretched_by(turns, atan2(side(2), side(1)) + lag(zone%below) - start, 2.0_wp*pi)
+      do i = zone%first, zone%last
+         e = weaker(mesh, i)
+         force = coil_force(mesh%ei(e), -axial(i), mesh%clearance(e))
+         call radius_of(mesh%clearance(e), offset(:, i), slope(:, i), radius, growth)
+         radius = radius + max(force - load(i), 0.0_wp)/wall(e)
+         away = phase(i) - phase(zone%first)
+         left = phase(zone%last) - phase(i)
+         angle = start + stretch*(away - held_back(zone%above, away) + held_back(zone%below, left) &
+                                  - held_back(zone%below, away + left))
+         offset(:, i) = radius*[cos(angle), sin(angle)]
+         slope(:, i) = growth*[cos(angle), sin(angle)] &
+                       + radius*stretch*rate(i)*turning(zone%above, away)*turning(zone%below, left)*[-sin(angle), cos(angle)]
+         load(i) = max(load(i), force)
+      end do
+   end subroutine coil
+
+   !> Angle by which a coil's end lags behind the side that it lies on [rad].
+   pure function lag(ends) result(angle)
+      type(end_type), intent(in) :: ends
+      real(wp) :: angle
+      angle = merge(lag_at_end, 0.0_wp, ends%kind == centred_end)
+   end function lag
+
+   !> Angle that a coil has not turned at some phase x from its end [rad]. Between the axis and the wall it does not at all: its
+   !> rate grows as (1 - cos x)/2 from a centred end. Where it begins to lie the rate is tanh(x), as dg_predicted_helix has it.
+   pure function held_back(ends, away) result(angle)
+      type(end_type), intent(in) :: ends
+      real(wp), intent(in) :: away    !< [rad]
+      real(wp) :: angle
+      angle = 0.0_wp
+      if (ends%kind == centred_end) angle = 0.5_wp*(min(away, coil_turns) + sin(min(away, coil_turns)))
+      if (ends%kind == fades .or. ends%kind == stiff_part) angle = log(2.0_wp) - log(1.0_wp + exp(-2.0_wp*away))
+   end function held_back
+
+   !> Its rate there over that of the coil [-].
+   pure function turning(ends, away) result(part)
+      type(end_type), intent(in) :: ends
+      real(wp), intent(in) :: away    !< [rad]
+      real(wp) :: part
+      part = 1.0_wp
+      if (ends%kind == centred_end) part = 0.5_wp*(1.0_wp - cos(min(away, coil_turns)))
+      if (ends%kind == fades .or. ends%kind == stiff_part) part = tanh(away)
+   end function turning
+
+   !> Lays a snake to both sides of where the string lies, its waves where what ends them wants them.
+   pure subroutine snake(mesh, zone, axial, load, rate, phase, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      type(zone_type), intent(in) :: zone
+      real(wp), intent(in) :: axial(:), load(:), rate(:), phase(:)
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)
+      real(wp) :: above, below, stretch, sense, wave, swing, rise, side, radius, growth
+      integer :: i, e
+      above = 0.0_wp
+      below = 0.0_wp
+      if (zone%above%kind /= fades) above = -pi*zone%above%zero
+      if (zone%below%kind /= fades) below = pi*zone%below%zero
+      stretch = 1.0_wp
+      if (zone%above%kind /= fades .and. zone%below%kind /= fades) then
+         stretch = stretched_by(phase(zone%last) - phase(zone%first), below - above, pi)
+      else if (zone%below%kind /= fades) then
+         above = below - (phase(zone%last) - phase(zone%first))
+      end if
+      sense = 1.0_wp
+      if (zone%below%kind == coil_beyond) sense = sign(sense, cos(above + stretch*(phase(zone%last) - phase(zone%first))))
+      do i = zone%first, zone%last
+         e = weaker(mesh, i)
+         swing = sense*snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
+         rise = sqrt(max(-axial(i)/sinusoidal_limit(mesh%ei(e), load(i), mesh%clearance(e)) - 1.0_wp, 0.0_wp))
+         swing = swing*envelope(zone%above, rise, phase(i) - phase(zone%first)) &
+                 *envelope(zone%below, rise, phase(zone%last) - phase(i))
+         wave = above + stretch*(phase(i) - phase(zone%first))
+         side = atan2(offset(2, i), offset(1, i)) + swing*sin(wave)
+         call radius_of(mesh%clearance(e), offset(:, i), slope(:, i), radius, growth)
+         offset(:, i) = radius*[cos(side), sin(side)]
+         slope(:, i) = growth*[cos(side), sin(side)] + radius*swing*stretch*rate(i)*cos(wave)*[-sin(side), cos(side)]
+      end do
+   end subroutine snake
+
+   !> Factor on a phase so that it comes to `wanted` but for a whole number of `unit`, or 1 where that asks too much.
+   pure function stretched_by(phase, wanted, unit) result(factor)
+      real(wp), intent(in) :: phase, wanted, unit   !< [rad]
+      real(wp) :: factor
+      factor = 1.0_wp
+      if (.not. phase > 0.0_wp) return
+      factor = (wanted + unit*anint((phase - wanted)/unit))/phase
+      if (abs(factor - 1.0_wp) > largest_stretch) factor = 1.0_wp
+   end function stretched_by
+
+   !> Part of its full swing that a snake has at some phase from its end: of the envelope A(x) of w = A exp(i x) next to the onset,
+   !> 2 A'' + (b - 1) A = const A^3, which an end holds to nothing at -x_0.
+   pure function envelope(ends, rise, away) result(part)
+      type(end_type), intent(in) :: ends
+      real(wp), intent(in) :: rise    !< sqrt(b - 1), b compression over the load of onset [-]
+      real(wp), intent(in) :: away    !< [rad]
+      real(wp) :: part
+      part = 1.0_wp
+      if (ends%kind == centred_end .or. ends%kind == stiff_part) part = tanh(0.5_wp*rise*(away + ends%lead))
+   end function envelope
+
+   !> Angle A [rad] by which a string under compression F [N] and side load n [N/m] snakes to either side: 0 below Dawson & Paslay's
+   !> (1984) load F_s = 2 sqrt(EI n/c). Beyond it the energy of `lay_buckled` is least where, with b = F/F_s,
+   !> b = sqrt(2 J_1(A)/A) (1 + 3 A^2/4), b - 1 = 11 A^2/16 - 3 A^4/64 but for terms in A^6. Mitchell's (1997)
+   !> fit has 5 % more at b = 1.05 and 7 % less at 1.4.
+   elemental function snake_swing(compression, ei, side_load, clearance) result(swing)
+      real(wp), intent(in) :: compression, ei, side_load, clearance
+      real(wp) :: swing
+      real(wp), parameter :: first = 11.0_wp/16.0_wp, second = 3.0_wp/64.0_wp
+      real(wp) :: onset
+      swing = 0.0_wp
+      onset = sinusoidal_limit(ei, side_load, clearance)
+      if (.not. onset > 0.0_wp .or. compression <= onset) return
+      swing = sqrt((first - sqrt(max(first**2 - 4.0_wp*second*(compression/onset - 1.0_wp), 0.0_wp)))/(2.0_wp*second))
+   end function snake_swing
+end module dg_buckled_start

@@ -1,0 +1,104 @@
+!> The start of a buckled string against what the iteration finds from it: amplitude, wave number and above all phase. Drill pipe
+!> in a straight horizontal hole, no friction.
+module dg_test_buckled_start
+   use funit, only: assertEqual, assertLessThan, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type, result_converged, scale_count
+   use dg_component, only: bending_stiffness, component_type
+   use dg_constants, only: pi
+   use dg_error, only: error_type
+   use dg_gap_table, only: gap_table_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_static
+   use dg_mesh, only: mesh_type
+   use dg_mesh_for_case, only: mesh_for_case
+   use dg_model, only: model_type
+   use dg_predictor, only: predict
+   use dg_soft_string_loads, only: soft_totals_type
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_test_wells, only: new_well, note, pipe
+   use dg_wall_stages, only: lay_out_gaps
+   implicit none
+   private
+   public :: buckled_start_suite
+
+   real(wp), parameter :: weight = 265.0_wp, od = 0.127_wp, id = 0.1086_wp, clearance = 0.027_wp, length = 400.0_wp
+
+contains
+
+   function buckled_start_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('buckled_start')
+      call suite%addTest(TestMethod('snake', test_snake))
+      call suite%addTest(TestMethod('coil', test_coil))
+   end function buckled_start_suite
+
+   !> Angles [rad] off the low side at the nodes as predicted and as found, under so many times Dawson & Paslay's load.
+   subroutine angles(ratio, md, predicted, found)
+      real(wp), intent(in) :: ratio
+      real(wp), allocatable, intent(out) :: md(:), predicted(:), found(:)
+      type(model_type) :: model
+      type(component_type) :: component
+      type(case_result_type) :: result
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(soft_totals_type) :: totals
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: state(:, :)
+      real(wp) :: compressed, waves, pressing
+      integer :: shortened(scale_count)
+      component = pipe(weight, od, id)
+      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], od + 2.0_wp*clearance, 0.0_wp, component)
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = ratio*2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
+      call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
+      call lay_out_gaps(model%numerics, mesh, gaps)
+      allocate (state(6, mesh%nodes))
+      call predict(model, 1, mesh, 1.0_wp, 1.0_wp, mesh%wall, state, gaps)
+      md = mesh%md
+      predicted = atan2(state(3, :), -state(2, :))      ! n_1 is the high side here
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_converged, result%status, message=result%message)
+      call assertEqual(mesh%nodes, size(result%profile%md), message='nodes')
+      found = pi - result%profile%clock
+      call note('iterations', real(result%iterations, wp))
+   end subroutine angles
+
+   !> Amplitude and phase together: the mean square of what differs over that of the snake, either handedness; a quarter wave off it
+   !> is 2, at opposite phase 4.
+   subroutine test_snake()
+      real(wp), parameter :: ratio(2) = [1.1_wp, 1.3_wp], off_end = 3.0_wp, allowed = 0.05_wp
+      real(wp), allocatable :: md(:), predicted(:), found(:)
+      real(wp) :: differs
+      integer :: i
+      do i = 1, size(ratio)
+         call angles(ratio(i), md, predicted, found)
+         associate (on_wall => md > off_end .and. md < length - off_end)
+            differs = min(sum((predicted - found)**2, on_wall), sum((predicted + found)**2, on_wall))/sum(found**2, on_wall)
+         end associate
+         call note('differs', differs)
+         call assertLessThan(differs, allowed, message='snake')
+      end do
+   end subroutine test_snake
+
+   !> A coil's angle, unrolled, less what was predicted [rad]: over 25 turns within a twelfth of one.
+   subroutine test_coil()
+      real(wp), parameter :: ratio = 2.5_wp, off_end = 3.0_wp, allowed = pi/6.0_wp
+      real(wp), allocatable :: md(:), predicted(:), found(:)
+      real(wp) :: worst
+      call angles(ratio, md, predicted, found)
+      associate (on_wall => md > off_end .and. md < length - off_end)
+         worst = min(maxval(abs(unrolled(predicted - found)), on_wall), maxval(abs(unrolled(predicted + found)), on_wall))
+      end associate
+      call note('worst angle', worst)
+      call assertLessThan(worst, allowed, message='coil')
+   end subroutine test_coil
+
+   !> The same angle in (-pi, pi] [rad].
+   elemental function unrolled(angle) result(small)
+      real(wp), intent(in) :: angle
+      real(wp) :: small
+      small = angle - 2.0_wp*pi*anint(angle/(2.0_wp*pi))
+   end function unrolled
+end module dg_test_buckled_start
