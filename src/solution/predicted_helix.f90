@@ -74,7 +74,10 @@ contains
       integer :: i, e, neutral, first
       angle = 0.0_wp
       call find_helix(mesh, axial, load, neutral, last)
-      if (last == 0) return
+      if (last == 0) then
+         if (top_centred) call lean_on_bend(mesh, axial, offset, slope)
+         return
+      end if
       call find_rate(mesh, axial, last, rate)
       turn(1) = 0.0_wp
       do i = 2, last
@@ -241,40 +244,13 @@ contains
       integer, intent(in) :: neutral, last
       integer, intent(out) :: first
       real(wp), intent(inout) :: radius(:), growth(:)  !< r and r' [m, -]
-      real(wp) :: v(last), r(last), factor(last), above, below, pivot, change, before
+      real(wp) :: v(last), r(last), bend
       logical :: fits
-      integer :: i
       fits = .false.
       do first = max(neutral, fewest_nodes), last - 1
-         factor(1) = 1.0_wp                  ! no moment at the top
-         v(1) = 0.0_wp
-         v(first) = 0.0_wp
-         do i = 2, first - 1
-            call second_difference(mesh, i, above, below)
-            pivot = above*(1.0_wp - factor(i - 1)) + below + axial(i)/mesh%ei(i)
-            fits = pivot > 0.0_wp
-            if (.not. fits) exit             ! the span buckles before it touches
-            factor(i) = below/pivot
-            v(i) = (1.0_wp/mesh%ei(i) + above*v(i - 1))/pivot
-         end do
-         if (.not. fits) exit
-         do i = first - 1, 1, -1
-            v(i) = v(i) + factor(i)*v(i + 1)
-         end do
-         r(1) = 0.0_wp
-         before = 0.0_wp
-         do i = 2, first
-            associate (length => mesh%length(i - 1))
-               if (i < first) then
-                  change = change_at(mesh%md, v, i, first)
-               else
-                  change = -v(i - 1)/length - 0.5_wp*length/mesh%ei(i - 1)     ! v'' = -1/EI where v = 0
-               end if
-               r(i) = r(i - 1) + 0.5_wp*length*(v(i) + v(i - 1)) + length**2*(before - change)/12.0_wp
-            end associate
-            before = change
-         end do
-         fits = -change <= r(first)*rate(first)**2
+         call lean_to(mesh, axial, first, v, r, bend, fits)
+         if (.not. fits) exit             ! the span buckles before it touches
+         fits = -bend <= r(first)*rate(first)**2
          if (fits) exit
       end do
       if (fits) then
@@ -285,6 +261,68 @@ contains
          radius(:first - 1) = 0.0_wp
       end if
    end subroutine lean
+
+   !> Shape of a string that leans from a centred top, with a unit of lateral force, to a node where it touches: slopes v, offsets
+   !> r, and v' where it touches. `holds`: it does not buckle above.
+   pure subroutine lean_to(mesh, axial, first, v, r, bend, holds)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:)
+      integer, intent(in) :: first
+      real(wp), intent(out) :: v(:), r(:), bend
+      logical, intent(out) :: holds
+      real(wp) :: factor(first), above, below, pivot, before
+      integer :: i
+      holds = .false.
+      factor(1) = 1.0_wp                  ! no moment at the top
+      r = 0.0_wp
+      v = 0.0_wp
+      bend = 0.0_wp
+      do i = 2, first - 1
+         call second_difference(mesh, i, above, below)
+         pivot = above*(1.0_wp - factor(i - 1)) + below + axial(i)/mesh%ei(i)
+         holds = pivot > 0.0_wp
+         if (.not. holds) return
+         factor(i) = below/pivot
+         v(i) = (1.0_wp/mesh%ei(i) + above*v(i - 1))/pivot
+      end do
+      do i = first - 1, 1, -1
+         v(i) = v(i) + factor(i)*v(i + 1)
+      end do
+      do i = 2, first
+         before = bend
+         associate (length => mesh%length(i - 1))
+            if (i < first) then
+               bend = change_at(mesh%md, v, i, first)
+            else
+               bend = -v(i - 1)/length - 0.5_wp*length/mesh%ei(i - 1)     ! v'' = -1/EI where v = 0
+            end if
+            r(i) = r(i - 1) + 0.5_wp*length*(v(i) + v(i - 1)) + length**2*(before - bend)/12.0_wp
+         end associate
+      end do
+   end subroutine lean_to
+
+   !> Leans the string, where it does not coil, from a centred top down a vertical part of the hole to where compression lays it
+   !> against the outside of a bend below: left as a step from the axis to the wall it takes plain Newton out of its way. Tension
+   !> would lay it against the inside, which it reaches only further down.
+   pure subroutine lean_on_bend(mesh, axial, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:)
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)
+      real(wp) :: v(mesh%nodes), r(mesh%nodes), bend
+      logical :: holds
+      integer :: i, first
+      do first = 1, mesh%nodes - 1
+         if (norm2(offset(:, first)) > 0.0_wp) exit
+         if (.not. mesh%frame(3, 1, first) > upright) return
+      end do
+      if (first < fewest_nodes .or. first == mesh%nodes .or. axial(first) > 0.0_wp) return
+      call lean_to(mesh, axial, first, v, r, bend, holds)
+      if (.not. holds) return
+      do i = 2, first
+         slope(:, i) = offset(:, first)*v(i)/r(first)
+         if (i < first) offset(:, i) = offset(:, first)*r(i)/r(first)
+      end do
+   end subroutine lean_on_bend
 
    !> By how much the cubic between two nodes of a helix cuts short at the gap, |y''''| L^4 xi^2 (1 - xi)^2/24, as a mean of the
    !> elements at a node [m]: else the gaps of long elements would start open.

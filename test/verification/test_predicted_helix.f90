@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('end', test_end))
       call suite%addTest(TestMethod('turns', test_turns))
       call suite%addTest(TestMethod('lying', test_lying))
+      call suite%addTest(TestMethod('leaning', test_leaning))
    end function predicted_helix_suite
 
    !> At a centred bit y'''' + 2 y'' = 0: y'' + 2 y is linear but for a jump of its slope where the wall presses, inwards. The
@@ -125,7 +126,7 @@ contains
       call assertLessThan(worst, 0.02_wp*maxval(abs(y_prime)), message='slopes')
    end subroutine test_turns
 
-   !> Above a bend in which the string lies on one side the helix ends on that side; without a helix nothing is touched.
+   !> Above a bend in which the string lies on one side the helix ends on that side.
    subroutine test_lying()
       type(model_type) :: model
       type(mesh_type) :: mesh
@@ -143,12 +144,40 @@ contains
       call assertGreaterThan(dot_product(offset(:, last), side), 0.999_wp*mesh%clearance(1), message='ends where it lies')
       call assertLessThan(norm2(slope(:, last)), 1.0e-3_wp*maxval(abs(slope)), message='and as it lies')
       call assertLessThan(dot_product(offset(:, last - 10), side), 0.9_wp*mesh%clearance(1), message='it came round')
-      axial = 0.1_wp*axial
-      offset = 0.0_wp
+   end subroutine test_lying
+
+   !> Where it does not coil it leans from the top to the first node that lies, but for the bending length b = sqrt(EI/T) along a
+   !> straight line: v = (1 - exp((s - L)/b))/T up to L. In tension there, and where nothing lies, nothing is changed.
+   subroutine test_leaning()
+      real(wp), parameter :: tension = 1.0e4_wp
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: axial(:), load(:), wall(:), place(:), offset(:, :), slope(:, :)
+      real(wp) :: angle, side(2), bending, middle
+      integer :: last, first, i
+      call vertical(model, mesh, bent, 2.0_wp)
+      call room(mesh, axial, load, wall, place, offset, slope)
+      side = [-0.6_wp, 0.8_wp]
+      first = findloc(mesh%md > bottom, .true., dim=1)
+      axial = tension
       call lay_helix(mesh, axial, place, .true., .true., wall, load, offset, slope, last, angle)
       call assertEqual(0, last, message='no helix')
       call assertTrue(all(abs(offset) <= 0.0_wp), message='nothing touched')
-   end subroutine test_lying
+      do i = first, mesh%nodes
+         offset(:, i) = mesh%clearance(1)*side
+      end do
+      call lay_helix(mesh, axial, place, .true., .true., wall, load, offset, slope, last, angle)
+      call assertTrue(all(abs(offset(:, :first - 1)) <= 0.0_wp), message='tension lifts it off')
+      axial(first) = -tension
+      call lay_helix(mesh, axial, place, .true., .true., wall, load, offset, slope, last, angle)
+      bending = sqrt(mesh%ei(1)/tension)
+      middle = mesh%clearance(1)/(mesh%md(first) - bending)
+      i = first/2
+      call assertRelativelyEqual(middle, dot_product(slope(:, i), side), 1.0e-4_wp, message='leans')
+      call assertRelativelyEqual(middle*mesh%md(i), dot_product(offset(:, i), side), 1.0e-4_wp, message='along a line')
+      call assertLessThan(norm2(slope(:, first)), 1.0e-12_wp, message='along the wall')
+      call assertRelativelyEqual(mesh%clearance(1), norm2(offset(:, first)), 1.0e-12_wp, message='to where it lies')
+   end subroutine test_leaning
 
    !> A vertical hole, bent from `bottom` on, its string and mesh.
    subroutine vertical(model, mesh, depth, element)
