@@ -315,7 +315,14 @@ contains
       call assertFalse(definite(0.0_wp), message='one soft unknown')
       call assertTrue(definite(20.0_wp), message='stiffened')
       ! the factors solve what was found definite, the matrix with what was added
-      solver = linear_solver_type()
+      do n = 1, nodes
+         do i = 1, 5
+            matrix%diagonal([i, i + 1], [i + 1, i], n) = matrix%diagonal([i, i + 1], [i + 1, i], n) + 0.1_wp*(i + n)
+            if (n == nodes) cycle
+            matrix%upper(i, i + 1, n) = 0.3_wp*i
+            matrix%lower(i + 1, i, n) = 0.3_wp*i
+         end do
+      end do
       call new_linear_solver(solver_block, nodes, solver)
       call block_positive_definite(matrix, 20.0_wp, ones, found, solver%block)
       do i = 1, 6
