@@ -9,7 +9,8 @@
 !>                     The wall presses with c (EI (3 u'^2 + 7 u^4) - 3 F u^2) per length.
 !>   above             the string leans from the centred top to where it touches: EI v'' + F v = -H, v = |y|'. There v = 0, and as
 !>                     the bending moment does not jump v' = -c u^2, which tells the place.
-!>   at a centred bit  F is that of the bit, and lengths count in 1/beta = sqrt(2 EI/F): see `end_at_bit`.
+!>   at a centred bit  F is that of the bit, and lengths count in 1/beta = sqrt(2 EI/F): see `end_at_bit`. So begins a string
+!>                     that is compressed from a centred top on.
 !>   beside a bend     where the string comes to lie on one side, u = beta tanh(beta (s_end - s)), which solves the equation above.
 module dg_predicted_helix
    use dg_kinds, only: wp
@@ -93,7 +94,7 @@ contains
                                   + 3.0_wp*axial(i)*rate(i)**2), load(i))
       end do
       first = neutral
-      if (top_centred) call lean(mesh, axial, rate, neutral, last, first, radius, growth)
+      if (top_centred .and. neutral > 1) call lean(mesh, axial, rate, neutral, last, first, radius, growth)
       load(:first - 1) = 0.0_wp
       do i = first, last
          radius(i) = radius(i) + load(i)*mesh%gathered(min(i, mesh%elements))/wall(min(i, mesh%elements)) &
@@ -108,7 +109,19 @@ contains
          angle = start + turn(i)
          y = cmplx(radius(i), 0.0_wp, wp)
          y_prime = cmplx(growth(i), radius(i)*rate(i), wp)
-         if (lies) then
+         if (top_centred .and. neutral == 1 .and. t > 0.5_wp*turn(last)) then       ! compressed from the top on
+            t = turn(i)
+            if (t < helix_landing) then
+               call end_at_bit(t, y, y_prime)
+               angle = start
+               y = radius(i)*y
+               y_prime = radius(i)*rate(i)*y_prime
+               load(i) = 0.0_wp
+            else
+               angle = start + far_angle(t, shift_at_bit)
+               y_prime = cmplx(growth(i), radius(i)*rate(i)*tanh(t - shift_at_bit), wp)
+            end if
+         else if (lies) then
             angle = start + turn(last) - far_angle(t, shift_lying)
             y_prime = cmplx(growth(i), radius(i)*rate(i)*tanh(t - shift_lying), wp)
          else if (last == mesh%nodes .and. bit_centred) then

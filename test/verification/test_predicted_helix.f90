@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('end', test_end))
       call suite%addTest(TestMethod('turns', test_turns))
       call suite%addTest(TestMethod('lying', test_lying))
+      call suite%addTest(TestMethod('both_ends', test_both_ends))
       call suite%addTest(TestMethod('leaning', test_leaning))
    end function predicted_helix_suite
 
@@ -145,6 +146,28 @@ contains
       call assertLessThan(norm2(slope(:, last)), 1.0e-3_wp*maxval(abs(slope)), message='and as it lies')
       call assertLessThan(dot_product(offset(:, last - 10), side), 0.9_wp*mesh%clearance(1), message='it came round')
    end subroutine test_lying
+
+   !> A string without weight, compressed from the top on, is the same helix seen from either end.
+   subroutine test_both_ends()
+      real(wp), parameter :: compression = 1.5e5_wp
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: axial(:), load(:), wall(:), place(:), offset(:, :), slope(:, :)
+      real(wp) :: angle
+      integer :: last, i, other
+      call vertical(model, mesh, 200.0_wp, 2.0_wp)
+      call room(mesh, axial, load, wall, place, offset, slope)
+      axial = -compression
+      call lay_helix(mesh, axial, place, .true., .true., wall, load, offset, slope, last, angle)
+      call assertEqual(mesh%nodes, last, message='to the bit')
+      do i = 1, mesh%nodes
+         other = mesh%nodes + 1 - i
+         call assertEqual(norm2(offset(:, other)), norm2(offset(:, i)), 1.0e-9_wp, message='as far off the axis')
+         call assertEqual(norm2(slope(:, other)), norm2(slope(:, i)), 1.0e-9_wp, message='as steep')
+         if (i > 1 .and. i < mesh%nodes) call assertGreaterThan(offset(1, i)*slope(2, i) - offset(2, i)*slope(1, i), 0.0_wp, &
+                                                                 message='turns one way')
+      end do
+   end subroutine test_both_ends
 
    !> Where it does not coil it leans from the top to the first node that lies, but for the bending length b = sqrt(EI/T) along a
    !> straight line: v = (1 - exp((s - L)/b))/T up to L. In tension there, and where nothing lies, nothing is changed.
