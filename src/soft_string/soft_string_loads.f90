@@ -15,6 +15,7 @@
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
+   use dg_snake, only: snake_contact, snake_swing
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_at
@@ -65,7 +66,7 @@ module dg_soft_string_loads
       real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
-      logical :: coils = .false.    !< compression beyond the coiling load presses it on the wall
+      logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
    end type piece_type
 
    !> A place of a piece, as scalars: three-vectors and their norms took half of the time.
@@ -151,8 +152,11 @@ contains
       real(wp) :: normal
       normal = sqrt(max(force*(force*place%bend + 2.0_wp*place%both) + place%across, 0.0_wp))
       if (piece%coils .and. force < 0.0_wp) then
-         if (-force > coiling_load(piece%stiffness, normal, piece%weight, piece%clearance)) &
+         if (-force > coiling_load(piece%stiffness, normal, piece%weight, piece%clearance)) then
             normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
+         else if (normal > 0.0_wp) then
+            normal = normal*snake_contact(snake_swing(-force/sinusoidal_limit(piece%stiffness, normal, piece%clearance)))
+         end if
       end if
       normal = piece%climb*normal
    end function pressed

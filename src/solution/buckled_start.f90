@@ -10,10 +10,11 @@ module dg_buckled_start
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
    use dg_predicted_helix, only: lay_helix
+   use dg_snake, only: snake_swing, snake_wave
    use dg_soft_string_loads, only: coil_force, coiling_load
    implicit none
    private
-   public :: lay_buckled, snake_swing
+   public :: lay_buckled
 
    !> What a place of the string does.
    integer, parameter :: stretched = 0, lying = 1, snaking = 2, coiling = 3
@@ -53,10 +54,7 @@ contains
 
    !> Lays a string that the soft string finds compressed by F as it will buckle.
    !>   beyond the coiling load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
-   !>   beyond Dawson & Paslay's   a snake about the side that it lies on, to A to either side (see `snake_swing`), of the wave
-   !>                              number k with which its energy is least: with lengths in units of (EI c/n)^(1/4),
-   !>                              E = <(theta''^2 + theta'^4)/2 - b theta'^2 + 1 - cos(theta)> of theta = A sin(k x)
-   !>                              gives k^4 = 2 J_1(A)/A
+   !>   beyond Dawson & Paslay's   a snake about the side that it lies on (dg_snake)
    !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
    !>                              could not leave that state
    pure subroutine lay_buckled(mesh, axial, place, imperfection, top_centred, bit_centred, wall, load, offset, slope, laid)
@@ -128,10 +126,10 @@ contains
          if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
             does(i) = coiling
          else
-            swing = snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
+            swing = snake_swing(ratio_to_onset(mesh, e, -axial(i), load(i)))
             if (.not. swing > 0.0_wp) cycle
             does(i) = snaking
-            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e))*2.0_wp*bessel_j1(swing)/swing)**0.25_wp
+            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp*snake_wave(swing)
          end if
       end do
       do i = 2, mesh%elements
@@ -144,6 +142,16 @@ contains
          load(i) = load(e)
       end do
    end subroutine sort_out
+
+   !> Compression over the sinusoidal limit of what presses the string on there, 0 where nothing does [-].
+   pure function ratio_to_onset(mesh, e, compression, load) result(ratio)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      real(wp), intent(in) :: compression, load   !< [N, N/m]
+      real(wp) :: ratio
+      ratio = 0.0_wp
+      if (load > 0.0_wp) ratio = compression/sinusoidal_limit(mesh%ei(e), load, mesh%clearance(e))
+   end function ratio_to_onset
 
    !> The element next to a node that bends more easily.
    pure function weaker(mesh, node) result(e)
@@ -256,7 +264,7 @@ contains
       type(zone_type), intent(in) :: zone
       real(wp), intent(in) :: axial(:), load(:), rate(:), phase(:)
       real(wp), intent(inout) :: offset(:, :), slope(:, :)
-      real(wp) :: above, below, stretch, sense, wave, swing, rise, side, radius, growth
+      real(wp) :: above, below, stretch, sense, wave, ratio, swing, rise, side, radius, growth
       integer :: i, e
       above = 0.0_wp
       below = 0.0_wp
@@ -272,8 +280,9 @@ contains
       if (zone%below%kind == coil_beyond) sense = sign(sense, cos(above + stretch*(phase(zone%last) - phase(zone%first))))
       do i = zone%first, zone%last
          e = weaker(mesh, i)
-         swing = sense*snake_swing(-axial(i), mesh%ei(e), load(i), mesh%clearance(e))
-         rise = sqrt(max(-axial(i)/sinusoidal_limit(mesh%ei(e), load(i), mesh%clearance(e)) - 1.0_wp, 0.0_wp))
+         ratio = ratio_to_onset(mesh, e, -axial(i), load(i))
+         rise = sqrt(max(ratio - 1.0_wp, 0.0_wp))
+         swing = sense*snake_swing(ratio)
          swing = swing*envelope(zone%above, rise, phase(i) - phase(zone%first)) &
                  *envelope(zone%below, rise, phase(zone%last) - phase(i))
          wave = above + stretch*(phase(i) - phase(zone%first))
@@ -304,19 +313,4 @@ contains
       part = 1.0_wp
       if (ends%kind == centred_end .or. ends%kind == stiff_part) part = tanh(0.5_wp*rise*(away + ends%lead))
    end function envelope
-
-   !> Angle A [rad] by which a string under compression F [N] and side load n [N/m] snakes to either side: 0 below Dawson & Paslay's
-   !> (1984) load F_s = 2 sqrt(EI n/c). Beyond it the energy of `lay_buckled` is least where, with b = F/F_s,
-   !> b = sqrt(2 J_1(A)/A) (1 + 3 A^2/4), b - 1 = 11 A^2/16 - 3 A^4/64 but for terms in A^6. Mitchell's (1997)
-   !> fit has 5 % more at b = 1.05 and 7 % less at 1.4.
-   elemental function snake_swing(compression, ei, side_load, clearance) result(swing)
-      real(wp), intent(in) :: compression, ei, side_load, clearance
-      real(wp) :: swing
-      real(wp), parameter :: first = 11.0_wp/16.0_wp, second = 3.0_wp/64.0_wp
-      real(wp) :: onset
-      swing = 0.0_wp
-      onset = sinusoidal_limit(ei, side_load, clearance)
-      if (.not. onset > 0.0_wp .or. compression <= onset) return
-      swing = sqrt((first - sqrt(max(first**2 - 4.0_wp*second*(compression/onset - 1.0_wp), 0.0_wp)))/(2.0_wp*second))
-   end function snake_swing
 end module dg_buckled_start
