@@ -70,8 +70,8 @@ contains
       integer :: does(mesh%nodes), i, e
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
-      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, angle)
       call sort_out(mesh, axial, load, does, rate)
+      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, angle, does == snaking)
       does(:laid) = coiling
       phase = 0.0_wp
       do i = 2, mesh%nodes
@@ -141,7 +141,32 @@ contains
          rate(i) = rate(e)
          load(i) = load(e)
       end do
+      call join_zones(mesh%md, rate, does)
    end subroutine sort_out
+
+   !> Gives a snake or coil that is shorter than half a wave, next to the other, to that: where what presses the string on changes
+   !> from station to station they would else take turns.
+   pure subroutine join_zones(md, rate, does)
+      real(wp), intent(in) :: md(:), rate(:)
+      integer, intent(inout) :: does(:)
+      integer :: first, last
+      first = 1
+      do while (first <= size(md))
+         last = first
+         do while (last < size(md))
+            if (does(last + 1) /= does(first)) exit
+            last = last + 1
+         end do
+         if (does(first) >= snaking .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
+            if (does(max(first - 1, 1)) >= snaking .and. first > 1) then
+               does(first:last) = does(first - 1)
+            else if (does(min(last + 1, size(md))) >= snaking) then
+               does(first:last) = does(min(last + 1, size(md)))
+            end if
+         end if
+         first = last + 1
+      end do
+   end subroutine join_zones
 
    !> Compression over the sinusoidal limit of what presses the string on there, 0 where nothing does [-].
    pure function ratio_to_onset(mesh, e, compression, load) result(ratio)

@@ -58,7 +58,7 @@ contains
 
    !> Lays the string where it coils in a vertical part of the hole that begins at the top and, without a break, below, and what
    !> hangs above. `last` = 0: it does not coil there, and nothing is changed.
-   pure subroutine lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, last, angle)
+   pure subroutine lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, last, angle, snakes)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)               !< by node, tension positive [N]
       real(wp), intent(in) :: place(:)               !< x0/L of the gaps, by element [-]
@@ -69,9 +69,10 @@ contains
       real(wp), intent(inout) :: slope(:, :)         !< (2,nodes) [-]
       integer, intent(out) :: last                   !< node to which the helix goes
       real(wp), intent(out) :: angle                 !< of its end [rad]
+      logical, intent(in), optional :: snakes(:)     !< by node; a helix goes over into a snake without slowing down; absent: none
       real(wp) :: turn(mesh%nodes), rate(mesh%nodes), radius(mesh%nodes), growth(mesh%nodes), start, t
       complex(wp) :: y, y_prime
-      logical :: lies
+      logical :: lies, swings
       integer :: i, e, neutral, first
       angle = 0.0_wp
       call find_helix(mesh, axial, load, neutral, last)
@@ -101,8 +102,14 @@ contains
                      + cut_short(mesh, place, rate(i), i)
       end do
       lies = .false.
-      if (last < mesh%nodes) lies = norm2(offset(:, last + 1)) > 0.0_wp
+      swings = .false.
+      if (last < mesh%nodes) then
+         lies = norm2(offset(:, last + 1)) > 0.0_wp
+         if (present(snakes)) swings = lies .and. snakes(last + 1)
+         lies = lies .and. .not. swings
+      end if
       start = 0.0_wp
+      if (swings) start = atan2(offset(2, last + 1), offset(1, last + 1)) - turn(last)
       if (lies) start = atan2(offset(2, last + 1), offset(1, last + 1)) + far_angle(0.0_wp, shift_lying) - turn(last)
       do i = 1, last
          t = turn(last) - turn(i)

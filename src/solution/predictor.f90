@@ -26,6 +26,8 @@ module dg_predictor
    !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
    !> joint is long.
    real(wp), parameter :: shortest_bend = 0.1_wp
+   !> The same over the length of the element below, but for tool joints [-].
+   real(wp), parameter :: sliver = 0.4_wp
    !> Lengths over which it bends, to either side of where the string changes sides, along which it is let bend [-]. Farther on it
    !> stays laid against the wall: to lift a whole string off by parts of what it presses in opens gaps that have to close again.
    real(wp), parameter :: reach = 1.5_wp
@@ -63,7 +65,7 @@ contains
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
       call bend_over(mesh, axial, offset)
-      call slopes_of(mesh%md, offset, slope)
+      call slopes_of(mesh, offset, slope)
       call lay_buckled(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, &
                        model%boundary%bit_centred, wall, load, offset, slope, laid)
       if (model%boundary%top_centred) call lift_end(mesh%md - mesh%md(1), 1, -axial(1), mesh%ei(1), load(1), mesh%clearance(1), &
@@ -150,19 +152,24 @@ contains
    end subroutine bend_over
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes closer than `shortest_bend` to one above, as where a
-   !> component ends beside a station, are laid on the cubic through their neighbours: the offset may jump there with the
-   !> clearance, and a sliver between two such nodes would start with millions of times the force that it can carry.
-   pure subroutine slopes_of(md, offset, slope)
-      real(wp), intent(in) :: md(:)
+   !> component ends beside a station, or next to an element many times as long, are laid on the cubic through their neighbours: the
+   !> offset may jump there with the clearance, and a sliver between two such nodes would start with up to millions of times the
+   !> force that it can carry.
+   pure subroutine slopes_of(mesh, offset, slope)
+      type(mesh_type), intent(in) :: mesh
       real(wp), intent(inout) :: offset(:, :)
       real(wp), intent(out) :: slope(:, :)
-      real(wp) :: xi, length, shape(4), rise(4)
-      integer :: knot(size(md)), knots, i, k, before, after
+      real(wp) :: xi, length, shape(4), rise(4), least
+      integer :: knot(mesh%nodes), knots, i, k, before, after
       knots = 1
       knot(1) = 1
-      do i = 2, size(md)
-         if (md(i) - md(knot(knots)) < shortest_bend .and. knots > 1) then
-            if (i == size(md)) knot(knots) = i
+      do i = 2, mesh%nodes
+         least = shortest_bend
+         if (i < mesh%nodes) then
+            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, sliver*mesh%length(i))
+         end if
+         if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) then
+            if (i == mesh%nodes) knot(knots) = i
             cycle
          end if
          knots = knots + 1
@@ -171,14 +178,14 @@ contains
       do k = 1, knots
          before = knot(max(k - 1, 1))
          after = knot(min(k + 1, knots))
-         slope(:, knot(k)) = (offset(:, after) - offset(:, before))/(md(after) - md(before))
+         slope(:, knot(k)) = (offset(:, after) - offset(:, before))/(mesh%md(after) - mesh%md(before))
       end do
       do k = 2, knots
          before = knot(k - 1)
          after = knot(k)
-         length = md(after) - md(before)
+         length = mesh%md(after) - mesh%md(before)
          do i = before + 1, after - 1
-            xi = (md(i) - md(before))/length
+            xi = (mesh%md(i) - mesh%md(before))/length
             shape = hermite_value(xi, length)
             rise = hermite_slope(xi, length)
             slope(:, i) = rise(1)*offset(:, before) + rise(2)*slope(:, before) + rise(3)*offset(:, after) + rise(4)*slope(:, after)
