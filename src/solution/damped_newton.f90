@@ -69,6 +69,8 @@ module dg_damped_newton
    integer, parameter :: patience = 10
    !> Iterations after which such a string whose gaps have moved is taken back: those that come to rest do so in 3 to 8.
    integer, parameter :: longest_turning_round = 10
+   !> Iterations kept for a string whose gaps are taken back to come to rest: it need not have been quite there when they moved.
+   integer, parameter :: to_settle = 10
 
 contains
 
@@ -151,8 +153,8 @@ contains
             end if
          end if
          call record()
-         if (rounds > 0 .and. newton%iterations >= min(round_start + merge(longest_turning_round, longest_round, vertical), &
-                                                          numerics%max_iterations) .and. .not. is_interrupted()) then
+         if (rounds > 0 .and. .not. newton%gaps_taken_back .and. .not. is_interrupted() .and. newton%iterations >= &
+             min(round_start + merge(longest_turning_round, longest_round, vertical), numerics%max_iterations - to_settle)) then
             call take_back()
             cycle
          end if

@@ -33,11 +33,10 @@ program random
    !> iteration leaves (1e-9 of the weight at any of some hundred nodes), where the string is in tension; a compressed one has
    !> equilibria next to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh
    !> shows the mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as
-   !> much again as the soft string's or more, rests wherever its friction holds it: near lock-up, where friction makes four times
-   !> of the soft string's push, a tenth to and fro is no error. Round-off also decides where gaps that move for long come to
-   !> rest: turned wells, the plane and space then take other ways, seen by their iterations and moves.
+   !> much again as the soft string's or more, rests wherever its friction holds it. Round-off also decides where gaps that move for
+   !> long come to rest: turned wells, the plane and space then take other ways, seen by their iterations and moves.
    real(wp), parameter :: tolerance(checks) = [1.0e-6_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
-      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 0.15_wp, 1.0e-6_wp, 1.0e-3_wp]
+      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 1.0e-3_wp, 1.0e-6_wp, 1.0e-3_wp]
    integer, parameter :: default_first = 1, default_count = 20
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20

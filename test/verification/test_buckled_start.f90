@@ -1,7 +1,7 @@
 !> The start of a buckled string against what the iteration finds from it: amplitude, wave number and above all phase. Drill pipe
 !> in a straight horizontal hole, no friction.
 module dg_test_buckled_start
-   use funit, only: assertEqual, assertLessThan, TestMethod, TestSuite
+   use funit, only: assertEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged, scale_count
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: pi
@@ -30,14 +30,27 @@ contains
       suite = TestSuite('buckled_start')
       call suite%addTest(TestMethod('snake', test_snake))
       call suite%addTest(TestMethod('coil', test_coil))
+      call suite%addTest(TestMethod('few_iterations', test_few_iterations))
    end function buckled_start_suite
+
+   !> Drill pipe in the hole, pushed by so many times Dawson & Paslay's load.
+   subroutine pushed(ratio, model)
+      real(wp), intent(in) :: ratio
+      type(model_type), intent(out) :: model
+      type(component_type) :: component
+      component = pipe(weight, od, id)
+      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], od + 2.0_wp*clearance, 0.0_wp, component)
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = ratio*2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
+   end subroutine pushed
 
    !> Angles [rad] off the low side at the nodes as predicted and as found, under so many times Dawson & Paslay's load.
    subroutine angles(ratio, md, predicted, found)
       real(wp), intent(in) :: ratio
       real(wp), allocatable, intent(out) :: md(:), predicted(:), found(:)
       type(model_type) :: model
-      type(component_type) :: component
       type(case_result_type) :: result
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
@@ -46,12 +59,7 @@ contains
       real(wp), allocatable :: state(:, :)
       real(wp) :: compressed, waves, pressing
       integer :: shortened(scale_count)
-      component = pipe(weight, od, id)
-      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], od + 2.0_wp*clearance, 0.0_wp, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
-      model%cases(1)%operation = operation_static
-      model%cases(1)%wob = ratio*2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
+      call pushed(ratio, model)
       call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
       call lay_out_gaps(model%numerics, mesh, gaps)
       allocate (state(6, mesh%nodes))
@@ -94,6 +102,24 @@ contains
       call note('worst angle', worst)
       call assertLessThan(worst, allowed, message='coil')
    end subroutine test_coil
+
+   !> However few iterations are allowed, in the middle of gaps that move too, so many are done and no more, or the string is at rest.
+   subroutine test_few_iterations()
+      real(wp), parameter :: ratio = 1.8_wp, element_length = 3.0_wp
+      integer, parameter :: most = 15
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      integer :: i
+      call pushed(ratio, model)
+      model%numerics%element_length = element_length
+      do i = 1, most
+         model%numerics%max_iterations = i
+         call solve_static_analysis(model, 1, result, error)
+         if (result%status /= result_converged) call assertEqual(i, result%iterations, message='all that are allowed')
+         call assertTrue(result%iterations <= i, message='no more')
+      end do
+   end subroutine test_few_iterations
 
    !> The same angle in (-pi, pi] [rad].
    elemental function unrolled(angle) result(small)
