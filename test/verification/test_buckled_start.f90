@@ -103,7 +103,8 @@ contains
       call assertLessThan(worst, allowed, message='coil')
    end subroutine test_coil
 
-   !> However few iterations are allowed, in the middle of gaps that move too, so many are done and no more, or the string is at rest.
+   !> However few iterations are allowed, in the middle of gaps that move too, so many are done and no more, or the string is at
+   !> rest.
    subroutine test_few_iterations()
       real(wp), parameter :: ratio = 1.8_wp, element_length = 3.0_wp
       integer, parameter :: most = 15
