@@ -64,7 +64,7 @@ module dg_damped_newton
    !> Where an energy tells little, a step counts that leaves this part of the residual: near a whirling string's rest, whose drive
    !> has none, and where a string slides, whose friction is much of what holds it; near rest a sliding string's residual may even
    !> grow by this [-].
-   real(wp), parameter :: halved = 0.5_wp, grown = 5.0_wp
+   real(wp), parameter :: halved = 0.5_wp, grown = 100.0_wp
    !> Steps of such a string in a row with gaps changing after which gaps are taken to be cycling, and steps are halved.
    integer, parameter :: patience = 10
    !> Iterations after which such a string whose gaps have moved is taken back: those that come to rest do so in 3 to 8.
