@@ -79,11 +79,7 @@ contains
       end do
       zone%first = laid + 1
       do while (zone%first <= mesh%nodes)
-         zone%last = zone%first
-         do while (zone%last < mesh%nodes)
-            if (does(zone%last + 1) /= does(zone%first)) exit
-            zone%last = zone%last + 1
-         end do
+         zone%last = last_like(does, zone%first)
          zone%above = what_ends(mesh, does, zone%first, -1, top_centred)
          zone%below = what_ends(mesh, does, zone%last, 1, bit_centred)
          select case (does(zone%first))
@@ -152,11 +148,7 @@ contains
       integer :: first, last
       first = 1
       do while (first <= size(md))
-         last = first
-         do while (last < size(md))
-            if (does(last + 1) /= does(first)) exit
-            last = last + 1
-         end do
+         last = last_like(does, first)
          if (does(first) >= snaking .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
             if (does(max(first - 1, 1)) >= snaking .and. first > 1) then
                does(first:last) = does(first - 1)
@@ -167,6 +159,17 @@ contains
          first = last + 1
       end do
    end subroutine join_zones
+
+   !> Last of the nodes from `first` on that do the same.
+   pure function last_like(does, first) result(last)
+      integer, intent(in) :: does(:), first
+      integer :: last
+      last = first
+      do while (last < size(does))
+         if (does(last + 1) /= does(first)) exit
+         last = last + 1
+      end do
+   end function last_like
 
    !> Compression over the sinusoidal limit of what presses the string on there, 0 where nothing does [-].
    pure function ratio_to_onset(mesh, e, compression, load) result(ratio)
@@ -291,10 +294,8 @@ contains
       real(wp), intent(inout) :: offset(:, :), slope(:, :)
       real(wp) :: above, below, stretch, sense, wave, ratio, swing, rise, side, radius, growth
       integer :: i, e
-      above = 0.0_wp
-      below = 0.0_wp
-      if (zone%above%kind /= fades) above = -pi*zone%above%zero
-      if (zone%below%kind /= fades) below = pi*zone%below%zero
+      above = -pi*zone%above%zero
+      below = pi*zone%below%zero
       stretch = 1.0_wp
       if (zone%above%kind /= fades .and. zone%below%kind /= fades) then
          stretch = stretched_by(phase(zone%last) - phase(zone%first), below - above, pi)

@@ -18,12 +18,11 @@ module dg_predicted_helix
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_soft_string_loads, only: coiling_load
+   use dg_turning_step, only: upright
    implicit none
    private
    public :: lay_helix, touch_above_bit, end_at_bit, helix_touch, helix_landing
 
-   !> Vertical to round-off: cosine of the inclination.
-   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
    !> Nodes from the neutral point to the end of a helix that can be told from noise.
    integer, parameter :: fewest_nodes = 3
    !> Newton's steps for u from sqrt(F/(2 EI)), each squaring what is missing.

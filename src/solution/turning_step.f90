@@ -19,6 +19,7 @@ module dg_turning_step
    implicit none
    private
    public :: is_straight_down, turn_along_wall, turning_mode, take_off_drive, solve_turning, phase_type, turn_to_rest, axis_of
+   public :: upright
 
    !> Nodes so far off the axis, over the clearance, are turned about it, by no more than this in a step [rad].
    real(wp), parameter :: turned_beyond = 0.3_wp, largest_swing = 0.5_wp
