@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Feeds a built drillgap broken decks, data files and surroundings: it must refuse, mark or solve them, never crash or lie.
 
-Usage: hostile_decks.py PATH_TO_DRILLGAP [--count N] [--seed S] [--only SEED]
+Usage: hostile_decks.py PATH_TO_DRILLGAP
 
-First the list below of decks and surroundings, each with the exit status and message that it must bring: a truncated deck,
-binary bytes, endless lines, huge counts, files that vanish, full disks, folders that cannot be written. Then N decks that a
-seed has mutated at random (bytes, numbers, words, lines, groups; deck or data file). Of every run is asked:
+A list of decks and surroundings, each with the exit status and message that it must bring: a truncated deck, binary bytes,
+endless lines, huge counts, files that vanish, full disks, folders that cannot be written; fuzz.py draws such at random. Of
+every run is asked (watched_run.py, run_results.py):
 
   exit status 0 to 3, and no signal, traceback, sanitizer's report or runtime message
   status 2      a message with file and line, and no output folder
@@ -13,26 +13,15 @@ seed has mutated at random (bytes, numbers, words, lines, groups; deck or data f
   status 0      every row converged or locked up, every number finite, forces in balance, profile and summary in agreement
   always        nothing written outside the output folder, no file under an unfinished name, memory and time bounded
 
-Every mutant that fails is printed with its seed and kept; --only SEED runs that one again. Ends in 'N passed, N failed'.
+The folder of a run that fails is kept. Ends in 'N passed, N failed'.
 """
-import argparse
-import csv
-import math
-import os
 import pathlib
-import random
-import re
 import resource
-import shutil
 import signal
-import subprocess
 import sys
-import tempfile
 
-TIME_LIMIT = 120.0           # s, a hundred times what the slowest deck below takes with sanitizers
-MEMORY_LIMIT = 1_000_000     # kB; not asked of programs with sanitizers, which keep what has been given back
-BALANCE = 1.0e-6             # force out of balance over the largest force: residuals are iterated to 1e-9 of the weight
-AGREEMENT = 2.0e-2           # hook load against the uppermost axial force, which stands half an element lower
+from run_results import faults_of_results
+from watched_run import Run, bound_memory_of
 
 SI_DECK = """&job title = 'hostile', models = 'mcge', 'soft', 'rigid', 'mixed' /
 &trajectory survey_file = 'wells/path.csv', interpolation = 'minimum_curvature' /
@@ -73,194 +62,6 @@ FIELD_DECK = """&JOB units='field' models='soft','mcge' hdf5=.false. plots=.fals
 &solver element_length=90 tool_joints='smeared' history=.true. max_iterations=40 /
 """
 DECKS = [{"deck.nml": SI_DECK, "wells/path.csv": SURVEY, "wells/other.csv": LEGACY}, {"deck.nml": FIELD_DECK}]
-
-NUMBERS = ["0", "-1", "1e308", "-1e308", "1e-308", "1e309", "NaN", "nan", "Infinity", "-inf", "1e400", "9" * 40, "0." + "0" * 50 + "1",
-           "1d5", "1e", "e5", "+-3", "0x1F", "1_8", ".", "-", "1000000000*0.0", "0*1", "-3*2", "3*", "*", "1e5", "1e-5", "1e-10", "1000000",
-           "0.1", "0.5", "90", "180", "89.999999", "1e15", "2147483648", "99999999999999999999", "1,5", "(1,2)", "'7'", ".true.", "''"]
-WORDS = ["&", "/", "$", "&end", "&job", "&hole", "&load_case /", "=", "==", ",", ";", "!", "'", '"', "\t", "\r", "\0", "\\", "%", "(", ")",
-         "(1)", "(:)", "(2:1)", "(-1)", "(1000000000)", "::", "md", "../../escape", "/etc/passwd", ".", "..", "~", "$HOME", "`id`",
-         "é", "\ufeff", "\u202e", "x" * 5000, " " * 5000, "rigid", "static", "ream", "spline", "nodes", "discrete", "field", "SI"]
-
-
-CHOICES = [["up", "down", "rotary", "sliding", "static", "rotate_off_bottom", "ream", "backream"], ["centred", "free"],
-           ["minimum_curvature", "spline"], ["extremum", "nodes"], ["smeared", "discrete"], ["field", "SI"]]
-
-
-def mutate(text, rng, gentle):
-    """One random change of a text (latin-1, so that any byte can stand in it); a gentle one often leaves a legal deck."""
-    lines = text.splitlines(keepends=True) or ["\n"]
-    i = rng.randrange(len(lines))
-    at, to = sorted(rng.randrange(len(text) + 1) for _ in range(2))
-    to = min(to, at + rng.choice([1, 3, 20, 200]))
-    numbers = list(re.finditer(r"(?<![\w.])[-+]?\d[\d.]*(?:[eEdD][-+]?\d+)?", text))
-    words = list(re.finditer(r"[A-Za-z_]\w*", text))
-    kind = rng.randrange(14) if not gentle else rng.choice([4, 4, 4, 5, 12, 13, 14])
-    if kind <= 3 and numbers:                                                  # a hostile number
-        n = rng.choice(numbers)
-        return text[:n.start()] + rng.choice(NUMBERS) + text[n.end():]
-    if kind == 4 and numbers:                                                  # a number by some factor
-        n = rng.choice(numbers)
-        try:
-            factor = rng.uniform(0.3, 3.0) if gentle else rng.choice([-1, 1e-3, 0.1, 0.9, 1.1, 3, 10, 1e3, 1e6])
-            return text[:n.start()] + f"{float(n.group()) * factor:.6g}" + text[n.end():]
-        except ValueError:
-            return text
-    if kind == 5 and len(numbers) > 1:                                         # two numbers change places
-        a, b = sorted(rng.sample(numbers, 2), key=lambda m: m.start())
-        return text[:a.start()] + b.group() + text[a.end():b.start()] + a.group() + text[b.end():]
-    if kind == 14:                                                             # a legal word by another
-        name = rng.choice([c for c in CHOICES if any(f"'{w}'" in text for w in c)] or [CHOICES[0]])
-        for w in rng.sample(name, len(name)):
-            if f"'{w}'" in text:
-                return text.replace(f"'{w}'", f"'{rng.choice(name)}'", 1)
-    if kind == 6 and words:                                                    # a word by another, or a slip in it
-        w = rng.choice(words)
-        other = rng.choice([rng.choice(words).group(), rng.choice(WORDS), w.group()[::-1], w.group()[:-1], w.group() + "x"])
-        return text[:w.start()] + other + text[w.end():]
-    if kind == 7:
-        return text[:at] + rng.choice(WORDS) + text[at:]
-    if kind == 8:
-        return text[:at] + text[to:]
-    if kind == 9:                                                              # bytes
-        return text[:at] + "".join(chr(rng.randrange(256)) for _ in range(rng.choice([1, 1, 2, 8, 64]))) + text[to:]
-    if kind == 10:
-        return text[:at]
-    if kind == 11:
-        lines.insert(rng.randrange(len(lines)), lines[i] * rng.choice([1, 1, 2, 50]))
-    elif kind == 12:
-        del lines[i]
-    else:
-        j = rng.randrange(len(lines))
-        lines[i], lines[j] = lines[j], lines[i]
-    return "".join(lines)
-
-
-def mutant(seed):
-    """The files that a seed stands for: a deck or its data with one to four changes."""
-    rng = random.Random(seed)
-    files = dict(rng.choice(DECKS))
-    gentle = rng.random() < 0.5
-    for _ in range(rng.choice([2, 4, 8]) if gentle else rng.choice([1, 1, 1, 2, 2, 3, 4])):
-        name = rng.choice(list(files)) if rng.random() < 0.4 else "deck.nml"
-        files[name] = mutate(files[name], rng, gentle)
-    return files
-
-
-class Run:
-    """One run of the program in a folder of its own."""
-    bounded = False      # in memory
-
-    def __init__(self, program, files, arguments=(), before=None, shell_limits=None, stdout=None):
-        self.home = pathlib.Path(tempfile.mkdtemp(prefix="hostile_"))
-        for name, text in files.items():
-            path = self.home / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(text if isinstance(text, bytes) else text.encode("latin-1", "replace"))
-        if before:
-            before(self.home)
-        held = set(self.listing())
-        self.out = self.home / "out"
-        def limits():
-            if Run.bounded:
-                memory_bound()
-            if shell_limits:
-                shell_limits()
-
-        arguments = list(arguments) or ["deck.nml", "--output", "out"]
-        with open(self.home.parent / (self.home.name + ".err"), "w+b") as errors, \
-             open(self.home.parent / (self.home.name + ".txt"), "w+b") as tables:
-            process = subprocess.Popen([program, *arguments], cwd=self.home, stdout=stdout or tables, stderr=errors,
-                                       stdin=subprocess.DEVNULL, preexec_fn=limits)
-            timer = signal.signal(signal.SIGALRM, lambda *_: process.kill())
-            signal.setitimer(signal.ITIMER_REAL, TIME_LIMIT)
-            _, status, usage = os.wait4(process.pid, 0)
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, timer)
-            process.returncode = 0
-            self.killed = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
-            self.status = os.WEXITSTATUS(status) if os.WIFEXITED(status) else -self.killed
-            self.memory = usage.ru_maxrss
-            self.seconds = usage.ru_utime + usage.ru_stime
-            errors.seek(0)
-            self.stderr = errors.read().decode("latin-1")
-        for ending in (".err", ".txt"):
-            os.unlink(str(self.home) + ending)
-        self.strangers = [p for p in set(self.listing()) - held if p != "out" and not p.startswith("out/")]
-
-    def listing(self):
-        return [str(p.relative_to(self.home)) for p in self.home.rglob("*")]
-
-    def faults(self):
-        """What this run did that no run may do."""
-        found = []
-        if self.killed:
-            found.append(f"ended by signal {self.killed}" + (" (time limit?)" if self.killed == signal.SIGKILL else ""))
-        elif self.status not in (0, 1, 2, 3):
-            found.append(f"exit status {self.status}")
-        for mark in ("Backtrace", "Fortran runtime", "AddressSanitizer", "runtime error", "libgfortran", "HDF5-DIAG", "Error termination"):
-            if mark in self.stderr:
-                found.append(mark + ": " + self.stderr[max(0, self.stderr.find(mark) - 200):][:600].strip())
-                break
-        if self.strangers:
-            found.append(f"written outside the output folder: {self.strangers[:5]}")
-        if Run.bounded and self.memory > MEMORY_LIMIT:
-            found.append(f"{self.memory} kB of memory")
-        if self.out.is_dir() and list(self.out.rglob("*.unfinished")):
-            found.append("unfinished files left")
-        if self.status in (1, 2) and not self.stderr.strip():
-            found.append(f"exit status {self.status} without a message")
-        if self.status == 2:
-            if self.out.exists():
-                found.append("refused, yet an output folder")
-            if not re.search(r"^\S+:\d+: |^\S+: |^drillgap: ", self.stderr, re.M):
-                found.append("no file and line: " + self.stderr[:200])
-        if self.status in (0, 3):
-            found += self.wrong_results()
-        return found
-
-    def wrong_results(self):
-        found = []
-        summary = self.out / "summary.csv"
-        if not summary.is_file():
-            return ["no summary.csv"]
-        deck = (self.home / "deck.nml").read_text(encoding="latin-1")
-        asked = re.findall(r"(?i)\btolerance\s*=\s*([-+.\de]+)", deck)          # a loose one leaves as much out of balance
-        balance = max([BALANCE] + [100.0 * float(a) for a in asked if re.fullmatch(r"(?i)[-+]?\d*\.?\d+(e[-+]?\d+)?", a)])
-        rows = list(csv.DictReader(summary.open(encoding="latin-1")))
-        unit = "kN" if "hookload_kN" in rows[0] else "klbf"
-        good = [r for r in rows if r["status"] in ("converged", "locked_up")]
-        if self.status == 0 and len(good) < len(rows):
-            found.append("exit status 0 with a case not converged")
-        if self.status == 3 and len(good) == len(rows):
-            found.append("exit status 3 with every case converged")
-        for path in sorted(self.out.glob("*.csv")):
-            text = path.read_text(encoding="latin-1")
-            if re.search(r"(?i)(^|,)\s*[-+]?(nan|inf(inity)?|\*+)\s*(,|$)", text, re.M):
-                found.append(f"{path.name}: a number that is none")
-        for r in rows:
-            if r["status"] != "converged":
-                continue
-            place = f"case {r['case']}, {r['model']}"
-            numbers = [float(r[k]) for k in (f"hookload_{unit}", f"friction_{unit}", f"normal_force_{unit}", f"wob_{unit}")]
-            force = max(map(abs, numbers))
-            left = float(r.get(f"equilibrium_{unit}") or 0.0)
-            if not left <= balance * force + 1e-9:
-                found.append(f"{place}: {left} {unit} out of balance, forces are {force}")
-            profile = self.out / f"profile_{r['case']}_{r['model']}.csv"
-            if profile.is_file():
-                first = next(csv.DictReader(profile.open(encoding="latin-1")))
-                axial = float(first[f"axial_{unit}"])
-                if not abs(axial - numbers[0]) <= AGREEMENT * max(force, 1e-6) + 0.01 * abs(numbers[3]):
-                    found.append(f"{place}: hook load {numbers[0]}, axial force at the top {axial}")
-        return found
-
-    def tidy(self):
-        shutil.rmtree(self.home, ignore_errors=True)
-
-
-def memory_bound():
-    """No run may take the machine down. Programs with sanitizers reserve terabytes that they never use: not for those."""
-    resource.setrlimit(resource.RLIMIT_AS, (4_000_000_000, 4_000_000_000))
 
 
 def full_disk():
@@ -336,20 +137,20 @@ def listed():
         "deck.nml": SI_DECK.replace("element_length = 30.0", "element_length = 0.01").replace("= 700.0", "= 49000.0")}, 2, "GB", {}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=200, help="mutants")
-    parser.add_argument("--seed", type=int, default=1, help="of the first mutant")
-    parser.add_argument("--only", type=int, help="run this mutant alone and keep its folder")
-    options = parser.parse_args()
-    program = str(pathlib.Path(options.program).resolve())
-    Run.bounded = subprocess.run([program, "--version"], preexec_fn=memory_bound, capture_output=True).returncode == 0
+def main(program):
+    program = str(pathlib.Path(program).resolve())
+    bound_memory_of(program)
     passed, failed, outcomes = 0, 0, {}
     slowest, largest = (0.0, ""), (0, "")
-
-    def judge(name, run, faults):
-        nonlocal passed, failed, slowest, largest
+    for name, files, status, text, more in listed():
+        run = Run(program, files, **more)
+        faults = run.faults()
+        if run.status in (0, 3):
+            faults += faults_of_results(run.out, run.status, run.deck.read_text(encoding="latin-1"))
+        if run.status != status:
+            faults.append(f"exit status {run.status}, expected {status}: {run.stderr[:300]}")
+        if text not in run.stderr:
+            faults.append(f"no '{text}' in: {run.stderr[:300]}")
         slowest, largest = max(slowest, (run.seconds, name)), max(largest, (run.memory, name))
         outcomes[run.status] = outcomes.get(run.status, 0) + 1
         if faults:
@@ -358,25 +159,6 @@ def main():
         else:
             passed += 1
             run.tidy()
-
-    if options.only is None:
-        for name, files, status, text, more in listed():
-            run = Run(program, files, **more)
-            faults = run.faults() if status != 1 else [f for f in run.faults() if "no summary" not in f]
-            if run.status != status:
-                faults.append(f"exit status {run.status}, expected {status}: {run.stderr[:300]}")
-            if text not in run.stderr:
-                faults.append(f"no '{text}' in: {run.stderr[:300]}")
-            judge(name, run, faults)
-        print(f"listed: {passed} passed, {failed} failed", flush=True)
-    seeds = range(options.seed, options.seed + options.count) if options.only is None else [options.only]
-    for seed in seeds:
-        run = Run(program, mutant(seed))
-        faults = run.faults()
-        if options.only is not None:
-            print(f"exit status {run.status}\n{run.stderr}")
-            faults = faults or ["kept on request"]
-        judge(f"mutant {seed}", run, faults)
     print("exit statuses: " + ", ".join(f"{n} of {s}" for s, n in sorted(outcomes.items())))
     print(f"slowest: {slowest[0]:.1f} s, {slowest[1]}; largest: {largest[0] / 1000:.0f} MB, {largest[1]}")
     print(f"{passed} passed, {failed} failed")
@@ -384,4 +166,6 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    sys.exit(main(sys.argv[1]))
