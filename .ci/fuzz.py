@@ -17,6 +17,7 @@ Case S is what seed S draws: `--seed S --count 1` runs it again. Its kind is one
   collision  a file that the run reads stands where the run would write: refused, and it survives
   options    odd command lines
   convert    a deck that is accepted is converted, and converted it is accepted
+  spelling   a deck in another spelling that says the same gives the same files
 
 Of every run is asked: exit status 0 to 3 and right for what the files say, no signal, traceback or report of a sanitizer, nothing
 touched outside the output folder (working folder, deck's folder, HOME, TMPDIR), inputs survive, no file under an unfinished name,
@@ -32,7 +33,9 @@ import math
 import pathlib
 import random
 import re
+import resource
 import shutil
+import signal
 import sys
 import tempfile
 
@@ -45,8 +48,12 @@ from watched_run import Run, bound_memory_of
 
 INPUT = mutations.ROOT / "input"
 SAME = 1.0e-6          # of the largest force: a survey in other units, with ten digits or more
-# Solutions that a deck asks for: beyond, a run that takes its time does what it was told.
-MUCH_WORK = 3000
+SAME_CONVERTED = 1.0e-5   # lengths that --convert has rounded may make an interval more
+# A run may take `--seconds`, or this long for each solution that its deck asks for [s]: one that finds no rest takes some seconds.
+SECONDS_EACH = 5.0
+# Nothing is waited for longer: times `--seconds`, of processor time and, on a busy machine, of wall time.
+PATIENCE, WALL = 3, 15
+MEASURED = ("seconds", "memory_MB", "cost", "pareto")      # differ from run to run
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
 
 
@@ -116,23 +123,33 @@ class Lab:
         self.program, self.home, self.seconds = program, pathlib.Path(home), seconds
         self.faults, self.runs, self.long = [], [], 0
 
+    def start(self, home, files, arguments, before=None):
+        """A run in a folder, with the deck in `deck/`, not yet judged."""
+        bound = math.ceil(self.seconds * PATIENCE)
+        return Run(self.program, files, arguments, home=home, cwd="cwd", seconds=self.seconds * WALL, deck="deck/deck.nml", before=before,
+                   shell_limits=lambda: resource.setrlimit(resource.RLIMIT_CPU, (bound, bound + 5)))
+
     def note(self, what):
         if len(self.faults) < 8:
             self.faults.append(what)
 
-    def run(self, files, more=(), again=None, before=None, echo=True, expect=None, fault_of_1=True):
+    def run(self, files, more=(), again=None, before=None, echo=True, expect=None, fault_of_1=True, order=True):
         """One run, judged; `files` lie beside the deck. `again`: in the folder of that run. `expect`: an exit status, or several."""
         home = again.home if again else self.home / str(len(self.runs) + 1)
         home.mkdir(parents=True, exist_ok=True)
         options = ["--threads", "1", *more]
-        run = Run(self.program, {f"deck/{name}": text for name, text in files.items()}, ["../deck/deck.nml", "--output", "../out", *options],
-                  home=home, cwd="cwd", seconds=self.seconds, deck="deck/deck.nml", before=before)
+        run = self.start(home, {f"deck/{name}": text for name, text in files.items()}, ["../deck/deck.nml", "--output", "../out", *options], before)
         self.runs.append(run)
         faults = run.faults()
-        if run.killed:
+        if run.seconds > self.seconds:
             told = self.check(run)
-            if told.status == 0 and Echo(told.stdout).work > MUCH_WORK:
-                faults, self.long = [], self.long + 1
+            allowed = SECONDS_EACH * Echo(told.stdout).work if told.status == 0 else 0.0
+            if run.seconds < allowed and run.killed in (0, signal.SIGXCPU):
+                faults, self.long = [f for f in faults if "signal" not in f], self.long + 1
+            else:
+                faults.append(f"{run.seconds:.0f} s of processor time")
+            if run.killed:
+                run.status = None                                 # there is nothing to judge
         if run.status == 1 and fault_of_1:
             faults.append("exit status 1: " + run.stderr[:300])
         if CONTROL.search(run.stdout) or CONTROL.search(run.stderr):
@@ -144,23 +161,30 @@ class Lab:
             faults.append("a text of the deck was executed")
         if "gnuplot" in run.stderr and "note:" not in run.stderr:
             faults.append("gnuplot: " + run.stderr[:300])
-        if run.status in (0, 3) and "--check" not in more and not any("part" in m or "merge" in m for m in more):
+        if run.status in (0, 3) and "--part" not in more:
             told = self.check(run) if echo else None
             if told and told.status:
                 faults.append(f"--check has exit status {told.status} and the run {run.status}: {told.stderr[:200]}")
             try:
-                faults += faults_of_results(run.out, run.status, files["deck.nml"], told.stdout if told and not told.status else None)
+                faults += faults_of_results(run.out, run.status, files["deck.nml"], told.stdout if told and not told.status else None, order)
             except (KeyError, ValueError, IndexError) as error:
                 faults.append(f"results cannot be judged: {type(error).__name__} {error}")
-        if expect is not None and run.status not in (expect if isinstance(expect, tuple) else (expect,)):
+        if expect is not None and run.status is not None and run.status not in (expect if isinstance(expect, tuple) else (expect,)):
             faults.append(f"exit status {run.status}, expected {expect}: {run.stderr[:300]}")
         for fault in faults:
             self.note(fault)
         return run
 
+    def act(self, run, *words):
+        """Another action of the program on what lies in the folder of a run."""
+        action = self.start(run.home, {}, words)
+        self.runs.append(action)
+        for fault in action.faults() + ([f"exit status 1: {action.stderr[:200]}"] if action.status == 1 else []):
+            self.note(f"{words[0]}: {fault}")
+        return action
+
     def check(self, run):
-        return Run(self.program, {}, ["../deck/deck.nml", "--output", "../out", "--check"], home=run.home, cwd="cwd", seconds=self.seconds,
-                   deck="deck/deck.nml")
+        return self.start(run.home, {}, ["../deck/deck.nml", "--output", "../out", "--check"])
 
 
 def summary(run, name="summary.csv"):
@@ -194,7 +218,52 @@ def never_misread(lab, rng, base_files, files, may_refuse, columns=FORCES, table
             lab.note(f"misread ({what}): {different}")
 
 
+def spelt(deck, rng):
+    """The text of a deck in another spelling that says the same."""
+    order = list({name: None for name, _ in deck.groups})
+    rng.shuffle(order)
+    groups = sorted(deck.groups, key=lambda g: order.index(g[0])) if rng.random() < 0.7 else deck.groups
+    number = re.compile(r"[-+]?\d+\.?\d*")
+
+    def word(text):
+        case = rng.randrange(3)
+        return text.upper() if case == 0 else text.title() if case == 1 else text
+
+    def value(text):
+        if text[0] == "'" and '"' not in text and rng.random() < 0.4:
+            return '"' + text[1:-1].replace("''", "'") + '"'
+        if number.fullmatch(text) and "." in text and rng.random() < 0.4:
+            return rng.choice([text + "0", text + "e0", text + "D+00", "+" + text if text[0].isdigit() else text])
+        return word(text) if text.startswith(".") else text
+
+    text = rng.choice(["", "", "! it's a comment with & and / in it\n", "\n\n"])
+    for name, entries in groups:
+        text += "&" + word(name) + rng.choice([" ", "\n  ", "\t", " ! it's / so\n"])
+        for key, values in entries:
+            many = len(values) > 1 and len(set(values)) == 1 and values[0][0] != "'" and "*" not in values[0] and rng.random() < 0.7
+            written = [f"{len(values)}*{values[0]}"] if many else [value(v) for v in values]
+            subscript = f"(1:{len(values)})" if len(values) > 1 and not any("*" in v for v in values) and rng.random() < 0.15 else ""
+            separator = rng.choice([", ", " ", ",\n    ", " ,\t", ", ! one\n"])
+            text += word(key) + subscript + rng.choice(["=", " = ", " =\n   "]) + separator.join(written) + rng.choice([" ", ", ", "\n  ", " ! 'x\n"])
+        text += rng.choice(["/\n", "\n/\n\n", "/ ! end\n"])
+    if rng.random() < 0.2:
+        text = text.replace("\n", "\r\n")
+    return ("\xef\xbb\xbf" if rng.random() < 0.15 else "") + text
+
+
 # ---- kinds of cases
+
+def case_spelling(lab, rng):
+    deck, files = drawn(rng)
+    deck.set(deck.one("job"), "plots", ".false.")
+    base = lab.run(files | {"deck.nml": deck.text()}, expect=(0, 3))
+    run = lab.run(files | {"deck.nml": spelt(deck, rng)}, expect=base.status)
+    for path in sorted(base.out.glob("*.csv")):
+        ours, theirs = ([{k: v for k, v in row.items() if k not in MEASURED} for row in summary(r, path.name)] for r in (run, base))
+        if ours != theirs:
+            lab.note(f"another spelling, another {path.name}")
+            break
+
 
 def case_deck(lab, rng):
     deck, files = drawn(rng)
@@ -211,7 +280,9 @@ def case_bytes(lab, rng):
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         name = rng.choice(sorted(files)) if rng.random() < 0.4 else "deck.nml"
         files[name] = change_bytes(files[name], rng, other if name == "deck.nml" else rng.choice(list(files.values())))
-    lab.run(files)
+    run = lab.run(files)
+    if rng.random() < 0.2:
+        lab.act(run, "--convert", "../deck/deck.nml")
 
 
 def case_text(lab, rng):
@@ -375,12 +446,11 @@ def case_survey(lab, rng):
 def case_catalogue(lab, rng):
     deck, files = drawn(rng, "sucker_rods", "casing_run", "bha_analysis", "extended_reach_10km", "tubing_string")
     deck.set(deck.one("job"), "models", "'soft'")
-    name = deck.get(deck.one("job"), "catalogue_file")
     files["deck.nml"] = deck.text()
     text = files["catalogue.csv"]
     kind = rng.randrange(6)
     changed, may_refuse, what = text, False, ""
-    comments, rows = [], list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
+    rows = list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
     if kind == 0:                                                  # rows in another order
         body = rows[1:]
         rng.shuffle(body)
@@ -411,8 +481,10 @@ def case_catalogue(lab, rng):
     else:
         for _ in range(rng.choice([1, 1, 2, 3])):
             changed = change_table(changed, rng, text)
-        lab.run(files | {"catalogue.csv": changed})
-    del comments, name
+        run = lab.run(files | {"catalogue.csv": changed})
+        (run.home / "cwd" / "input").mkdir()
+        shutil.copy(run.home / "deck" / "catalogue.csv", run.home / "cwd" / "input")
+        lab.act(run, "--list-catalogue", *rng.choice([[], ["DP"], ["9-5/8"], ["\xe9"]]))
 
 
 def case_legacy(lab, rng):
@@ -457,7 +529,7 @@ def case_legacy(lab, rng):
 
 
 # A fault of one line is named with it; others are of the whole record.
-NAMED = r"(:|line )\d+: |line \d+ is |another deck|lacks|no record|holds part|is of \d+ points|head|missing|is there already"
+NAMED = r"(:|line )\d+: |line \d+ is |another deck|lacks|no record|holds part|is of \d+ points|head|missing|is there already|cannot be read"
 PIECE = re.compile(r"^(\d+) (converged|not_converged|locked_up)(.{25})(.{25})( .*)? ;$")
 
 
@@ -470,7 +542,9 @@ def finite(text):
 
 def change_record(lines, rng):
     """One change of a record: its lines, and whether it must be refused (None: as the lines say)."""
-    first = next(i for i, line in enumerate(lines) if PIECE.match(line))
+    first = next((i for i, line in enumerate(lines) if PIECE.match(line)), 0)
+    if first == 0:
+        return lines                                               # no piece is left
     i = rng.randrange(first, len(lines))
     kind = rng.randrange(12)
     piece = PIECE.match(lines[i])
@@ -539,7 +613,7 @@ def case_record(lab, rng):
     if parts == 1:
         record = record.rename(made.out / f"{what}_s.partial")
     record.write_bytes(text.encode("latin-1", "replace"))
-    run = lab.run(files, ["--merge", "2"] if parts == 2 else [], again=made, expect=(0, 2, 3))
+    run = lab.run(files, ["--merge", "2"] if parts == 2 else [], again=made, expect=(0, 2, 3), order=False)
     if run.status == 2:
         if record.name not in run.stderr or not re.search(NAMED, run.stderr):
             lab.note(f"refused without file and line of the record: {run.stderr[:250]}")
@@ -597,7 +671,7 @@ def case_twice(lab, rng):
             lab.note(f"left over {sorted(left - right)[:6]}, missing {sorted(right - left)[:6]}")
         for name in sorted(left & right):
             if name.endswith(".csv") and (after.out / name).is_file():
-                ours, theirs = ([{k: v for k, v in row.items() if k not in ("seconds", "memory_MB", "cost", "pareto")} for row in summary(r, name)]
+                ours, theirs = ([{k: v for k, v in row.items() if k not in MEASURED} for row in summary(r, name)]
                                 for r in (after, alone))
                 if ours != theirs:
                     lab.note(f"{name} is not that of the run alone")
@@ -653,9 +727,8 @@ def case_options(lab, rng):
              "--help", "--version", "--", "", "-", "--outputs", "--output", "--output=", "--part=1/2", "--list-catalogue", "\xff", "x" * 5000, "--threads=2"]
     more = [rng.choice(words) for _ in range(rng.choice([1, 1, 2, 2, 3]))]
     more = [w for i, w in enumerate(more) if not (w.startswith("--output") and w != "--outputs" or i and more[i - 1] == "--output")]
-    home = lab.home / "1"
-    run = Run(lab.program, {f"deck/{n}": t for n, t in files.items()} | {"deck/deck.nml": deck.text()},
-              ["../deck/deck.nml", "--output", "../out", "--threads", "1", *more], home=home, cwd="cwd", seconds=lab.seconds, deck="deck/deck.nml")
+    run = lab.start(lab.home / "1", {f"deck/{n}": t for n, t in files.items()} | {"deck/deck.nml": deck.text()},
+                    ["../deck/deck.nml", "--output", "../out", "--threads", "1", *more])
     lab.runs.append(run)
     for fault in run.faults():
         lab.note(f"{more}: {fault}")
@@ -672,9 +745,7 @@ def case_convert(lab, rng):
     run = lab.run(files)
     if run.status not in (0, 3):
         return
-    converted = Run(lab.program, {}, ["--convert", "../deck/deck.nml"], home=run.home, cwd="cwd", seconds=lab.seconds, deck="deck/deck.nml")
-    for fault in converted.faults():
-        lab.note(f"--convert: {fault}")
+    converted = lab.act(run, "--convert", "../deck/deck.nml")
     if converted.status:
         lab.note(f"--convert has exit status {converted.status}: {converted.stderr[:300]}")
         return
@@ -683,16 +754,15 @@ def case_convert(lab, rng):
         if ours["status"] != theirs["status"] or (ours["case"], ours["model"]) != (theirs["case"], theirs["model"]):
             lab.note(f"converted: {ours['case']} is {ours['status']}, was {theirs['status']}")
         elif ours["status"] == "converged":
-            kN, klbf = (k for k in ("hookload_kN", "hookload_klbf"))
-            one, other = (float(r.get(kN) or float(r[klbf]) * 4.4482216152605) for r in (ours, theirs))
-            wob, normal = (max(abs(float(r.get(k + "_kN") or float(r[k + "_klbf"]) * 4.4482216152605)) for r in (ours, theirs))
-                           for k in ("wob", "normal_force"))
-            if abs(one - other) > SAME * max(abs(one), abs(other), wob, normal) + 1e-9:
+            (one, *_), (other, *forces) = ([float(r.get(k + "_kN") or float(r[k + "_klbf"]) * 4.4482216152605)
+                                            for k in ("hookload", "wob", "normal_force", "friction")] for r in (ours, theirs))
+            if abs(one - other) > SAME_CONVERTED * max(abs(other), *map(abs, forces)) + 1e-9:
                 lab.note(f"converted: hook load of {ours['case']} {one}, was {other}")
 
 
-KINDS = [(case_deck, 34), (case_bytes, 12), (case_text, 9), (case_survey, 14), (case_catalogue, 5), (case_legacy, 5), (case_record, 9),
-         (case_twice, 3), (case_collision, 2), (case_options, 2), (case_convert, 5)]
+KINDS = [(case_deck, 30), (case_bytes, 12), (case_text, 9), (case_survey, 14), (case_catalogue, 5), (case_legacy, 5), (case_record, 9),
+         (case_twice, 3), (case_collision, 2), (case_options, 2), (case_convert, 5),
+         (case_spelling, 4)]
 
 
 def case_of(seed, only=None):
@@ -711,7 +781,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the first case")
     parser.add_argument("--keep", help="folder for the cases that fail, each with its runs and faults; default a new one")
     parser.add_argument("--kind", help="all cases of this kind", choices=[k.__name__[5:] for k, _ in KINDS])
-    parser.add_argument("--seconds", type=float, default=60.0, help="longest time of one run")
+    parser.add_argument("--seconds", type=float, default=60.0, help="longest processor time of one run")
     options = parser.parse_args()
     program = str(pathlib.Path(options.program).resolve())
     bound_memory_of(program)
@@ -745,7 +815,7 @@ def main():
         shutil.rmtree(scratch, ignore_errors=True)
     print("kinds, cases and failed ones: " + ", ".join(f"{k} {n} {b}" for k, (n, b) in sorted(kinds.items())))
     print(f"{runs} runs, {long} of them long because asked to be; exit statuses: "
-          + ", ".join(f"{n} of {s}" for s, n in sorted(outcomes.items())))
+          + ", ".join(f"{n} of {s}" for s, n in sorted(outcomes.items(), key=str)))
     print(f"slowest run: {slowest[0]:.1f} s, seed {slowest[1]}")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0

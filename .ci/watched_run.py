@@ -14,7 +14,7 @@ MEMORY_LIMIT = 1_000_000     # kB; not asked of programs with sanitizers, which 
 MARKS = ("Backtrace", "Fortran runtime", "AddressSanitizer", "runtime error", "libgfortran", "HDF5-DIAG", "Error termination",
          "terminate called", "OpenBLAS", "SIGSEGV")
 # A line of a refusal: FILE:LINE: ..., FILE: ..., the program's own name, a continued line, or how it is used.
-REFUSAL = re.compile(r"^(\S.*?:\d+: |\S+: |drillgap: |  |usage: |or: |exit status: |$)")
+REFUSAL = re.compile(r"^(\S*[./]\S*.*?: |drillgap: |  |usage: |or: |exit status: |$)")
 
 
 class Run:
@@ -110,7 +110,7 @@ class Run:
                 found.append("refused, yet an output folder")
             elif self.touched:
                 found.append(f"refused, yet touched {self.touched[:5]}")
-            strange = [line for line in self.stderr.splitlines() if not REFUSAL.match(line)]
+            strange = [line for line in self.stderr.split("\n") if not REFUSAL.match(line)]
             if strange:
                 found.append("no file in the message: " + repr(strange[0][:200]))
         return found
