@@ -6,6 +6,7 @@ Usage: fuzz.py PATH_TO_DRILLGAP [--count N] [--seed S] [--keep FOLDER] [--kind K
 Case S is what seed S draws: `--seed S --count 1` runs it again. Its kind is one of
 
   deck       a sample deck, or a random one, changed in its structure: values to extremes, keys and groups moved, doubled, dropped
+  limits     the same with legal values only, at and between their limits
   bytes      the same, or one of its files, changed in its bytes: flipped, cut, spliced, other line ends, marks, zeros
   text       texts of a deck that a shell, gnuplot, a terminal or a page would take for something else, with pictures
   survey     a survey in another form that means the same: it is read so, or refused, never otherwise; or any other change of it
@@ -42,7 +43,7 @@ import tempfile
 import mutations
 import random_decks
 from hostile_decks import FIELD_DECK, LEGACY, SI_DECK, SURVEY
-from mutations import Deck, change_bytes, change_deck, change_table, quoted
+from mutations import KEYS, Deck, change_bytes, change_deck, change_table, legal_value, quoted
 from run_results import Echo, faults_of_results, rows_of
 from watched_run import Run, bound_memory_of
 
@@ -273,6 +274,22 @@ def case_deck(lab, rng):
     lab.run(files | {"deck.nml": deck.tame().text()})
 
 
+def case_limits(lab, rng):
+    """Legal values only, at and between the limits that the deck's documentation gives: nothing is refused for one value alone."""
+    deck, files = drawn(rng)
+    if rng.random() < 0.5:
+        deck.set(deck.one("job"), "models", "'mcge'")
+    for _ in range(rng.choice([1, 2, 3, 5])):
+        name = rng.choice(["solver", "solver", "hole", "component", "load_case", "fluid", "boundary", "job", "sweep", "uncertainty", "study", "calibrate"])
+        if name in ("solver", "boundary", "fluid"):
+            deck.one(name)
+        if deck.all(name):
+            numbers = [k for k, (_, legal, _) in KEYS[name].items() if " to " in legal or "> 0" in legal or "`" in legal]
+            key = rng.choice([k for k in numbers if k not in ("threads", "plots", "hdf5", "units")])
+            deck.set(rng.choice(deck.all(name)), key, legal_value(name, key, rng, inside=True))
+    lab.run(files | {"deck.nml": deck.tame().text()})
+
+
 def case_bytes(lab, rng):
     deck, files = drawn(rng)
     files["deck.nml"] = deck.text()
@@ -286,14 +303,19 @@ def case_bytes(lab, rng):
 
 
 def case_text(lab, rng):
-    deck, files = drawn(rng, "si", "calibrate_gp1", "stuck_gp1", "johancsik_well_3", "sweep_gp1", "uncertainty_gp1", "study_gp1", "field")
-    if rng.random() < 0.35:
-        deck.set(deck.one("job"), "plots", ".true.")
+    names = ("si", "stuck_gp1", "johancsik_well_3", "sweep_gp1", "uncertainty_gp1", "study_gp1", "field")
+    deck, files = drawn(rng, *(("calibrate_gp1",) if rng.random() < 0.3 else names))
     if rng.random() < 0.5:
-        deck.set(deck.one("job"), "models", "'soft'")
+        deck.set(deck.one("job"), "plots", ".true.")
+        deck.set(deck.one("job"), "profiles", rng.choice([".true.", ".false."]))
+    if rng.random() < 0.7:
+        for group in [deck.one("job")] + deck.all("calibrate"):
+            deck.set(group, "models" if group[0] == "job" else "model", "'soft'")
     for _ in range(rng.choice([1, 1, 2, 4])):
-        name, key = rng.choice([k for k in mutations.TEXT_KEYS[:11] if deck.all(k[0])])
+        name, key = rng.choice([k for k in mutations.TEXT_KEYS[:11] + [("calibrate", "name")] * 4 if deck.all(k[0])])
         text = rng.choice(mutations.NAMES if (name, key) in mutations.NAME_KEYS and rng.random() < 0.6 else mutations.TEXTS)
+        if rng.random() < 0.25:
+            text = rng.choice([t for t in mutations.TEXTS if mutations.CANARY in t])
         group = rng.choice(deck.all(name))
         old = deck.get(group, key)
         deck.set(group, key, quoted(text))
@@ -309,10 +331,12 @@ def case_text(lab, rng):
 LENGTHS = {"m": 1.0, "ft": 0.3048, "usft": 1200.0 / 3937.0}
 ODD_LENGTHS = {"km": 1000.0, "kft": 304.8, "cm": 0.01, "mm": 0.001, "in": 0.0254, "yd": 0.9144, "ftKB": 0.3048, "ft RKB": 0.3048,
                "m RKB": 1.0, "mMD": 1.0, "0.1in": 0.00254, "'": 0.3048, "feet": 0.3048, "metres": 1.0, "fathom": 1.8288, "mi": 1609.344,
-               "dm": 0.1, "ftUS": 1200.0 / 3937.0, "foot": 0.3048, "inch": 0.0254, "FT MSL": 0.3048}
+               "dm": 0.1, "ftUS": 1200.0 / 3937.0, "foot": 0.3048, "inch": 0.0254, "FT MSL": 0.3048, "yards": 0.9144, "ftRT": 0.3048,
+               "ft(US)": 1200.0 / 3937.0}
 ANGLES = {"deg": 1.0, "rad": 180.0 / math.pi}
 ODD_ANGLES = {"gon": 0.9, "grad": 0.9, "mrad": 0.18 / math.pi, "mil": 0.05625, "rev": 360.0, "min": 1.0 / 60.0, "degrees": 1.0, "\xc2\xb0": 1.0,
-              "\xb0": 1.0, "dega": 1.0, "radian": 180.0 / math.pi, "g": 0.9, "turns": 360.0, "cdeg": 0.01, "deg/10": 10.0, "arcsec": 1.0 / 3600.0}
+              "\xb0": 1.0, "dega": 1.0, "radian": 180.0 / math.pi, "g": 0.9, "turns": 360.0, "cdeg": 0.01, "deg/10": 10.0, "arcsec": 1.0 / 3600.0,
+              "rads": 180.0 / math.pi, "centesimal": 0.9, "hr": 15.0}
 NULLS = ["-999.25", "-9999", "-999", "1e30", "NaN", "", "-", "n/a", "***", "9999999"]
 
 
@@ -760,7 +784,7 @@ def case_convert(lab, rng):
                 lab.note(f"converted: hook load of {ours['case']} {one}, was {other}")
 
 
-KINDS = [(case_deck, 30), (case_bytes, 12), (case_text, 9), (case_survey, 14), (case_catalogue, 5), (case_legacy, 5), (case_record, 9),
+KINDS = [(case_deck, 20), (case_limits, 10), (case_bytes, 12), (case_text, 9), (case_survey, 14), (case_catalogue, 5), (case_legacy, 5), (case_record, 9),
          (case_twice, 3), (case_collision, 2), (case_options, 2), (case_convert, 5),
          (case_spelling, 4)]
 

@@ -11,7 +11,7 @@ NUMBERS = ["0", "-1", "1", "-0.0", "1e308", "-1e308", "1e-308", "1e309", "NaN", 
 # Texts that mean nothing else than themselves. What a shell or gnuplot would run leaves a file of this name.
 CANARY = "EXECUTED"
 TEXTS = ["", " ", "Bob's fit", 'x"y', "a,b", "a;b", r"a\b", "a\\", "%s%n%d", "@{x}_y^z", "{/Symbol a}", "é ü Ø 中文".encode().decode("latin-1"),
-         "\u202egnp".encode().decode("latin-1"), "\x1b[31mred\x1b[0m", "\x07\x08\x7f", "\xff\xfe", "a\tb", "a\nb", "a\rb", "a\0b",
+         "\u202egnp".encode().decode("latin-1"), "\x1b[31mred\x1b[0m", "\x07\x08\x7f", "\xff\xfe", "S\xfcd", "a\tb", "a\nb", "a\rb", "a\0b",
          "x" * 4096, "é".encode().decode("latin-1") * 2000, "<script>alert(1)</script>", "<td>NaN", "&amp;&lt;", "]]>", "--><b>", "../up",
          "/tmp/x", "=1+1", "-rf", "~", "*", "?", "[a]", "!x", "&job /", "/", "#x", f"`touch {CANARY}`", f"$(touch {CANARY})",
          f"'; system('touch {CANARY}'); '", f'"; system("touch {CANARY}"); "', f'".system("touch {CANARY}")."', f"`touch {CANARY}`\\",
@@ -148,8 +148,8 @@ def quoted(text):
     return "'" + text.replace("'", "''") + "'"
 
 
-def legal_value(group, key, rng):
-    """A value at or about the limits that the deck's documentation gives."""
+def legal_value(group, key, rng, inside=False):
+    """A value at or about the limits that the deck's documentation gives; `inside`: none beyond them."""
     default, legal, _ = KEYS[group][key]
     words = re.findall(r"`('[^`]*'|\.\w+\.)`", legal)
     if words:
@@ -160,7 +160,12 @@ def legal_value(group, key, rng):
     if "text" in legal or not limits:
         return quoted(rng.choice(TEXTS + NAMES))
     low, high = (limits[0], limits[-1])
-    if rng.random() < 0.5:
+    if inside:
+        least = low if legal.startswith("0 to") or low != 0 else high * 1e-12
+        number = rng.choice([least, high, high * 10.0 ** rng.uniform(-12, 0), high * 10.0 ** rng.uniform(-3, 0), least + (high - least) * rng.random()])
+        if legal.startswith("whole"):
+            number = max(least, round(number))
+    elif rng.random() < 0.5:
         usual = float(default) if re.fullmatch(r"\d[-\d.e]*", default) and float(default) else min(1.0, high)
         number = usual * 10.0 ** rng.uniform(-2, 2)
     else:
