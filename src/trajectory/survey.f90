@@ -39,13 +39,13 @@ contains
          return
       end if
       do i = 1, size(md)
-         write (place, '(a,i0)') 'survey: station ', i
          if (.not. all(ieee_is_finite([md(i), inclination(i), azimuth(i)]))) then
+            write (place, '(a,i0)') 'survey: station ', i
             call raise(error, status_bad_input, trim(place)//' holds a number that is not finite')
             return
          end if
-         write (place, '(a,i0,a,g0.8,a)') 'survey: station ', i, ' at ', md(i), ' m'
          if (inclination(i) < 0.0_wp .or. inclination(i) > pi + angle_round_off) then
+            write (place, '(a,i0,a,g0.8,a)') 'survey: station ', i, ' at ', md(i), ' m'
             call raise(error, status_bad_input, trim(place)//': inclination must lie between 0 and 180 deg')
             return
          end if
