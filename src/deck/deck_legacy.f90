@@ -3,7 +3,7 @@ module dg_deck_legacy
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
    use dg_deck_draft, only: draft_type
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_type, read_legacy_file, unit_value
    use dg_legacy_table, only: legacy_table_type
@@ -85,7 +85,7 @@ contains
          end do
       end if
       if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, table%has, &
-                                       sound, faults)
+                                       sound, faults, fault_at(draft%path, line_of(group, 'file'), 'group &legacy: file'))
 
    contains
 

@@ -1,9 +1,9 @@
 !> The stations of a deck: from &trajectory itself or from the survey file that it names.
 module dg_deck_survey
    use dg_kinds, only: wp
-   use dg_constants, only: pi
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, text_of
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
+   use dg_deck_schema, only: key_rule_type, range_text, unit_factor
+   use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_survey_file, only: station_list_type, read_survey_file
    use dg_text, only: to_text
@@ -16,6 +16,8 @@ module dg_deck_survey
    real(wp), parameter :: vertical = 1.0e-12_wp
    !> Depth within which the first station is at surface [m].
    real(wp), parameter :: at_surface = 1.0e-6_wp
+   !> Part of the end of a range that is only the round-off of a conversion [-].
+   real(wp), parameter :: range_round_off = 4.0_wp*epsilon(1.0_wp)
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 9
 
@@ -48,7 +50,9 @@ contains
          file_units = units
          if (text_of(group, 'survey_units', '') == 'SI') file_units = si_units()
          if (text_of(group, 'survey_units', '') == 'field') file_units = field_units()
-         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), file_units, stations, sound, faults)
+         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), file_units, stations, sound, faults, &
+                               is_given(group, 'survey_units'), &
+                               fault_at(path, line_of(group, 'survey_file'), 'group &trajectory: survey_file'))
       else
          call take_arrays(sound)
       end if
@@ -130,14 +134,30 @@ contains
                                ' at '//depth(i - 1)//'; measured depth must increase')
             exit     ! one such fault makes many
          end do
-         ! the table of keys has checked the deck's own inclinations
-         do i = 1, merge(n, 0, from_file)
-            if (stations%inclination(i) < 0.0_wp .or. stations%inclination(i) > pi + epsilon(pi)*pi) &
-               call station_fault(i, 'inc = '//to_text(stations%inclination(i)/units%angle, depth_digits)// &
-                                  ' is out of range; needs a number, 0 to 180 deg')
-         end do
+         if (from_file) then         ! the table of keys has checked the deck's own numbers
+            call check_range('md', stations%md)
+            call check_range('inc', stations%inclination)
+            call check_range('azi', stations%azimuth)
+         end if
          if (sound) call check_azimuth()
       end subroutine check_order
+
+      !> Stations of a file have the ranges of those in the deck.
+      subroutine check_range(key, values)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: values(:)      !< [SI]
+         type(key_rule_type) :: rule
+         real(wp) :: scale, slack
+         integer :: i
+         rule = group%rules(rule_index(group%rules, key))
+         scale = unit_factor(si_units(), rule%unit)
+         slack = range_round_off*rule%high*scale
+         do i = 1, size(values)
+            if (values(i) >= rule%low*scale - slack .and. values(i) <= rule%high*scale + slack) cycle
+            call station_fault(i, key//' = '//to_text(values(i)/unit_factor(units, rule%unit), depth_digits)// &
+                               ' is out of range; needs a number, '//range_text(rule, units, si_units()))
+         end do
+      end subroutine check_range
 
       subroutine check_azimuth()
          if (stations%has_azimuth) return

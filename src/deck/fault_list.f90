@@ -3,7 +3,7 @@ module dg_fault_list
    use dg_text, only: to_text
    implicit none
    private
-   public :: fault_type, fault_list_type, add_fault, sorted_faults, fault_text
+   public :: fault_type, fault_list_type, add_fault, add_unreadable, fault_at, sorted_faults, fault_text
 
    type :: fault_type
       character(:), allocatable :: file     !< as the user knows it
@@ -42,6 +42,30 @@ contains
       list%items(list%count)%message = message
       if (list%count == most_faults) list%items(list%count)%message = 'too many faults; the first are told'
    end subroutine add_fault
+
+   !> A fault of its own, outside any list. (gfortran 12 loses texts that a structure constructor takes from components.)
+   pure function fault_at(file, line, message) result(fault)
+      character(*), intent(in) :: file
+      integer, intent(in) :: line
+      character(*), intent(in) :: message
+      type(fault_type) :: fault
+      fault%file = file
+      fault%line = line
+      fault%message = message
+   end function fault_at
+
+   !> Notes that a file cannot be read: where the deck names it, if somebody tells (`asked`: its file, line, group and key).
+   pure subroutine add_unreadable(list, path, failure, asked)
+      type(fault_list_type), intent(inout) :: list
+      character(*), intent(in) :: path
+      character(*), intent(in) :: failure               !< what keeps it from being read
+      type(fault_type), intent(in), optional :: asked
+      if (present(asked)) then
+         call add_fault(list, asked%file, asked%line, asked%message//': '//path//': '//failure)
+      else
+         call add_fault(list, path, 0, failure)
+      end if
+   end subroutine add_unreadable
 
    !> The faults in the order of their lines, file after file.
    pure function sorted_faults(list) result(faults)

@@ -1,4 +1,5 @@
-!> LAS files (Log ASCII Standard 1.2 and 2.0, Canadian Well Logging Society): curves with units, data in columns.
+!> LAS files (Log ASCII Standard 1.2, 2.0, and 3.0 with the old names of sections; Canadian Well Logging Society): curves with
+!> units, data in columns.
 module dg_las_file
    use dg_text, only: append_text, lower_case, text_type
    use dg_table_text, only: split_fields
@@ -21,17 +22,21 @@ contains
       end do
    end function is_las
 
-   !> Mnemonics and units of the curves, where the data begin, and the number that stands for none ('' where none is named).
+   !> Mnemonics and units of the curves, what separates the data and where they begin, and the number that stands for none (''
+   !> where none is named). An index curve without a unit has that of the depth at which the log starts.
    !> `failure` says what keeps it from being read; else ''.
-   pure subroutine las_table(lines, names, units, first_row, null, failure)
+   pure subroutine las_table(lines, names, units, separator, first_row, null, failure)
       type(text_type), intent(in) :: lines(:)
       type(text_type), allocatable, intent(out) :: names(:), units(:)
+      character, intent(out) :: separator
       integer, intent(out) :: first_row
       character(:), allocatable, intent(out) :: null, failure
       character :: section
-      character(:), allocatable :: name, unit, value
+      character(:), allocatable :: name, unit, value, start_unit
       integer :: i
       allocate (names(0), units(0))
+      separator = ' '
+      start_unit = ''
       section = ' '
       first_row = size(lines) + 1
       null = ''
@@ -52,12 +57,19 @@ contains
          end associate
          select case (section)
          case ('v')
+            if (value == '') value = unit         ! WRAP.YES without the blank
             if (name == 'wrap' .and. index(value, 'y') == 1) then
                failure = 'has wrapped rows (WRAP. YES); export it without'
                return
             end if
+            if (name == 'dlm') then
+               if (index(value, 'comma') == 1) separator = ','
+               if (index(value, 'tab') == 1) separator = achar(9)
+            end if
          case ('w')
             if (name == 'null') null = value
+            if (name == 'null' .and. value == '') null = unit
+            if (name == 'strt') start_unit = unit
          case ('c')
             call append_text(names, name)
             call append_text(units, unit)
@@ -65,6 +77,9 @@ contains
          end select
       end do
       if (failure == '' .and. size(names) == 0) failure = 'has no section ~C with curves'
+      if (size(units) > 0) then
+         if (units(1)%text == '') units(1)%text = start_unit
+      end if
    end subroutine las_table
 
    pure function section_of(text) result(letter)

@@ -3,9 +3,10 @@ module dg_legacy_file
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
    use dg_deck_number, only: read_real
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: read_lines
-   use dg_table_text, only: blank_brackets, close_brackets, split_fields, split_unit, without_comment
+   use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
+   use dg_table_text, only: blank_brackets, close_brackets, row_type, split_fields, split_row, split_unit, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
@@ -32,7 +33,7 @@ module dg_legacy_file
 contains
 
    !> Reads the columns of a file; without fault only where `sound`.
-   subroutine read_legacy_file(path, skip, columns, md, values, has, sound, faults)
+   subroutine read_legacy_file(path, skip, columns, md, values, has, sound, faults, asked)
       character(*), intent(in) :: path
       integer, intent(in) :: skip                          !< lines on top that are no part of the table
       type(column_type), intent(inout) :: columns(:)       !< (column_count)
@@ -41,7 +42,10 @@ contains
       logical, intent(out) :: has(:)                       !< (column_count - 1)
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
+      type(fault_type), intent(in), optional :: asked      !< where the deck names the file, for one that cannot be read
       type(text_type), allocatable :: lines(:), fields(:)
+      type(row_type) :: row
+      type(marks_type) :: marks
       character(:), allocatable :: failure, text
       real(wp), allocatable :: table(:, :)
       integer, allocatable :: line_of(:)
@@ -52,7 +56,7 @@ contains
       has = .false.
       call read_lines(path, lines, failure)
       if (failure /= '') then
-         call add_fault(faults, path, 0, 'legacy file '//failure)
+         call add_unreadable(faults, path, 'legacy file '//failure, asked)
          return
       end if
       sound = .true.
@@ -80,10 +84,12 @@ contains
             if (.not. sound) exit
             if (.not. is_data(fields)) cycle
          end if
-         call split_fields(text, separator, fields)
+         call split_row(text, separator, row)
          n = n + 1
-         call take_row(fields)
+         call take_row()
       end do
+      line = doubtful_line(marks, separator == ',')
+      if (sound .and. line > 0) call fault(line, doubt(marks, line))
       if (sound .and. n < 2) call fault(0, 'it has '//to_text(n)//' rows of numbers; two or more make a table')
       do line = 2, n
          if (.not. sound) exit
@@ -179,30 +185,30 @@ contains
          call read_real(row(columns(1)%number)%text, number, is)
       end function is_data
 
-      subroutine take_row(row)
-         type(text_type), intent(in) :: row(:)
+      subroutine take_row()
          integer :: k
          line_of(n) = line
-         if (size(row) /= wide) then
-            call fault(line, 'the row has '//to_text(size(row))//' columns, the table '//to_text(wide))
+         if (row%count /= wide) then
+            call fault(line, 'the row has '//to_text(row%count)//' columns, the table '//to_text(wide))
             return
          end if
          do k = 1, column_count
-            if (columns(k)%number > 0) call take(k, row(columns(k)%number)%text)
+            if (columns(k)%number == 0) cycle
+            call take(k, row%text(row%first(columns(k)%number):row%last(columns(k)%number)))
          end do
       end subroutine take_row
 
-      subroutine take_fixed(row)
-         character(*), intent(in) :: row
+      subroutine take_fixed(letters)
+         character(*), intent(in) :: letters
          integer :: k
          line_of(n) = line
          do k = 1, column_count
             if (columns(k)%last == 0) cycle
-            if (columns(k)%first > len(row)) then
-               call fault(line, 'the row ends at character '//to_text(len(row))//', '//trim(column_name(k))//' begins at '// &
+            if (columns(k)%first > len(letters)) then
+               call fault(line, 'the row ends at character '//to_text(len(letters))//', '//trim(column_name(k))//' begins at '// &
                           to_text(columns(k)%first))
             else
-               call take(k, trim(adjustl(row(columns(k)%first:min(columns(k)%last, len(row))))))  ! editors cut blanks
+               call take(k, trim(adjustl(letters(columns(k)%first:min(columns(k)%last, len(letters))))))  ! editors cut blanks
             end if
          end do
       end subroutine take_fixed
@@ -211,7 +217,7 @@ contains
          integer, intent(in) :: k
          character(*), intent(in) :: field
          real(wp) :: number
-         call read_real(field, number, legal)
+         call read_cell(field, separator == ',', line, marks, number, legal)
          table(n, k) = number*columns(k)%unit
          if (.not. legal) call fault(line, trim(column_name(k))//' = '//quoted(field)//' is no number')
       end subroutine take

@@ -1,18 +1,22 @@
-!> Rows and headings of tables as people have them: separators, quotes, decimal commas, units behind names.
+!> Rows and headings of tables as people have them: separators, quotes, comments, units behind names.
 module dg_table_text
-   use dg_kinds, only: wp
-   use dg_constants, only: degree
-   use dg_text, only: append_text, lower_case, text_type
+   use dg_table_number, only: plain_number
+   use dg_table_unit, only: resembles_unit
+   use dg_text, only: lower_case, text_type
    implicit none
    private
-   public :: blank_brackets, close_brackets, find_separator, length_unit, angle_unit, other_unit, split_fields, split_heading, &
+   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_heading, split_row, &
              split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
-   character(*), parameter :: digits = '0123456789'
-   character(*), parameter :: number_letters = digits//'+-.,eEdD'
-   !> Feet of 1959 and of the United States' surveys (NIST SP 811) [m].
-   real(wp), parameter :: foot = 0.3048_wp, survey_foot = 1200.0_wp/3937.0_wp
+   integer, parameter :: first_capacity = 16
+
+   !> The fields of a row, kept in place from row to row: a list of texts would cost more than all else that reading does.
+   type :: row_type
+      integer :: count = 0
+      integer, allocatable :: first(:), last(:)   !< letters of each field in `text`
+      character(:), allocatable :: text           !< without quotes
+   end type row_type
 
 contains
 
@@ -46,59 +50,27 @@ contains
       end if
    end subroutine split_unit
 
-   !> The same, for units behind _ or a blank too ('md_ft', 'Incl. deg'), the name without blanks and marks: 'Meas. Depth [ft]'
-   !> gives measdepth and ft.
+   !> The same, for units behind _ or a blank too ('md_ft', 'Incl. deg', 'MD ft RKB'), the name without blanks and marks:
+   !> 'Meas. Depth [ft]' gives measdepth and ft.
    pure subroutine split_heading(heading, name, unit)
       character(*), intent(in) :: heading
       character(:), allocatable, intent(out) :: name, unit
       character(:), allocatable :: whole
       integer :: cut, i
       call split_unit(heading, whole, unit)
-      cut = scan(whole, ' _', back=.true.)
-      if (unit == '' .and. cut > 1) then
-         if (length_unit(whole(cut + 1:)) > 0.0_wp .or. angle_unit(whole(cut + 1:)) > 0.0_wp) then
-            unit = whole(cut + 1:)
-            whole = whole(:cut - 1)
-         end if
-      end if
+      cut = len(whole) + 1
+      do while (unit == '')
+         cut = scan(whole(:cut - 1), ' _', back=.true.)
+         if (cut <= 1) exit
+         if (.not. (resembles_unit(whole(cut + 1:), .false.) .or. resembles_unit(whole(cut + 1:), .true.))) cycle
+         unit = whole(cut + 1:)
+         whole = whole(:cut - 1)
+      end do
       name = ''
       do i = 1, len(whole)
-         if (scan(whole(i:i), ' _.-') == 0) name = name//whole(i:i)
+         if (scan(whole(i:i), ' _.-,:;') == 0) name = name//whole(i:i)
       end do
    end subroutine split_heading
-
-   !> Whether a heading's text in small letters is a unit of length or angle that is not converted here. Taken for no unit,
-   !> it would make wrong numbers of right ones.
-   pure function other_unit(name) result(is)
-      character(*), intent(in) :: name
-      logical :: is
-      character(*), parameter :: others(16) = [character(7) :: 'gon', 'gons', 'grad', 'grads', 'dms', 'turn', 'rev', 'km', 'hm', &
-         'cm', 'mm', 'in', 'inch', 'yd', 'mi', 'fathom']
-      is = any(others == name)
-   end function other_unit
-
-   !> SI value of a unit of length by its name in small letters [m]; 0 where it is none that we know.
-   pure function length_unit(name) result(value)
-      character(*), intent(in) :: name
-      real(wp) :: value
-      select case (name)
-      case ('ft', 'f', 'feet', 'foot'); value = foot
-      case ('usft', 'ftus', 'ft us', 'us ft'); value = survey_foot
-      case ('m', 'meter', 'metre', 'meters', 'metres'); value = 1.0_wp
-      case default; value = 0.0_wp
-      end select
-   end function length_unit
-
-   !> SI value of a unit of angle by its name in small letters [rad]; 0 where it is none that we know.
-   pure function angle_unit(name) result(value)
-      character(*), intent(in) :: name
-      real(wp) :: value
-      select case (name)
-      case ('deg', 'degree', 'degrees', 'dega'); value = degree
-      case ('rad', 'radian', 'radians'); value = 1.0_wp
-      case default; value = 0.0_wp
-      end select
-   end function angle_unit
 
    !> The text with brackets and what they hold made blank.
    pure function blank_brackets(text) result(bare)
@@ -131,105 +103,119 @@ contains
       end do
    end function close_brackets
 
-   !> A line without its comment, tabs at its ends and blanks.
+   !> A line without its comment; '' where nothing but blanks, tabs and separators stands before it.
    pure function without_comment(line) result(text)
       character(*), intent(in) :: line
       character(:), allocatable :: text
-      integer :: last
-      last = index(line, '#') - 1
-      if (last < 0) last = len(line)
-      text = line(:last)
-      if (verify(text, ' '//tab//',;') == 0) text = ''    ! a row of empty cells, as spreadsheets leave them
+      text = line(:content_length(line))
    end function without_comment
 
-   !> Fields of a row; blanks and tabs together are one separator. A field in quotes may hold the separator. Numbers with a
-   !> decimal comma or with marks between thousands become plain ones.
+   !> Length of a line without its comment; 0 where nothing but blanks, tabs and separators stands before it, as in the rows of
+   !> empty cells that spreadsheets leave.
+   pure function content_length(line) result(length)
+      character(*), intent(in) :: line
+      integer :: length
+      integer :: i
+      logical :: blank
+      blank = .true.
+      length = 0
+      do i = 1, len(line)
+         if (line(i:i) == '#') exit
+         length = i
+         select case (line(i:i))
+         case (' ', tab, ',', ';')
+         case default
+            blank = .false.
+         end select
+      end do
+      if (blank) length = 0
+   end function content_length
+
+   !> Fields of a row as texts, numbers with a decimal comma or with marks between thousands made plain. Else as split_row.
    pure subroutine split_fields(text, separator, fields)
       character(*), intent(in) :: text
       character, intent(in) :: separator
       type(text_type), allocatable, intent(out) :: fields(:)
-      character :: quote
-      character(:), allocatable :: field
-      logical :: was_quoted
+      type(row_type) :: row
       integer :: i
-      allocate (fields(0))
-      field = ''
-      quote = ' '
-      was_quoted = .false.
-      do i = 1, len(text)
-         if (quote /= ' ') then
-            if (text(i:i) == quote) then
-               quote = ' '
-            else
-               field = field//text(i:i)
-            end if
-         else if (scan(text(i:i), '"''') == 1 .and. field == '') then
-            quote = text(i:i)
-            was_quoted = .true.
-         else if (is_separator(text(i:i))) then
-            call close_field(separator, field, was_quoted, fields)
-         else
-            field = field//text(i:i)
-         end if
+      call split_row(text, separator, row)
+      allocate (fields(row%count))
+      do i = 1, row%count
+         fields(i)%text = plain_number(row%text(row%first(i):row%last(i)), separator == ',')
       end do
-      call close_field(separator, field, was_quoted, fields)
-
-   contains
-
-      pure function is_separator(letter) result(is)
-         character, intent(in) :: letter
-         logical :: is
-         is = letter == separator .or. (separator == ' ' .and. letter == tab)
-      end function is_separator
    end subroutine split_fields
 
-   !> Puts a field that has ended to the others, and begins the next.
-   pure subroutine close_field(separator, field, was_quoted, fields)
-      character, intent(in) :: separator
-      character(:), allocatable, intent(inout) :: field
-      logical, intent(inout) :: was_quoted
-      type(text_type), allocatable, intent(inout) :: fields(:)
-      field = trim(adjustl(untabbed(field)))
-      if (field /= '' .or. separator /= ' ' .or. was_quoted) call append_text(fields, plain_number(field, separator == ','))
-      field = ''
-      was_quoted = .false.
-   end subroutine close_field
-
-   !> Tabs as blanks.
-   pure function untabbed(text) result(blank)
+   !> Fields of a row, as they stand there; blanks and tabs together are one separator. A field in quotes may hold the separator.
+   pure subroutine split_row(text, separator, row)
       character(*), intent(in) :: text
-      character(len(text)) :: blank
-      integer :: i
-      blank = text
-      do i = 1, len(text)
-         if (text(i:i) == tab) blank(i:i) = ' '
-      end do
-   end function untabbed
-
-   !> A number with commas as Fortran reads it; any other text as it is. Of point and comma the last is the decimal mark; one
-   !> comma alone is decimal, unless `groups` says that commas before three digits part thousands.
-   pure function plain_number(field, groups) result(plain)
-      character(*), intent(in) :: field
-      logical, intent(in) :: groups
-      character(:), allocatable :: plain
-      character :: decimal
-      integer :: i, comma
-      plain = field
-      comma = index(field, ',', back=.true.)
-      if (comma == 0 .or. verify(field, number_letters) > 0) return
-      decimal = ','
-      if (index(field, '.', back=.true.) > comma) decimal = '.'
-      if (index(field, '.') == 0) then
-         if (index(field, ',') /= comma) decimal = '.'          ! several: thousands
-         if (groups .and. len(field) - comma == 3) decimal = '.'
+      character, intent(in) :: separator
+      type(row_type), intent(inout) :: row      !< used again from row to row
+      character :: quote, letter
+      logical :: was_quoted, blank
+      integer :: i, n, start
+      if (.not. allocated(row%first)) allocate (row%first(first_capacity), row%last(first_capacity))
+      if (.not. allocated(row%text)) allocate (character(len(text)) :: row%text)
+      if (len(row%text) < len(text)) then
+         deallocate (row%text)
+         allocate (character(2*len(text)) :: row%text)
       end if
-      plain = ''
-      do i = 1, len(field)
-         if (field(i:i) == decimal) then
-            plain = plain//'.'
-         else if (scan(field(i:i), '.,') == 0) then
-            plain = plain//field(i:i)
+      row%count = 0
+      quote = ' '
+      was_quoted = .false.
+      blank = .true.
+      n = 0
+      start = 1
+      do i = 1, len(text)
+         letter = text(i:i)
+         if (quote /= ' ' .and. letter == quote) then
+            quote = ' '
+         else if (quote == ' ' .and. blank .and. (letter == '"' .or. letter == '''')) then
+            quote = letter
+            was_quoted = .true.
+         else if (quote == ' ' .and. (letter == separator .or. (separator == ' ' .and. letter == tab))) then
+            call close_field(separator, was_quoted, start, n, row)
+            was_quoted = .false.
+            blank = .true.
+         else
+            n = n + 1
+            row%text(n:n) = merge(' ', letter, letter == tab)
+            blank = blank .and. row%text(n:n) == ' '
          end if
       end do
-   end function plain_number
+      call close_field(separator, was_quoted, start, n, row)
+   end subroutine split_row
+
+   !> Notes a field that has ended, without blanks at its ends; between blanks only one that holds something, or quotes.
+   pure subroutine close_field(separator, was_quoted, start, n, row)
+      character, intent(in) :: separator
+      logical, intent(in) :: was_quoted
+      integer, intent(inout) :: start      !< its first letter in the row's text; on return that of the next
+      integer, intent(in) :: n             !< its last letter
+      type(row_type), intent(inout) :: row
+      integer, allocatable :: longer(:)
+      integer :: first, last
+      first = start
+      last = n
+      start = n + 1
+      do while (first <= last)
+         if (row%text(first:first) /= ' ') exit
+         first = first + 1
+      end do
+      do while (last >= first)
+         if (row%text(last:last) /= ' ') exit
+         last = last - 1
+      end do
+      if (last < first .and. separator == ' ' .and. .not. was_quoted) return
+      if (row%count == size(row%first)) then
+         allocate (longer(2*row%count))
+         longer(:row%count) = row%first
+         call move_alloc(longer, row%first)
+         allocate (longer(2*row%count))
+         longer(:row%count) = row%last
+         call move_alloc(longer, row%last)
+      end if
+      row%count = row%count + 1
+      row%first(row%count) = first
+      row%last(row%count) = last
+   end subroutine close_field
 end module dg_table_text

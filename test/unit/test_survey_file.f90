@@ -3,6 +3,7 @@
 module dg_test_survey_file
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree
+   use dg_deck_number, only: read_real
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_file_system, only: delete_file, write_text_file
@@ -31,6 +32,16 @@ contains
       call suite%addTest(TestMethod('las', test_las, tearDown=remove))
       call suite%addTest(TestMethod('faults', test_faults, tearDown=remove))
       call suite%addTest(TestMethod('numbers_with_commas', test_numbers))
+      call suite%addTest(TestMethod('units_beside_a_datum', test_datums, tearDown=remove))
+      call suite%addTest(TestMethod('unknown_units', test_unknown_units, tearDown=remove))
+      call suite%addTest(TestMethod('rows_of_units', test_unit_rows, tearDown=remove))
+      call suite%addTest(TestMethod('titles_that_tell_units', test_titles, tearDown=remove))
+      call suite%addTest(TestMethod('marks_between_thousands', test_thousands, tearDown=remove))
+      call suite%addTest(TestMethod('cells_and_headings', test_widths, tearDown=remove))
+      call suite%addTest(TestMethod('no_value', test_nulls, tearDown=remove))
+      call suite%addTest(TestMethod('las_units_and_separators', test_las_forms, tearDown=remove))
+      call suite%addTest(TestMethod('line_ends', test_line_ends, tearDown=remove))
+      call suite%addTest(TestMethod('numbers_to_the_last_digit', test_last_digit))
    end function survey_file_suite
 
    subroutine remove()
@@ -61,7 +72,7 @@ contains
       call accept('long names', 'Measured Depth (m),Inclination (deg),Azimuth (deg)|0,0,90|500,10,90.25|1234.5,45.5,100')
       call accept('long names, blanks between', 'Measured Depth  Inclination  Azimuth|0 0 90|500 10 90.25|1234.5 45.5 100')
       call accept('short names', 'Meas. Depth;Incl.;Azim.|0;0;90|500;10;90,25|1234,5;45,5;100')
-      call accept('no unit we know', 'MD (RKB),Incl (X),Azimuth TN|0,0,90|500,10,90.25|1234.5,45.5,100')
+      call accept('a datum is no unit', 'MD (RKB),Incl,Azimuth TN|0,0,90|500,10,90.25|1234.5,45.5,100')
       call accept('which north', 'Measured Depth;Inclination;Azimuth Grid|0;0;90|500;10;90,25|1234,5;45,5;100')
       call accept('plain name before others', 'deviation,md,inc,azi|9,0,0,90|9,500,10,90.25|9,1234.5,45.5,100')
    end subroutine test_headings
@@ -128,20 +139,205 @@ contains
       end subroutine number
    end subroutine test_numbers
 
+   !> Feet below kelly bushing are feet; a kelly bushing alone is no unit.
+   subroutine test_datums()
+      character(*), parameter :: feet(22) = [character(20) :: '(ftKB)', '(ft RKB)', '(ftRKB)', '[ft MSL]', '(ft.)', '(FT, GL)', &
+         '(feet RKB)', '(RKB) (ft)', '(ft) (RKB)', '(RKB ft)', '(ft below KB)', '(ft-RKB)', '(ftMD)', '(ft MDBRT)', '_ftKB', &
+         ' ft RKB', &
+         '_ft', ' FT', '(ft DF)', '(f)', '(ft mean sea level)', '(feet MD)']
+      character(*), parameter :: metres(12) = [character(30) :: '(RKB)', '(KB)', '(MSL)', '(GL)', '(DF)', '(mRKB)', '(m RKB)', &
+         '(mMDRKB)', '(metres below rotary table)', '(m) (KB)', '(-)', '( m )']
+      integer :: i
+      do i = 1, size(feet)
+         call accept(feet(i), 'MD'//trim(feet(i))//';Inc ('//char(194)//char(176)//');Azi (deg TN)|'// &
+                     '0;0;90|1640.419947507;10;90.25|4050.1968504;45.5;100')
+      end do
+      do i = 1, size(metres)
+         call accept(metres(i), 'MD '//trim(metres(i))//';Inc (DEG);Azi (degN)|0;0;90|500;10;90.25|1234.5;45.5;100')
+      end do
+      call accept('feet of US surveys', 'MD (US survey feet RKB);Inc;Azi (GN)|0;0;90|1640.41666666667;10;90.25|4050.18875;45.5;100')
+   end subroutine test_datums
+
+   !> A unit that we do not know is never silently one that we do.
+   subroutine test_unknown_units()
+      character(*), parameter :: lengths(13) = [character(10) :: 'kft', 'km', 'cm', 'in', '0.1in', '0.1 in', 'yd', 'X', &
+         'ft x 100', '10 m', 'm/ft', 'deg', "'"]
+      character(*), parameter :: angles(18) = [character(10) :: 'gon', 'grad', 'g', 'mrad', 'mil', 'mils', '%', 'per cent', &
+         'percent', 'rev', 'arcmin', "'", 'deg/30m', 'centesimal', 'm', 'X', 'deg rad', 'RKB']
+      integer :: i
+      do i = 1, size(lengths)
+         call refuse(lengths(i), 'MD ('//trim(lengths(i))//');Inc;Azi|0;0;90|500;10;90', 'survey: md in ')
+      end do
+      call refuse('a bare kft', 'MD_kft;Inc;Azi|0;0;90|500;10;90', 'survey: md in ')
+      do i = 1, size(angles)
+         call refuse(angles(i), 'MD;Inc ['//trim(angles(i))//'];Azi|0;0;90|500;10;90', 'survey: inc in ')
+         call refuse(angles(i), 'MD;Inc;Azi ('//trim(angles(i))//')|0;0;90|500;10;90', 'survey: azi in ')
+      end do
+   end subroutine test_unknown_units
+
+   !> Above the headings as below them, and not against them.
+   subroutine test_unit_rows()
+      character(*), parameter :: head = 'MD,Inc,Azi|', feet = '0,0,90|1640.419947507,10,90.25|4050.1968504,45.5,100', &
+                                 metres = '0,0,90|500,10,90.25|1234.5,45.5,100'
+      character(*), parameter :: feet_rows(7) = [character(20) :: 'ft,deg,deg', '(ft),(deg),(deg)', 'ftKB,deg,deg', 'ft,,', &
+         '"ft","deg","deg"', 'ft RKB,deg,deg TN', 'feet,'//char(176)//','//char(176)]
+      character(*), parameter :: wrong_rows(9) = [character(20) :: 'kft,deg,deg', '(kft),(deg),(deg)', 'km,deg,deg', 'm,gon,gon', &
+         'm,%,deg', 'm,mrad,mrad', 'm,mil,mil', 'm,xyz,deg', '0.1in,deg,deg']
+      integer :: i
+      do i = 1, size(feet_rows)
+         call accept('above: '//feet_rows(i), trim(feet_rows(i))//'|'//head//feet)
+         call accept('below: '//feet_rows(i), head//trim(feet_rows(i))//'|'//feet)
+      end do
+      do i = 1, size(wrong_rows)
+         call refuse('above: '//wrong_rows(i), trim(wrong_rows(i))//'|'//head//metres, '; convert it')
+         call refuse('below: '//wrong_rows(i), head//trim(wrong_rows(i))//'|'//metres, '; convert it')
+      end do
+      call accept('above, with titles', 'Well A, 2024||ft,deg,deg||MD,Inc,Azi|'//feet)
+      call accept('above, by blanks', 'ft deg deg|MD Inc Azi|0 0 90|1640.419947507 10 90.25|4050.1968504 45.5 100')
+      call accept('a datum alone', 'RKB,deg,deg|'//head//metres)
+      call refuse('two units', 'MD (ft),Inc,Azi|m,deg,deg|'//feet, 'names another unit')
+   end subroutine test_unit_rows
+
+   !> What a title says counts where nothing else tells, unless the deck gives the units of this very file.
+   subroutine test_titles()
+      character(*), parameter :: rows = 'MD,Inc,Azi|0,0,90|500,10,90.25|1234.5,45.5,100'
+      call refuse('feet', 'Depths in ft|'//rows, 'speaks of feet')
+      call refuse('feet in a comment', '# depth unit: feet|'//rows, 'speaks of feet')
+      call refuse('gons', 'Angles in gon|'//rows, 'speaks of other angles')
+      call refuse('metres', 'All depths in metres|'//rows, 'speaks of metres', units=field_units())
+      call accept('told by the deck', 'KB elevation 82 ft|'//rows, units_told=.true.)
+      call accept('told by the heading', 'KB elevation 82 ft|MD (m),Inc,Azi|0,0,90|500,10,90.25|1234.5,45.5,100')
+      call accept('of the same', 'Depths in metres|'//rows)
+   end subroutine test_titles
+
+   !> 1,234 may be one thousand or one: the table must tell.
+   subroutine test_thousands()
+      call accept('both marks', 'md;inc;azi|0;0;90|500;10;90.25|1,234.5;45.5;100')
+      call accept('both marks, the other way', 'md;inc;azi|0;0;90|500;10;90,25|1.234,5;45,5;100')
+      call accept('three decimals', 'md;inc;azi|0,000;0,000;90,000|500,000;10,000;90,250|1234,500;45,500;100,000')
+      call refuse('whole thousands', 'md;inc;azi|0;0;90|1,000;10.5;90.25|2,000;45.5;100', 'may have a decimal comma or one between')
+      call refuse('whole numbers', 'md;inc;azi|0;0;90|1,000;10;90|2,000;45;100', 'may have a decimal comma or one between')
+      call refuse('points', 'md;inc;azi|0;0;90|1.000;10,5;90,25|2.000;45,5;100', 'may have a decimal point or one between')
+      call refuse('quoted', 'md,inc,azi|0,0,"90,25"|"1,000",10,90|"2,000",45,100', 'may have a decimal comma or one between')
+      call refuse('blanks between', 'md;inc;azi|0;0;90|1 234,5;45,5;100', "md = '1 234,5' is no number")
+      call refuse('apostrophes', "md;inc;azi|0;0;90|1'234.5;45.5;100", 'is no number')
+      call refuse('between blanks', 'md inc azi|0 0 90|1 034.5 45.5 100', 'number in column 4')
+      call refuse('wrong places', 'md;inc;azi|0;0;90|12,34.5;45.5;100', "md = '12,34.5' is no number")
+      call refuse('two commas', 'md;inc;azi|0;0;90|1,,5;45.5;100', "md = '1,,5' is no number")
+   end subroutine test_thousands
+
+   !> Each number belongs to one heading.
+   subroutine test_widths()
+      call accept('a remark behind', 'md inc azi|0 0 90 tie-on|500 10 90.25|1234.5 45.5 100 TD')
+      call accept('columns without names', 'md,,inc,,azi,,|0,1,0,1,90|500,,10,,90.25|1234.5,,45.5,,100,,,')
+      call accept('commas in headings', 'MD, m;Inc, deg;Azi, deg|0;0;90|500;10;90.25|1234.5;45.5;100', from=';', to=tab)
+      call refuse('decimal commas between commas', 'md,inc,azi|0,0,0,0,90,0|500,5,10,5,90,25', 'number in column 4')
+      call refuse('numbered rows', 'md,inc,azi|1,0,0,90|2,500,10,90', 'number in column 4')
+      call refuse('an empty cell between blanks', 'md inc azi dls|0 0 90 0|500 90 1', 'has 3 columns, the header names 4')
+      call refuse('units among headings', 'MD m Inc deg TVD m|0 0 0|500 10 499', 'has 3 columns, the header names 6')
+   end subroutine test_widths
+
+   !> A row without a value has no station, whichever of the three it is; a vertical hole needs no azimuth.
+   subroutine test_nulls()
+      character(*), parameter :: head = '~V|VERS. 2.0 :|WRAP. NO :|~W|NULL. -999.25 :|~C|DEPT.M :|DEVI.DEG :|HAZI.DEG :|~A|'
+      call accept('no azimuth', head//'0 0 90|500 10 90.25|700 60 -999.25|1234.5 45.5 100')
+      call accept('no inclination', head//'0 0 90|500 10 90.25|700 -999.25 90|1234.5 45.5 100')
+      call accept('nothing', head//'0 0 90|500 10 90.25|-999.25 -999.25 -999.25|1234.5 45.5 100')
+      call accept('glued', '~V|WRAP.NO :|~W|NULL.-999.25 :|~C|DEPT.M :|DEVI.DEG :|HAZI.DEG :|~A|0 0 90|500 10 90.25|'// &
+                  '700 60 -999.25|1234.5 45.5 100')
+      call accept('vertical', head//'0 0 -999.25|500 10 90.25|1234.5 45.5 100', first_azimuth=0.0_wp)
+   end subroutine test_nulls
+
+   subroutine test_las_forms()
+      character(*), parameter :: well = '~W|STRT.M 0 :|~C|', rows = '0 0 90|500 10 90.25|1234.5 45.5 100', &
+                                 feet = '0 0 90|1640.419947507 10 90.25|4050.1968504 45.5 100'
+      call refuse('tenths of an inch', '~V|WRAP. NO :|'//well//'DEPT.0.1IN :|DEVI.DEG :|HAZI.DEG :|~A|'//rows, "md in '0.1in'")
+      call refuse('tenths of an inch, short', '~V|WRAP. NO :|'//well//'DEPT..1IN :|DEVI.DEG :|HAZI.DEG :|~A|'//rows, "md in '.1in'")
+      call refuse('thousands', '~V|WRAP. NO :|'//well//'DEPT.1000 FT :|DEVI.DEG :|HAZI.DEG :|~A|'//rows, "md in '1000'")
+      call refuse('per cent', '~V|WRAP. NO :|'//well//'DEPT.M :|DEVI.% :|HAZI.DEG :|~A|'//rows, "inc in '%'")
+      call accept('kelly bushing', '~V|WRAP. NO :|'//well//'DEPT.FTKB :|DEVI.DEG :|HAZI.DEG :|~A|'//feet)
+      call accept('unit of the first depth', '~V|WRAP. NO :|~W|STRT.FT 0 :|~C|DEPT. :|DEVI. :|HAZI. :|~A|'//feet)
+      call accept('no unit', '~V|WRAP. NO :|~W|STRT. 0 :|~C|DEPT. :|DEVI. :|HAZI. :|~A|'//rows)
+      call accept('3.0, commas', '~V|VERS. 3.0 :|WRAP. NO :|DLM. COMMA :|'//well//'DEPT.M :|DEVI.DEG :|HAZI.DEG :|~A|'// &
+                  '0,0,90|500,10,90.25|1234.5,45.5,100')
+      call refuse('glued WRAP', '~V|WRAP.YES :|'//well//'DEPT.M :|DEVI.DEG :|HAZI.DEG :|~A|0|0 90', 'wrapped rows')
+      call refuse('a value missing', '~V|WRAP. NO :|'//well//'DEPT.M :|DEVI.DEG :|HAZI.DEG :|GR.GAPI :|~A|0 0 90', 'has 3 columns')
+   end subroutine test_las_forms
+
+   !> LF, CR LF and CR, also where one falls between two pieces in which a file is read.
+   subroutine test_line_ends()
+      character(*), parameter :: ends(4) = [character(3) :: achar(10), achar(13)//achar(10), achar(13), &
+                                            achar(13)//achar(13)//achar(10)]
+      integer, parameter :: piece = 65536
+      character(:), allocatable :: eol
+      integer :: i, length, unit
+      do i = 1, size(ends)
+         eol = trim(ends(i))
+         do length = piece - 3, piece + 1
+            open (newunit=unit, file=path, access='stream', form='unformatted', status='replace')
+            write (unit) '#'//repeat('x', length - 1)//eol//'md,inc,azi'//eol//'0,0,90'//eol//'500,10,90.25'//eol//eol// &
+               '1234.5,45.5,100'
+            close (unit)
+            call check('ends '//achar(iachar('0') + i), si_units(), .false.)
+         end do
+      end do
+   end subroutine test_line_ends
+
+   !> The way that is quick gives the very double that the processor's own reading gives.
+   subroutine test_last_digit()
+      integer, parameter :: tries = 20000, digits = 17
+      character(40) :: text
+      real(wp) :: number, expected, draw(3)
+      integer :: i, length, point, worst
+      logical :: legal
+      worst = 0
+      do i = 1, tries
+         call random_number(draw)
+         length = 1 + int(draw(1)*digits)
+         point = int(draw(2)*(length + 1))
+         write (text, '(f0.17)') draw(3)                   ! digits behind the point
+         text = text(index(text, '.') + 1:)
+         text = text(:point)//'.'//text(point + 1:length)
+         if (point > length/2) text = '-'//text
+         read (text, *) expected
+         call read_real(trim(text), number, legal)
+         call assertTrue(legal, message=text)
+         if (abs(number - expected) > 0.0_wp) worst = worst + 1
+      end do
+      call assertEqual(0, worst, message='numbers that differ')
+   end subroutine test_last_digit
+
    !> Reads the table with lines parted by | and looks for the three stations.
-   subroutine accept(what, table, from, to, units)
+   subroutine accept(what, table, from, to, units, units_told, first_azimuth)
       character(*), intent(in) :: what, table
       character, intent(in), optional :: from, to      !< letters to change first
       type(unit_system_type), intent(in), optional :: units
-      type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      logical, intent(in), optional :: units_told
+      real(wp), intent(in), optional :: first_azimuth  !< of the first station [deg]; absent: 90
       type(unit_system_type) :: system
-      logical :: sound
-      real(wp), parameter :: round_off = 1.0e-7_wp     ! of the feet written above
+      logical :: told
       system = si_units()
       if (present(units)) system = units
+      told = .false.
+      if (present(units_told)) told = units_told
       call write_table(table, from, to)
-      call read_survey_file(path, system, stations, sound, faults)
+      call check(what, system, told, first_azimuth)
+   end subroutine accept
+
+   !> The three stations in the table that was written.
+   subroutine check(what, units, units_told, first_azimuth)
+      character(*), intent(in) :: what
+      type(unit_system_type), intent(in) :: units
+      logical, intent(in) :: units_told
+      real(wp), intent(in), optional :: first_azimuth
+      type(station_list_type) :: stations
+      type(fault_list_type) :: faults
+      logical :: sound
+      real(wp) :: azimuth
+      real(wp), parameter :: round_off = 1.0e-7_wp     ! of the feet written above
+      azimuth = 90.0_wp
+      if (present(first_azimuth)) azimuth = first_azimuth
+      call read_survey_file(path, units, stations, sound, faults, units_told)
       call assertTrue(sound, message=what)
       if (faults%count > 0) call assertEqual('', faults%items(1)%message, message=what)
       call assertEqual(3, size(stations%md), message=what)
@@ -149,16 +345,20 @@ contains
       call assertTrue(stations%has_azimuth, message=what)
       call assertEqual([0.0_wp, 500.0_wp, 1234.5_wp], stations%md, round_off, message=what)
       call assertEqual([0.0_wp, 10.0_wp, 45.5_wp], stations%inclination/degree, round_off, message=what)
-      call assertEqual([90.0_wp, 90.25_wp, 100.0_wp], stations%azimuth/degree, round_off, message=what)
-   end subroutine accept
+      call assertEqual([azimuth, 90.25_wp, 100.0_wp], stations%azimuth/degree, round_off, message=what)
+   end subroutine check
 
-   subroutine refuse(what, table, expected)
+   subroutine refuse(what, table, expected, units)
       character(*), intent(in) :: what, table, expected
+      type(unit_system_type), intent(in), optional :: units
       type(station_list_type) :: stations
       type(fault_list_type) :: faults
+      type(unit_system_type) :: system
       logical :: sound
+      system = si_units()
+      if (present(units)) system = units
       call write_table(table)
-      call read_survey_file(path, si_units(), stations, sound, faults)
+      call read_survey_file(path, system, stations, sound, faults)
       call assertFalse(sound, message=what)
       call assertTrue(faults%count > 0, message=what)
       if (faults%count == 0) return

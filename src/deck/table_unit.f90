@@ -1,0 +1,182 @@
+!> Units as people write them beside the name of a column: 'ft', '(ftKB)', '[m RKB]', 'deg TN', a degree sign.
+module dg_table_unit
+   use dg_kinds, only: wp
+   use dg_constants, only: degree
+   use dg_text, only: lower_case
+   implicit none
+   private
+   public :: read_unit, resembles_unit
+
+   !> Feet of 1959 and of the United States' surveys (NIST SP 811) [m].
+   real(wp), parameter :: foot = 0.3048_wp, survey_foot = 1200.0_wp/3937.0_wp
+
+   !> From where depths count. Said beside a unit, written on to it, or alone; no unit.
+   character(*), parameter :: datums(26) = [character(5) :: 'rkb', 'kb', 'rt', 'brt', 'bkb', 'brkb', 'df', 'bdf', 'gl', 'bgl', &
+      'gr', 'msl', 'amsl', 'bmsl', 'sl', 'ss', 'rte', 'kbe', 'dfe', 'gle', 'lat', 'md', 'ah', 'ahd', 'ref', 'datum']
+   !> The same in words.
+   character(*), parameter :: datum_words(19) = [character(7) :: 'from', 'below', 'above', 'to', 'the', 'rotary', 'table', &
+      'kelly', 'bushing', 'drill', 'rig', 'floor', 'derrick', 'ground', 'level', 'mean', 'sea', 'along', 'hole']
+   !> From which north azimuths count. The letters are taken for it only beside a unit: alone, g stands for gons.
+   character(*), parameter :: norths(8) = [character(8) :: 'tn', 'gn', 'mn', 'true', 'grid', 'magnetic', 'mag', 'north']
+   character(*), parameter :: north_letters(3) = ['n', 't', 'g']
+   !> Beginnings of a word that goes on with a datum or a north: 'ftkb', 'mrt', 'degtn'.
+   character(*), parameter :: stems(9) = [character(6) :: 'usft', 'feet', 'ft', 'metres', 'meters', 'metre', 'meter', 'm', 'deg']
+   !> Units that are not converted here but tell that a row is one of units.
+   character(*), parameter :: other_lengths(17) = [character(7) :: 'km', 'hm', 'dm', 'cm', 'mm', 'in', 'inch', 'inches', 'yd', &
+      'yard', 'yards', 'mi', 'mile', 'miles', 'fathom', 'kft', '0.1in']
+   character(*), parameter :: other_angles(17) = [character(7) :: 'gon', 'gons', 'grad', 'grads', 'grade', 'grades', 'dms', &
+      'turn', 'turns', 'rev', 'mrad', 'mil', 'mils', '%', 'pct', 'percent', 'permil']
+
+contains
+
+   !> What a text says of the unit of a column: its SI value [m or rad], 0 where it names none. A datum or a north beside it does
+   !> not count. Not `known` is whatever else stands there: taken for no unit, it would make wrong numbers of right ones.
+   pure subroutine read_unit(text, angle, value, known)
+      character(*), intent(in) :: text
+      logical, intent(in) :: angle     !< .true. for a column of angles, else lengths are looked for
+      real(wp), intent(out) :: value
+      logical, intent(out) :: known
+      character(:), allocatable :: plain, word
+      real(wp) :: found
+      logical :: of_surveys, letters
+      integer :: first, last, k
+      plain = plain_words(text)
+      value = 0.0_wp
+      known = .true.
+      of_surveys = .false.
+      letters = .false.
+      first = 1
+      do while (first <= len(plain))
+         last = first + index(plain(first:)//' ', ' ') - 2
+         word = plain(first:last)
+         first = last + 2
+         if (word == '') cycle
+         found = unit_of(word, angle)
+         do k = 1, size(stems)
+            if (found > 0.0_wp .or. is_datum(word, angle)) exit
+            if (index(word, trim(stems(k))) /= 1) cycle
+            if (is_tail(word(len_trim(stems(k)) + 1:), angle)) found = unit_of(trim(stems(k)), angle)
+         end do
+         if (found > 0.0_wp) then
+            if (value > 0.0_wp .and. abs(found - value) > 0.0_wp) known = .false.      ! two units are none
+            value = found
+         else if (.not. angle .and. any(word == [character(6) :: 'us', 'survey'])) then
+            of_surveys = .true.
+         else if (angle .and. any(north_letters == word)) then
+            letters = .true.
+         else if (.not. is_datum(word, angle)) then
+            known = .false.
+         end if
+      end do
+      if (of_surveys) then
+         if (abs(value - foot) > 0.0_wp .and. abs(value - survey_foot) > 0.0_wp) known = .false.
+         value = survey_foot
+      end if
+      if (letters .and. value <= 0.0_wp) known = .false.
+      if (.not. known) value = 0.0_wp
+   end subroutine read_unit
+
+   !> Whether a cell looks like a unit for such a column, one that is converted here or not: it is in brackets, or one of those
+   !> that we know by name.
+   pure function resembles_unit(cell, angle) result(is)
+      character(*), intent(in) :: cell
+      logical, intent(in) :: angle
+      logical :: is
+      character(:), allocatable :: plain
+      real(wp) :: value
+      logical :: known
+      is = .false.
+      if (len_trim(cell) == 0) return
+      call read_unit(cell, angle, value, known)
+      plain = trim(adjustl(lower_case(cell)))
+      is = value > 0.0_wp .or. (scan(plain(1:1), '([') == 1 .and. scan(plain, ')]', back=.true.) == len(plain))
+      if (angle) is = is .or. any(other_angles == trim(plain_words(cell)))
+      if (.not. angle) is = is .or. any(other_lengths == trim(plain_words(cell)))
+   end function resembles_unit
+
+   !> Small letters with single blanks for brackets and marks; a degree sign, in UTF-8 or Latin 1, is the word for it.
+   pure function plain_words(text) result(plain)
+      character(*), intent(in) :: text
+      character(:), allocatable :: plain
+      character(*), parameter :: marks = '()[]{}<>,;:_-/'//achar(9)   ! no quotes: those are feet and inches
+      !> Degree sign, masculine ordinal and ring above, all used for degrees.
+      character(2), parameter :: signs(3) = [char(194)//char(176), char(194)//char(186), char(203)//char(154)]
+      character(*), parameter :: latin_sign = char(176)
+      character :: letter
+      integer :: i
+      plain = ''
+      i = 0
+      do while (i < len(text))
+         i = i + 1
+         letter = lower_case(text(i:i))
+         if (i < len(text)) then
+            if (any(signs == text(i:i + 1))) then
+               plain = plain//' deg '
+               i = i + 1
+               cycle
+            end if
+            if (letter == '.' .and. scan(text(i + 1:i + 1), ' )]') == 1) letter = ' '     ! 'deg.', 'ft.)'
+         else if (letter == '.') then
+            letter = ' '
+         end if
+         if (letter == latin_sign) then
+            plain = plain//' deg '
+         else if (scan(letter, marks) == 1 .or. letter == ' ') then
+            plain = plain//' '
+         else
+            plain = plain//letter
+         end if
+      end do
+      plain = trim(adjustl(plain))
+   end function plain_words
+
+   !> SI value of a unit by its name in small letters [m or rad]; 0 where it is none that is converted.
+   pure function unit_of(name, angle) result(value)
+      character(*), intent(in) :: name
+      logical, intent(in) :: angle
+      real(wp) :: value
+      value = 0.0_wp
+      if (angle) then
+         select case (name)
+         case ('deg', 'degs', 'degree', 'degrees', 'dega'); value = degree
+         case ('rad', 'radian', 'radians'); value = 1.0_wp
+         case default
+         end select
+      else
+         select case (name)
+         case ('ft', 'f', 'feet', 'foot'); value = foot
+         case ('usft', 'ftus'); value = survey_foot
+         case ('m', 'meter', 'metre', 'meters', 'metres'); value = 1.0_wp
+         case default
+         end select
+      end if
+   end function unit_of
+
+   !> Whether a word says from where a depth counts, or an azimuth.
+   pure function is_datum(word, angle) result(is)
+      character(*), intent(in) :: word
+      logical, intent(in) :: angle
+      logical :: is
+      if (angle) then
+         is = any(norths == word)
+      else
+         is = any(datum_words == word) .or. is_tail(word, angle)
+      end if
+   end function is_datum
+
+   !> Whether the rest of a word is one or two such: 'mdrkb' in 'mmdrkb', 'n' in 'degn'.
+   pure function is_tail(rest, angle) result(is)
+      character(*), intent(in) :: rest
+      logical, intent(in) :: angle
+      logical :: is
+      integer :: cut
+      if (angle) then
+         is = any(norths == rest) .or. any(north_letters == rest)
+         return
+      end if
+      is = any(datums == rest)
+      do cut = 1, len(rest) - 1
+         is = is .or. (any(datums == rest(:cut)) .and. any(datums == rest(cut + 1:)))
+      end do
+   end function is_tail
+end module dg_table_unit
