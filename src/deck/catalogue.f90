@@ -5,7 +5,7 @@ module dg_catalogue
    use dg_deck_number, only: read_real
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: key_rule_type, unit_factor, unit_label, unit_none
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
    use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
@@ -23,6 +23,8 @@ module dg_catalogue
    character(*), parameter :: numeric_keys(11) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
       'joint_length', 'joint_spacing', 'yield', 'makeup_torque']
    character(*), parameter :: kind_of_grades = 'grade'
+   !> Lists of entries in which a name is looked for, so that a catalogue of many thousands takes no longer an entry.
+   integer, parameter :: buckets = 10007, spread_factor = 31
    !> Columns of texts, and those that no component needs.
    integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3
 
@@ -70,21 +72,24 @@ contains
       if (is) path = 'input/'//catalogue_name
    end subroutine find_catalogue
 
-   !> Reads the table `path` with all its faults.
-   subroutine read_catalogue(path, catalogue, faults)
+   !> Reads the table `path` with all its faults. Two rows of one name, one of them a grade or not, leave open which is meant: a
+   !> fault, too.
+   subroutine read_catalogue(path, catalogue, faults, asked)
       character(*), intent(in) :: path
       type(catalogue_type), intent(out) :: catalogue
       type(fault_list_type), intent(inout) :: faults
+      type(fault_type), intent(in), optional :: asked   !< where the deck names the file, for one that cannot be read
       type(text_type), allocatable :: lines(:), fields(:)
       character(:), allocatable :: failure, text
-      integer, allocatable :: columns(:)
+      integer, allocatable :: columns(:), line_of(:)
       real(wp), allocatable :: factors(:)
       integer :: line, n
       logical :: has_header
       catalogue%path = path
       call read_lines(path, lines, failure)
       allocate (catalogue%entries(size(lines)))
-      if (failure /= '') call add_fault(faults, path, 0, 'catalogue '//failure)
+      allocate (line_of(size(lines)), source=0)
+      if (failure /= '') call add_unreadable(faults, path, 'catalogue '//failure, asked)
       has_header = .false.
       n = 0
       do line = 1, size(lines)
@@ -97,11 +102,44 @@ contains
             if (.not. any(columns == column_name)) exit
          else
             n = n + 1
+            line_of(n) = line
             call read_entry(path, line, fields, columns, factors, catalogue%entries(n), faults)
          end if
       end do
       catalogue%entries = catalogue%entries(:n)
+      call check_names(catalogue, line_of, faults)
    end subroutine read_catalogue
+
+   !> Entries of one name, letter case and number of blanks aside, grades among themselves.
+   subroutine check_names(catalogue, line_of, faults)
+      type(catalogue_type), intent(in) :: catalogue
+      integer, intent(in) :: line_of(:)                 !< of each entry
+      type(fault_list_type), intent(inout) :: faults
+      integer, allocatable :: next(:)
+      integer :: heads(0:buckets - 1)
+      integer :: i, j, k, bucket
+      character(:), allocatable :: name
+      allocate (next(size(catalogue%entries)))
+      heads = 0
+      do i = 1, size(catalogue%entries)
+         name = plain(catalogue%entries(i)%name)
+         if (name == '') cycle
+         bucket = 0
+         do k = 1, len(name)
+            bucket = modulo(bucket*spread_factor + iachar(name(k:k)), buckets)
+         end do
+         j = heads(bucket)
+         do while (j > 0)
+            if (plain(catalogue%entries(j)%name) == name .and. &
+                ((catalogue%entries(j)%kind == kind_of_grades) .eqv. (catalogue%entries(i)%kind == kind_of_grades))) exit
+            j = next(j)
+         end do
+         if (j > 0) call add_fault(faults, catalogue%path, line_of(i), 'catalogue: '//quoted(catalogue%entries(i)%name)// &
+                                   ' stands in line '//to_text(line_of(j))//' already; keep one')
+         next(i) = heads(bucket)
+         heads(bucket) = i
+      end do
+   end subroutine check_names
 
    !> What each column holds: the place of its key among `numeric_keys`, or one of the texts; and the SI value of its unit.
    subroutine read_header(path, line, fields, columns, factors, faults)

@@ -5,7 +5,7 @@ module dg_deck_catalogue
    use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, find_catalogue, find_entry, kind_of_grades, &
                            number_of, numeric_keys, read_catalogue
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, rule_index, text_of
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_fault_list, only: add_fault, fault_at, fault_list_type, fault_type
    use dg_text, only: append_text, quoted, suggestion
    implicit none
    private
@@ -19,14 +19,18 @@ contains
       type(checked_group_type), intent(inout) :: groups(:)
       type(fault_list_type), intent(inout) :: faults
       type(catalogue_type) :: catalogue
+      type(fault_type) :: asked
       character(:), allocatable :: named, file
       integer :: i, before
       logical :: tried, sound
       named = ''
+      asked = fault_at(path, 0, '')
       tried = .false.
       sound = .false.
       do i = 1, size(groups)
-         if (groups(i)%name == 'job') named = text_of(groups(i), 'catalogue_file', '')
+         if (groups(i)%name /= 'job') cycle
+         named = text_of(groups(i), 'catalogue_file', '')
+         if (named /= '') asked = fault_at(path, line_of(groups(i), 'catalogue_file'), 'group &job: catalogue_file')
       end do
       do i = 1, size(groups)
          if (groups(i)%name /= 'component') cycle
@@ -40,7 +44,8 @@ contains
                               ' of the environment names, nor input/'//catalogue_name//'; name it by catalogue_file in &job')
             else
                before = faults%count
-               call read_catalogue(file, catalogue, faults)
+               if (named == '') asked = fault_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
+               call read_catalogue(file, catalogue, faults, asked)
                sound = faults%count == before
             end if
          end if

@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('values', test_values))
       call suite%addTest(TestMethod('later_versions', test_later))
       call suite%addTest(TestMethod('survey', test_survey))
+      call suite%addTest(TestMethod('files_that_are_not_there', test_missing_files))
       call suite%addTest(TestMethod('holes', test_holes))
       call suite%addTest(TestMethod('components', test_components))
       call suite%addTest(TestMethod('load_cases', test_load_cases))
@@ -150,6 +151,23 @@ contains
       call refuse("inc = 0.0, 0.0, 30.0", "survey_file = 'x.csv'", 4, 'both survey_file and md are given')
       call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 175", 2, 'group &trajectory: survey:')
    end subroutine test_survey
+
+   !> Where the deck names a file that cannot be read there is the fault: line, group and key.
+   subroutine test_missing_files()
+      character(*), parameter :: absent = ' cannot be opened (No such file or directory)'
+      character(:), allocatable :: deck
+      deck = replaced(replaced(good_deck(), "inc = 0.0, 0.0, 30.0", ""), "azi = 3*10.0", "")
+      call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = 'no.csv'"), 3, &
+                       'group &trajectory: survey_file: ')
+      call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = 'no.csv'"), 3, 'no.csv: survey file'//absent)
+      call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = '.'"), 3, 'cannot be read (it is a folder)')
+      deck = replaced(replaced(good_deck(), "'a deck'", "'a deck', catalogue_file = 'no.csv'"), "od = 171.45", "catalogue = 'x'")
+      call refuse_text(deck, 1, 'group &job: catalogue_file: ')
+      call refuse_text(deck, 1, 'no.csv: catalogue'//absent)
+      deck = good_deck()//"&legacy file = 'no.txt', label = 'other', case = 's' /"//newline
+      call refuse_text(deck, 21, 'group &legacy: file: ')
+      call refuse_text(deck, 21, 'no.txt: legacy file'//absent)
+   end subroutine test_missing_files
 
    subroutine test_holes()
       call refuse("md_top = 400.0", "md_top = 450.0", 8, 'md_top = 450 m leaves a gap below the section above (line 6)')

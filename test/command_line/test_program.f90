@@ -233,6 +233,10 @@ contains
                   3, "inc = 'thirty' is no number")
       call survey(['md,inc,azi            ', '0,0,10                ', '900,30                '], 3, 'no value for azi')
       call survey(['md,inc,azi            ', '0,0,10                ', '900,190,10            '], 3, 'inc = 190 is out of range')
+      call survey(['md,inc,azi            ', '0,0,10                ', '900,30,-999.25        '], 3, &
+                  'azi = -999.25 is out of range; needs a number, -360 to 720 deg')
+      call survey(['md,inc,azi            ', '0,0,10                ', '60000,30,10           '], 3, &
+                  'md = 60000 is out of range; needs a number, 0 to 50000 m')
       call survey(['depth,inc,azi         ', '0,0,10                ', '900,30,10             '], 1, 'the header names no md')
    end subroutine test_survey_file
 
@@ -251,8 +255,8 @@ contains
       ! the table must be there when the deck runs, and writing a deck empties the folder: run twice
       run = run_deck_text(text, '--check')
       call assertEqual(2, run%status, message='no table')
-      call assertTrue(index(run%diagnostics, scratch//'/wells/path.csv: survey file cannot be opened') == 1, &
-                      message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, deck_path//':3: group &trajectory: survey_file: '//scratch// &
+                            '/wells/path.csv: survey file cannot be opened (') == 1, message=run%diagnostics)
       call execute_command_line('mkdir -p '//scratch//'/wells')
       allocate (lines(0))
       do i = 1, size(rows)

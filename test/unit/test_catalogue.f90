@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('names', test_names))
       call suite%addTest(TestMethod('units', test_units, tearDown=remove_scratch))
       call suite%addTest(TestMethod('faults', test_faults, tearDown=remove_scratch))
+      call suite%addTest(TestMethod('names_twice', test_twice, tearDown=remove_scratch))
    end function catalogue_suite
 
    subroutine remove_scratch()
@@ -144,6 +145,21 @@ contains
       call assertTrue(index(faults%items(5)%message, "od = '1e9'") > 0, message=faults%items(5)%message)
       call assertEqual(3, faults%items(3)%line)
    end subroutine test_faults
+
+   !> Which of two rows of one name is meant nobody can tell; a grade may be called as a pipe is.
+   subroutine test_twice()
+      type(catalogue_type) :: catalogue
+      type(fault_list_type) :: faults
+      call write_lines([character(60) :: 'name,kind,od_in', 'DP 5,drillpipe,5', 'L80,grade,', 'l80,casing,7', &
+                                         ' dp  5 ,drillpipe,5.1', &
+                                         'DP 6,drillpipe,6', 'L80,Grade,', 'l80,grade,'])
+      call read_catalogue(scratch, catalogue, faults)
+      call assertEqual(3, faults%count)
+      call assertTrue(index(faults%items(1)%message, "'dp  5' stands in line 2 already") > 0, message=faults%items(1)%message)
+      call assertEqual(5, faults%items(1)%line)
+      call assertTrue(index(faults%items(2)%message, "'L80' stands in line 4 already") > 0, message=faults%items(2)%message)
+      call assertTrue(index(faults%items(3)%message, "'l80' stands in line 3 already") > 0, message=faults%items(3)%message)
+   end subroutine test_twice
 
    function number(catalogue, name, key) result(value)
       type(catalogue_type), intent(in) :: catalogue
