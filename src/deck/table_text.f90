@@ -10,6 +10,8 @@ module dg_table_text
 
    character(*), parameter :: tab = achar(9)
    integer, parameter :: first_capacity = 16
+   !> gfortran 12 compares a letter with a blank by a call of its library, with a code at once.
+   integer, parameter :: blank_code = iachar(' ')
 
    !> The fields of a row, kept in place from row to row: a list of texts would cost more than all else that reading does.
    type :: row_type
@@ -150,7 +152,8 @@ contains
       character(*), intent(in) :: text
       character, intent(in) :: separator
       type(row_type), intent(inout) :: row      !< used again from row to row
-      character :: quote, letter
+      character :: letter
+      integer :: quote          ! code of the one that is open; 0: none
       logical :: was_quoted, blank
       integer :: i, n, start
       if (.not. allocated(row%first)) allocate (row%first(first_capacity), row%last(first_capacity))
@@ -160,26 +163,27 @@ contains
          allocate (character(2*len(text)) :: row%text)
       end if
       row%count = 0
-      quote = ' '
+      quote = 0
       was_quoted = .false.
       blank = .true.
       n = 0
       start = 1
       do i = 1, len(text)
          letter = text(i:i)
-         if (quote /= ' ' .and. letter == quote) then
-            quote = ' '
-         else if (quote == ' ' .and. blank .and. (letter == '"' .or. letter == '''')) then
-            quote = letter
+         if (quote > 0 .and. iachar(letter) == quote) then
+            quote = 0
+         else if (quote == 0 .and. blank .and. (letter == '"' .or. letter == '''')) then
+            quote = iachar(letter)
             was_quoted = .true.
-         else if (quote == ' ' .and. (letter == separator .or. (separator == ' ' .and. letter == tab))) then
+         else if (quote == 0 .and. (letter == separator .or. (iachar(separator) == blank_code .and. letter == tab))) then
             call close_field(separator, was_quoted, start, n, row)
             was_quoted = .false.
             blank = .true.
          else
             n = n + 1
-            row%text(n:n) = merge(' ', letter, letter == tab)
-            blank = blank .and. row%text(n:n) == ' '
+            if (letter == tab) letter = achar(blank_code)
+            row%text(n:n) = letter
+            if (iachar(letter) /= blank_code) blank = .false.
          end if
       end do
       call close_field(separator, was_quoted, start, n, row)
@@ -198,14 +202,14 @@ contains
       last = n
       start = n + 1
       do while (first <= last)
-         if (row%text(first:first) /= ' ') exit
+         if (iachar(row%text(first:first)) /= blank_code) exit
          first = first + 1
       end do
       do while (last >= first)
-         if (row%text(last:last) /= ' ') exit
+         if (iachar(row%text(last:last)) /= blank_code) exit
          last = last - 1
       end do
-      if (last < first .and. separator == ' ' .and. .not. was_quoted) return
+      if (last < first .and. iachar(separator) == blank_code .and. .not. was_quoted) return
       if (row%count == size(row%first)) then
          allocate (longer(2*row%count))
          longer(:row%count) = row%first

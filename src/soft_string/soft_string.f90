@@ -150,8 +150,9 @@ contains
       bit = model%cases(case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         arc = 1
          do i = 1, size(md)
-            arc = arc_at(model%trajectory, md(i))
+            arc = arc_at(model%trajectory, md(i), near=arc)
             hole = hole_section_at(model%holes, md(i))
             part = component_at(tops, bit - md(i))
             call point_on_arc(model%trajectory%arcs(arc), md(i) - model%trajectory%arcs(arc)%md, position, tangent, curvature)

@@ -73,12 +73,13 @@ contains
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
       associate (profile => result%profile, components => model%strings(string)%components)
+         arc = 1
          do i = 1, n
             do side = 1, 2
                depth = min(max(profile%md(i) + merge(-hair, hair, side == 1), top_md(model%trajectory)), bit)
                part(side) = component_at(tops, bit - depth)
                hole(side) = hole_section_at(model%holes, depth)
-               arc(side) = arc_at(model%trajectory, depth)
+               arc(side) = arc_at(model%trajectory, depth, near=arc(side))
             end do
             along%pressure(i) = mud_pressure(model, profile%tvd(i))
             along%hole_diameter(i) = minval(model%holes(hole)%diameter)

@@ -7,7 +7,7 @@ module dg_minimum_curvature
    use dg_vector, only: cross
    implicit none
    private
-   public :: dogleg_between, chain_of_arcs
+   public :: dogleg_between, chain_arcs
 
    !> Dogleg under which two tangents differ by round-off only and the arc is straight [rad].
    real(wp), parameter :: straight_dogleg = 8.0_wp*epsilon(1.0_wp)
@@ -24,10 +24,10 @@ contains
 
    !> Chain of arcs through unit tangents at increasing depths. The frame starts at the high side (north where
    !> vertical) and is carried without spin. The caller keeps doglegs away from pi, where no arc is defined.
-   pure function chain_of_arcs(md, tangents) result(arcs)
+   pure subroutine chain_arcs(md, tangents, arcs)
       real(wp), intent(in) :: md(:)          !< [m], at least two
       real(wp), intent(in) :: tangents(:, :) !< (3, size(md)), unit
-      type(arc_type) :: arcs(size(md) - 1)
+      type(arc_type), intent(out) :: arcs(:) !< (size(md) - 1)
       real(wp) :: origin(3), lateral(3), t(3), other(3), curvature(3)
       integer :: i
       origin = 0.0_wp
@@ -46,7 +46,7 @@ contains
          call frame_on_arc(arcs(i), arcs(i)%length, t, lateral, other)
          origin = origin + arcs(i)%chord
       end do
-   end function chain_of_arcs
+   end subroutine chain_arcs
 
    !> Sets curvature and normal of an arc from the tangent at its end.
    pure subroutine bend(arc, end_tangent)

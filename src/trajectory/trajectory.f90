@@ -5,7 +5,7 @@ module dg_trajectory
    use dg_constants, only: degree
    use dg_error, only: error_type, raise, status_bad_input
    use dg_arc, only: arc_type, point_on_arc, frame_on_arc, foot_on_arc
-   use dg_minimum_curvature, only: chain_of_arcs, dogleg_between
+   use dg_minimum_curvature, only: chain_arcs, dogleg_between
    use dg_spline_path, only: resample_spline
    use dg_survey, only: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle
    implicit none
@@ -68,10 +68,10 @@ contains
             return
          end if
          allocate (self%arcs(size(fine_md) - 1))
-         self%arcs = chain_of_arcs(fine_md, fine_tangents)
+         call chain_arcs(fine_md, fine_tangents, self%arcs)
       else
          allocate (self%arcs(size(md) - 1))
-         self%arcs = chain_of_arcs(md, tangents)
+         call chain_arcs(md, tangents, self%arcs)
       end if
    end subroutine new_trajectory
 
