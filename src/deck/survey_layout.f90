@@ -159,6 +159,7 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(text_type), allocatable :: names(:), las_units(:)
       character(:), allocatable :: null, failure
+      allocate (names(0), las_units(0))     ! gfortran 12 warns of bounds that are not set else
       call las_table(lines, names, las_units, layout%separator, layout%first_row, null, failure)
       if (failure /= '') then
          sound = .false.
