@@ -59,7 +59,7 @@ contains
       type(layout_type), intent(out) :: layout
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
-      integer :: line, header
+      integer :: line, header, first_station
       sound = .true.
       layout%foreign = ''
       if (is_las(lines)) then
@@ -99,7 +99,8 @@ contains
          layout%first_row = line + 1
       end do
       if (units_told) return
-      do line = 1, header - 1
+      first_station = line
+      do line = 1, first_station - 1
          call check_title(lower_case(lines(line)%text))
       end do
 
@@ -128,7 +129,7 @@ contains
          end do
       end subroutine check_once
 
-      !> A title that names another unit than the numbers would be read in.
+      !> A title, comment or heading of another column that names another unit than the numbers would be read in.
       subroutine check_title(title)
          character(*), intent(in) :: title
          character(*), parameter :: advice = '; name the unit in the heading, as in '

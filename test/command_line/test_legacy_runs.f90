@@ -124,6 +124,8 @@ contains
       call refuse('md,axial|0,150|900,0|450,75', '', file//'4:', 'md = 450 is not below md = 900 of line 3')
       call refuse('md,axial|0,150|450,75|450,0', '', file//'4:', 'depths must increase')
       call refuse('md,axial|0,150|450,abc', '', file//'3:', "axial = 'abc' is no number")
+      call refuse('md;axial|0;150.5|1,000;75|2,000;0', '', file//'3:', "'1,000' may have a decimal comma or one between thousands")
+      call refuse('md;axial|0;150|12,34.5;75|2000;0', '', file//'3:', "md = '12,34.5' is no number")
       call refuse('md,axial|0,150', '', file, 'it has 1 rows of numbers')
       call refuse('', '', file, 'it has 0 rows of numbers')
       call refuse('md,axial,axial|0,150,1|900,0,1', '', file//'1:', 'twice')
@@ -142,7 +144,8 @@ contains
       call refuse(good, " / &legacy label = 'y', file = '../test_legacy_table.txt', case = 'v'", line, "no load case 'v'")
       call refuse(good, " / &legacy label = 'a/b', file = '../test_legacy_table.txt', case = 'u'", line, &
                   'cannot be part of a file name')
-      call refuse(good, " / &legacy label = 'y', file = 'nowhere.csv', case = 'u'", scratch//'/nowhere.csv:', 'legacy file')
+      call refuse(good, " / &legacy label = 'y', file = 'nowhere.csv', case = 'u'", line//' group &legacy: file: '//scratch// &
+                  '/nowhere.csv:', 'legacy file cannot be opened')
       call refuse(good, " / &legacy label = 'y', case = 'u'", line, 'key file is missing')
    end subroutine test_bad_groups
 end module dg_test_legacy_runs
