@@ -122,7 +122,10 @@ def listed():
     yield "survey empty", {**good, "wells/path.csv": ""}, 2, "path.csv", {}
     yield "survey without rows", {**good, "wells/path.csv": "md,inc,azi\n"}, 2, "path.csv", {}
     yield "survey of 5 MB in one line", {**good, "wells/path.csv": SURVEY + "1," * 2_500_000}, 2, "line 8 has more than", {}
-    yield "survey of 5000 columns", {**good, "wells/path.csv": SURVEY.replace("0,0,10", "0,0," + "1," * 5_000)}, 0, "", {}
+    yield "survey of 5000 columns", {**good, "wells/path.csv": SURVEY.replace("\n", ",1" * 5_000 + "\n")}, 0, "", {}
+    yield "survey of 5000 columns without names", {
+        **good, "wells/path.csv": SURVEY.replace("0,0,10", "0,0," + "1," * 5_000)}, 2, "a number in column 4", {}
+    yield "survey of a null azimuth", {**good, "wells/path.csv": SURVEY.replace(",41.0,15", ",41.0,-999.25")}, 2, "path.csv:6", {}
     yield "survey ragged", {**good, "wells/path.csv": SURVEY.replace(",41.0,15", "")}, 2, "path.csv:6", {}
     yield "survey turning back", {**good, "wells/path.csv": SURVEY.replace("600,", "300,")}, 2, "path.csv:6", {}
     yield "output is a file", good, 1, "cannot make the output folder", {"arguments": [*out, "deck.nml"]}
