@@ -1,11 +1,11 @@
-!> Small text tools: letter case, likeness of names, numbers as text with the fewest digits.
+!> Small text tools: letter case, likeness of names, numbers as text with the fewest digits, texts made fit to be shown.
 module dg_text
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    use dg_kinds, only: wp
    implicit none
    private
    public :: text_type, append_text, joined, text_or_nothing
-   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text
+   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, printable, letter_end
 
    !> A text of its own length, for lists of texts.
    type :: text_type
@@ -93,6 +93,69 @@ contains
          if (iachar(shown(i:i)) < iachar(' ') .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
       end do
    end function quoted
+
+   !> A text that every reader of UTF-8 and XML takes: control bytes become blanks, bytes that make no letter '?'.
+   pure function printable(text) result(safe)
+      character(*), intent(in) :: text
+      character(len(text)) :: safe
+      integer :: i, last
+      i = 1
+      do while (i <= len(text))
+         last = letter_end(text, i)
+         if (last == 0) then
+            safe(i:i) = '?'
+            last = i
+         else if (iachar(text(i:i)) < iachar(' ') .or. iachar(text(i:i)) == 127) then
+            safe(i:i) = ' '
+         else
+            safe(i:last) = text(i:last)
+         end if
+         i = last + 1
+      end do
+   end function printable
+
+   !> Last byte of the letter in UTF-8 that begins at byte `first`; 0 where none does (table 3-7 of the Unicode standard, less
+   !> the two that are no characters, U+FFFE and U+FFFF).
+   pure function letter_end(text, first) result(last)
+      character(*), intent(in) :: text
+      integer, intent(in) :: first
+      integer :: last
+      integer :: low, high, k   ! what the second byte may be
+      low = 128
+      high = 191
+      last = first
+      select case (iachar(text(first:first)))
+      case (0:127)
+         return
+      case (194:223); last = first + 1
+      case (224:239); last = first + 2
+      case (240:244); last = first + 3
+      case default
+         last = 0
+         return
+      end select
+      select case (iachar(text(first:first)))
+      case (224); low = 160
+      case (237); high = 159
+      case (240); low = 144
+      case (244); high = 143
+      case default
+      end select
+      if (last > len(text)) then
+         last = 0
+      else if (iachar(text(first + 1:first + 1)) < low .or. iachar(text(first + 1:first + 1)) > high) then
+         last = 0
+      else
+         do k = first + 2, last
+            if (iachar(text(k:k)) < 128 .or. iachar(text(k:k)) > 191) exit
+         end do
+         if (k <= last) then
+            last = 0
+         else if (last == first + 2) then
+            if (text(first:first + 1) == achar(239)//achar(191) .and. iachar(text(last:last)) > 189) last = 0
+         end if
+      end if
+   end function letter_end
 
    !> Least number of letters put in, left out, changed or swapped with a neighbour that turns `a` into
    !> `b` (optimal string alignment; Damerau 1964: these four slips make up nearly all misspellings).

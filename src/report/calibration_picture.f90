@@ -6,8 +6,8 @@ module dg_calibration_picture
    use dg_calibration_file, only: factor_columns
    use dg_calibration_table, only: unknown_text
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, row_tics, series_type, &
-                                start_script
+   use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, results_file, row_tics, &
+                                series_type, start_script
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, to_text
@@ -20,39 +20,48 @@ module dg_calibration_picture
 
 contains
 
-   subroutine calibration_script(name, job, model, calibration, number, lines)
+   !> One calibration with one of its models.
+   subroutine calibration_script(name, job, model, number, place, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      type(calibration_type), intent(in) :: calibration
-      integer, intent(in) :: number         !< of the model that was calibrated
+      integer, intent(in) :: number         !< of the calibration in the deck
+      integer, intent(in) :: place          !< of the model in the calibration's
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
       real(wp), parameter :: left(2) = [0.21_wp, 0.67_wp], right(2) = [0.55_wp, 0.985_wp], bottom = 0.125_wp, top = 0.84_wp, &
                              legend_top = 0.92_wp
       !> Height of an axis with its labels, between two panels.
       real(wp), parameter :: axis_height = 0.13_wp
-      character(*), parameter :: factors = "'../calibration.csv'", data = "'../calibration_data.csv'"
-      character(:), allocatable :: deck, found, interval
-      type(text_type) :: names(size(calibration%data))
+      character(:), allocatable :: factors, data, deck, found, interval
+      type(calibration_type) :: calibration
+      type(text_type), allocatable :: names(:)
       real(wp) :: middle, share
+      integer, allocatable :: rows_of_factors(:), rows_of_data(:)   !< a calibration, by one model
       integer :: i, rows, offsets
+      calibration = job%calibrations(number)
+      factors = results_file('calibration')
+      data = results_file('calibration_data')
       deck = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
       found = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
       interval = "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'"
+      allocate (names(size(calibration%data)))
       do i = 1, size(calibration%data)
          names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
       end do
       call start_script(lines, name, width, height)
-      call append_text(lines, "mine(x) = stringcolumn('calibration') eq '"//calibration%name//"' && stringcolumn('model') eq '"// &
-                       trim(model_name(number))//"'")
+      ! rows by their numbers, gnuplot's column 0: a name may be one that it does not read back as it is
+      rows_of_factors = [(size(job%calibrations(i)%unknowns), i=1, size(job%calibrations))]
+      rows_of_data = [(size(job%calibrations(i)%data), i=1, size(job%calibrations))]
+      call append_text(lines, 'mine(x) = '//is_mine(rows_of_factors))
       call append_text(lines, 'row(name, value) = mine(0) && strlen(stringcolumn(name)) > 0 ? (n = n + 1, value) : NaN')
       call append_text(lines, 'only(value) = mine(0) ? value : NaN')
-      call append_text(lines, 'datum(value) = mine(0) ? (n = n + 1, value) : NaN')
+      call append_text(lines, 'datum(value) = '//is_mine(rows_of_data)//' ? (n = n + 1, value) : NaN')
       call add_series(series, 'NaN', deck, 'before')
       call add_series(series, 'NaN', found, 'after')
       call add_series(series, 'NaN', "with lines lw 1.4 lc rgb '"//colour_of(1)//"'", '95 % interval')
-      call legend(lines, 'Calibration '//calibration%name//', model '//trim(model_name(number)), series, top, legend_top)
+      call legend(lines, 'Calibration '//calibration%name//', model '//trim(model_name(calibration%models(place))), series, &
+                  top, legend_top)
       ! friction above, offsets of the gauge below, each with the height that its rows ask for
       offsets = count(calibration%unknowns%is_offset)
       middle = bottom
@@ -72,6 +81,18 @@ contains
       call end_script(lines)
 
    contains
+
+      !> Whether a row is one of this calibration and model, in gnuplot's words.
+      pure function is_mine(rows) result(text)
+         integer, intent(in) :: rows(:)      !< of each calibration by one model
+         character(:), allocatable :: text
+         integer :: before, k
+         before = (place - 1)*rows(number)
+         do k = 1, number - 1
+            before = before + size(job%calibrations(k)%models)*rows(k)
+         end do
+         text = 'column(0) >= '//to_text(before)//' && column(0) < '//to_text(before + rows(number))
+      end function is_mine
 
       !> Factors of one kind, their intervals and, of friction, what the deck has.
       subroutine draw_factors(label, is_offset, value, lower, upper, low, high)

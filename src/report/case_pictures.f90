@@ -6,7 +6,7 @@ module dg_case_pictures
    use dg_case_result, only: case_result_type
    use dg_column, only: column_header, column_named, column_type, unit_size, unit_text
    use dg_gnuplot_script, only: add_series, colour_black, colour_grey, end_script, legend, limit_dash, line_style, mark_style, &
-                                panel, plot, series_type, start_script, x_range
+                                panel, plot, results_file, series_type, start_script, x_range
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_label, rotates
    use dg_missing, only: is_missing
@@ -49,7 +49,7 @@ contains
          azimuth = 0.0_wp
          if (hypot(profile%north(n), profile%east(n)) > 0.0_wp) azimuth = atan2(profile%east(n), profile%north(n))
          allocate (section, source=cos(azimuth)*profile%north + sin(azimuth)*profile%east)
-         data = "'../profile_"//load_case%name//'_'//trim(model_name(result%model))//".csv'"
+         data = results_file('profile_'//load_case%name//'_'//trim(model_name(result%model)))
          unit = ' ['//trim(job%units%length_label)//']'
          across = '(('//to_text(cos(azimuth), digits)//')*'//value('north')//'+('//to_text(sin(azimuth), digits)//')*'// &
             value('east')//')'
@@ -241,8 +241,8 @@ contains
          integer, intent(in) :: k
          character(*), intent(in) :: expression
          character(:), allocatable :: using
-         using = "'../profile_"//load_case%name//'_'//trim(model_name(results(k)%model))//".csv' using ("//expression//'):('// &
-            value('md')//')'
+         using = results_file('profile_'//load_case%name//'_'//trim(model_name(results(k)%model)))//' using ('//expression// &
+            '):('//value('md')//')'
          if (index(expression, 'gap_state') == 0) using = using//thinning(size(results(k)%profile%md), most_points)
       end function curve
 

@@ -1,13 +1,15 @@
 !> The common part of all pictures: lines of a gnuplot script, one look for all. Colours are those of Okabe & Ito (2008),
 !> which colour-blind readers tell apart; dashes and marks differ too, for print in black and white.
+!>
+!> No text of a deck becomes part of a script but through `spelled`: gnuplot runs what stands in its scripts.
 module dg_gnuplot_script
    use dg_kinds, only: wp
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, letter_end, printable, text_type, to_text
    implicit none
    private
    public :: colour_of, dash_of, mark_of
    public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, row_tics, spelled, &
-             style_count, series_type, add_series
+             results_file, cut_text, style_count, series_type, add_series
    public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width
 
    !> Different curves that can be told apart.
@@ -26,6 +28,8 @@ module dg_gnuplot_script
    character(*), parameter :: font = 'sans-serif,12'
    !> Width of a letter of the font [px], a little more than the mean.
    real(wp), parameter :: letter_width = 8.0_wp
+   !> Letters of a title: more would end beyond the picture.
+   integer, parameter :: most_of_title = 200
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
 
@@ -38,7 +42,7 @@ module dg_gnuplot_script
 
 contains
 
-   !> First lines of a script that draws `<name>.svg` [pixels at 96 dpi].
+   !> First lines of a script that draws `<name>.svg` [pixels at 96 dpi]; `name` is safe as a file's (is_separator_free).
    pure subroutine start_script(lines, name, width, height)
       type(text_type), allocatable, intent(out) :: lines(:)
       character(*), intent(in) :: name
@@ -47,10 +51,11 @@ contains
       call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
       call append_text(lines, 'reset')
       call append_text(lines, "set terminal svg noenhanced size "//to_text(width)//','//to_text(height)// &
-                       " dynamic font '"//font//"' background '#ffffff' name '"//plain(name)//"'")
-      call append_text(lines, "set output '"//name//".svg'")
+                       " dynamic font '"//font//"' background '#ffffff' name "//spelled(plain(name)))
+      call append_text(lines, 'set output '//spelled(name//'.svg'))
       call append_text(lines, 'set encoding utf8')
-      call append_text(lines, "set datafile separator ','")
+      ! a row is never a comment, whatever name it begins with
+      call append_text(lines, "set datafile separator ','; set datafile commentschars ''")
       call append_text(lines, 'set multiplot')
    end subroutine start_script
 
@@ -74,8 +79,8 @@ contains
          empty(i)%using = 'NaN'
       end do
       call append_text(lines, 'unset border; unset tics; unset grid; unset xlabel; unset ylabel')
-      call append_text(lines, 'set label 1 '//spelled(title)//" at screen 0.012, screen "//to_text(top, digits)// &
-                       " offset 0,1.1 left font ',14'")
+      call append_text(lines, 'set label 1 '//spelled(cut_text(title, most_of_title))//' at screen 0.012, screen '// &
+                       to_text(top, digits)//" offset 0,1.1 left font ',14'")
       call margins(lines, 0.02_wp, 0.98_wp, bottom, top)
       call append_text(lines, 'set key center center horizontal Left reverse samplen 3 width 1')
       call append_text(lines, 'set xrange [0:1]; set yrange [0:1]')
@@ -228,23 +233,63 @@ contains
       tics = ''
       do i = 1, size(names)
          if (i > 1) tics = tics//', '
-         if (len(names(i)%text) > most) then
-            tics = tics//spelled(names(i)%text(:most - len('...'))//'...')//' '//to_text(i)
-         else
-            tics = tics//spelled(names(i)%text)//' '//to_text(i)
-         end if
+         tics = tics//spelled(without_format(cut_text(names(i)%text, most)))//' '//to_text(i)
       end do
    end function row_tics
 
-   !> A text as gnuplot takes it literally.
+   !> A text of at most `most` letters: of a longer one the beginning and '...'.
+   pure function cut_text(text, most) result(short)
+      character(*), intent(in) :: text
+      integer, intent(in) :: most
+      character(:), allocatable :: short
+      integer :: letters, last, kept
+      letters = 0
+      kept = 0
+      last = 0
+      do while (last < len(text))
+         letters = letters + 1
+         if (letters > most) then
+            short = text(:kept)//'...'
+            return
+         end if
+         last = max(last + 1, letter_end(text, last + 1))
+         if (letters == most - len('...')) kept = last
+      end do
+      short = text
+   end function cut_text
+
+   !> A text as the label of a tic, in which gnuplot takes '%' for the beginning of a number's format.
+   pure function without_format(text) result(label)
+      character(*), intent(in) :: text
+      character(:), allocatable :: label
+      integer :: i
+      label = ''
+      do i = 1, len(text)
+         if (text(i:i) == '%') label = label//'%'
+         label = label//text(i:i)
+      end do
+   end function without_format
+
+   !> A file of results, which stands beside the folder of scripts, as a script names it; `name` is safe as a file's.
+   pure function results_file(name) result(literal)
+      character(*), intent(in) :: name
+      character(:), allocatable :: literal
+      literal = spelled('../'//name//'.csv')
+   end function results_file
+
+   !> A text as gnuplot takes it literally. The only way of a deck's text into a script. Between single quotes gnuplot knows no
+   !> escape, no command in backticks and no macro; a quote is written twice. Control bytes, which would end a line or spoil the
+   !> picture, become blanks; bytes that make no letter become '?'.
    pure function spelled(text) result(literal)
       character(*), intent(in) :: text
       character(:), allocatable :: literal
+      character(len(text)) :: shown
       integer :: i
+      shown = printable(text)
       literal = "'"
-      do i = 1, len(text)
-         if (text(i:i) == "'") literal = literal//"'"
-         literal = literal//text(i:i)
+      do i = 1, len(shown)
+         if (shown(i:i) == "'") literal = literal//"'"
+         literal = literal//shown(i:i)
       end do
       literal = literal//"'"
    end function spelled

@@ -2,7 +2,8 @@
 module dg_legacy_picture
    use dg_kinds, only: wp
    use dg_column, only: column_header, column_named, column_type, unit_text
-   use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, line_style, panel, plot, series_type, start_script
+   use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, line_style, panel, plot, results_file, &
+                                series_type, start_script
    use dg_job, only: job_type, model_name
    use dg_legacy_rows, only: legacy_columns
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_name
@@ -79,7 +80,7 @@ contains
       pure function curve(expression) result(using)
          character(*), intent(in) :: expression
          character(:), allocatable :: using
-         using = "'../legacy_"//table%label//".csv' using ("//expression//'):('//value('md')//')'
+         using = results_file('legacy_'//table%label)//' using ('//expression//'):('//value('md')//')'
       end function curve
 
       pure function value(column) result(text)

@@ -82,7 +82,7 @@ contains
                   name = to_text(i)             ! where its name is none for a file
                   if (is_separator_free(calibration%name)) name = calibration%name
                   name = 'calibration_'//name//'_'//trim(model_name(calibration%models(k)))
-                  call calibration_script(name, job, model, calibration, calibration%models(k), lines)
+                  call calibration_script(name, job, model, i, k, lines)
                   call add(name, 'Friction found from measurements, and the error before and after', 0)
                end do
             end associate

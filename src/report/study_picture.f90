@@ -2,7 +2,8 @@
 !> study.csv, one mark a way to compute it, both axes logarithmic. The finest way has no error and no mark.
 module dg_study_picture
    use dg_kinds, only: wp
-   use dg_gnuplot_script, only: add_series, colour_black, end_script, legend, mark_style, panel, plot, series_type, start_script
+   use dg_gnuplot_script, only: add_series, colour_black, end_script, legend, mark_style, panel, plot, results_file, series_type, &
+                                spelled, start_script
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, rotates
    use dg_study_plan, only: study_plan_type
@@ -42,8 +43,8 @@ contains
          allocate (models, source=job%models)
       end if
       call start_script(lines, name, width, height)
-      call append_text(lines, "this(value) = stringcolumn('case') eq '"//load_case%name// &
-                       "' && stringcolumn('status') eq 'converged' && value > 0 ? value : NaN")
+      call append_text(lines, "this(value) = stringcolumn('case') eq "//spelled(load_case%name)// &
+                       " && stringcolumn('status') eq 'converged' && value > 0 ? value : NaN")
       call append_text(lines, "made(model, value) = stringcolumn('model') eq model ? this(value) : NaN")
       call append_text(lines, "best(value) = stringcolumn('pareto') eq 'yes' ? this(value) : NaN")
       call append_text(lines, "told(name, value) = stringcolumn('fidelity') eq name ? this(value) : NaN")
@@ -88,7 +89,7 @@ contains
       pure function marks_of(expression) result(using)
          character(*), intent(in) :: expression
          character(:), allocatable :: using
-         using = "'../study.csv' using (column('seconds')):("//expression//')'
+         using = results_file('study')//" using (column('seconds')):("//expression//')'
       end function marks_of
    end subroutine study_script
 

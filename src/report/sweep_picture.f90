@@ -4,7 +4,7 @@ module dg_sweep_picture
    use dg_kinds, only: wp
    use dg_broomstick_panels, only: draw_broomstick, start_broomstick
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, series_type
+   use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, optional_real, rotates
    use dg_sweep, only: sweep_type
@@ -71,7 +71,7 @@ contains
          integer, intent(in) :: operation
          character(*), intent(in) :: test, column
          character(:), allocatable :: using
-         using = "'../sweep_"//sweep%name//".csv' using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+         using = results_file('sweep_'//sweep%name)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
             test//", column('"//column_header(column_named(sweep_columns, column), units)//"'))):(column('"// &
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function curve

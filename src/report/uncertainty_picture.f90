@@ -4,7 +4,7 @@ module dg_uncertainty_picture
    use dg_kinds, only: wp
    use dg_broomstick_panels, only: draw_broomstick, start_broomstick
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, series_type
+   use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
    use dg_sweep, only: sweep_type
@@ -59,7 +59,7 @@ contains
          integer, intent(in) :: operation
          character(*), intent(in) :: column
          character(:), allocatable :: using
-         using = "'../uncertainty_"//range%name//".csv' using (pick('"//trim(operation_name(range%operations(operation)))// &
+         using = results_file('uncertainty_'//range%name)//" using (pick('"//trim(operation_name(range%operations(operation)))// &
             "', column('"//column_header(column_named(uncertainty_columns, column), units)//"'))):(column('"// &
             column_header(column_named(uncertainty_columns, 'bit_depth'), units)//"'))"
       end function curve
