@@ -4,8 +4,9 @@ module dg_run_pictures
    use dg_case_result, only: case_result_type
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type
+   use dg_error, only: error_type, raise, status_failure
    use dg_html_report, only: write_html_report
+   use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_picture_files, only: folder_in, picture_list_type, write_pictures
@@ -18,7 +19,8 @@ module dg_run_pictures
 
 contains
 
-   !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same.
+   !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same. A run that is
+   !> asked to end writes no page.
    subroutine run_pictures(printed, job, model, results, alongs, wholes, error)
       type(printed_text_type), intent(in) :: printed        !< tables that the page takes as they were printed
       type(job_type), intent(in) :: job
@@ -31,6 +33,10 @@ contains
       type(picture_list_type) :: pictures
       type(text_type), allocatable :: echo(:), tables(:)
       call write_pictures(job, model, results, alongs, pictures, error)
+      if (is_interrupted()) then
+         if (.not. allocated(error)) call raise(error, status_failure, 'ended by '//interruption_name()//' before report.html')
+         return
+      end if
       if (pictures%no_gnuplot .and. .not. job%quiet) call tell('note: no gnuplot here, so no pictures are drawn; '// &
          folder_in(job)//'/all.gp draws them where there is one')
       call echo_lines(job, model, echo)

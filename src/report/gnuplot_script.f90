@@ -10,7 +10,7 @@ module dg_gnuplot_script
    public :: colour_of, dash_of, mark_of
    public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, row_tics, spelled, &
              results_file, cut_text, style_count, series_type, add_series
-   public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width
+   public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width, ending_variable
 
    !> Different curves that can be told apart.
    integer, parameter :: style_count = 7
@@ -30,6 +30,9 @@ module dg_gnuplot_script
    real(wp), parameter :: letter_width = 8.0_wp
    !> Letters of a title: more would end beyond the picture.
    integer, parameter :: most_of_title = 200
+   !> Variable of gnuplot that is put behind the name of the picture's file: drillgap draws under another name first. Not set where
+   !> a script is run by hand.
+   character(*), parameter :: ending_variable = 'unfinished'
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
 
@@ -50,9 +53,10 @@ contains
       allocate (lines(0))
       call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
       call append_text(lines, 'reset')
+      call append_text(lines, 'if (!exists('//spelled(ending_variable)//')) '//ending_variable//" = ''")
       call append_text(lines, "set terminal svg noenhanced size "//to_text(width)//','//to_text(height)// &
                        " dynamic font '"//font//"' background '#ffffff' name "//spelled(plain(name)))
-      call append_text(lines, 'set output '//spelled(name//'.svg'))
+      call append_text(lines, 'set output '//spelled(name//'.svg')//'.'//ending_variable)
       call append_text(lines, 'set encoding utf8')
       ! a row is never a comment, whatever name it begins with
       call append_text(lines, "set datafile separator ','; set datafile commentschars ''")

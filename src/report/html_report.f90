@@ -205,18 +205,17 @@ contains
       type(picture_list_type), intent(in) :: list
       integer :: i, k
       call add_line(lines, '<h2>Pictures</h2>')
-      if (.not. list%drawn) then
-         call add_line(lines, '<p class="note warn">Not drawn: gnuplot was not there or failed. Its scripts stand in the '// &
-                          'folder of results.</p>')
-         return
-      end if
+      if (.not. all(list%pictures%drawn)) &
+         call add_line(lines, '<p class="note warn">'//to_text(count(.not. list%pictures%drawn))//' of '// &
+                       to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
+                       'stand in the folder of results.</p>')
       do i = 0, size(model%cases)
          if (i > 0) then
-            if (any(list%pictures%case_index == i)) &
+            if (any(list%pictures%case_index == i .and. list%pictures%drawn)) &
                call add_line(lines, '<h3>'//html_safe(model%cases(i)%name)//'</h3>')
          end if
          do k = 1, size(list%pictures)
-            if (list%pictures(k)%case_index == i) call append_picture(lines, job, list%pictures(k), k)
+            if (list%pictures(k)%case_index == i .and. list%pictures(k)%drawn) call append_picture(lines, job, list%pictures(k), k)
          end do
       end do
       if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')

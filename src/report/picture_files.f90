@@ -5,13 +5,16 @@ module dg_picture_files
    use dg_calibration_picture, only: calibration_script
    use dg_case_pictures, only: forces_script, path_script
    use dg_case_result, only: case_result_type, result_converged
-   use dg_error, only: error_type, raise, status_failure
-   use dg_file_system, only: delete_file, write_text_file
+   use dg_child_process, only: find_program
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder
+   use dg_gnuplot_script, only: spelled
    use dg_hookload_picture, only: hookload_script
    use dg_job, only: job_type, model_mcge, model_name
    use dg_legacy_picture, only: legacy_script
    use dg_model, only: model_type
+   use dg_picture_drawing, only: draw_pictures, usual_patience
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
    use dg_uncertainty_picture, only: uncertainty_script
@@ -22,11 +25,6 @@ module dg_picture_files
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
-   !> What the shell is told to answer where there is no gnuplot (EX_UNAVAILABLE of sysexits.h; its own 127 counts as a command
-   !> that could not be run at all).
-   integer, parameter :: status_no_gnuplot = 69
-   !> Where gnuplot complains, within that folder; kept only where it failed.
-   character(*), parameter :: complaint_file = 'gnuplot.log'
    !> Script that draws all.
    character(*), parameter :: whole_script = 'all'
 
@@ -34,17 +32,18 @@ module dg_picture_files
       character(:), allocatable :: name     !< of the files, without ending
       character(:), allocatable :: caption
       integer :: case_index = 0             !< load case that it belongs to; 0: the run
+      logical :: drawn = .false.            !< it is there, not only its script
    end type picture_type
 
    type :: picture_list_type
       type(picture_type), allocatable :: pictures(:)
-      logical :: drawn = .false.            !< the pictures are there, not only their scripts
       logical :: no_gnuplot = .false.
    end type picture_list_type
 
 contains
 
-   !> Writes and draws all. `error` where a script cannot be written or gnuplot fails; a missing gnuplot is none.
+   !> Writes and draws all. `error` where a script cannot be written, gnuplot fails or the program is asked to end; a missing
+   !> gnuplot is none.
    subroutine write_pictures(job, model, results, alongs, list, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -102,8 +101,9 @@ contains
       if (allocated(job%study)) then
          do k = 1, size(job%study%cases)
             associate (load_case => model%cases(job%study%cases(k)))
-               call study_script('study_'//load_case%name, job, load_case, job%study, lines)
-               call add('study_'//load_case%name, 'Error against the finest way to compute it, and what it costs', &
+               name = 'study_'//load_case%name
+               call study_script(name, job, load_case, job%study, lines)
+               call add(name, 'Error against the finest way to compute it, and what it costs', &
                         job%study%cases(k))
             end associate
          end do
@@ -111,8 +111,9 @@ contains
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
             associate (table => job%legacy(i))
-               call legacy_script('legacy_'//table%label, job, table, model%cases(table%case_index)%name, lines)
-               call add('legacy_'//table%label, 'Our results and those of '//table%label, table%case_index)
+               name = 'legacy_'//table%label
+               call legacy_script(name, job, table, model%cases(table%case_index)%name, lines)
+               call add(name, 'Our results and those of '//table%label, table%case_index)
             end associate
          end do
       end if
@@ -125,13 +126,14 @@ contains
          do k = 1, size(results)
             if (results(k)%case_index == i .and. .not. any(rows == k)) left_out = left_out//' '//trim(model_name(results(k)%model))
          end do
-         name = model%cases(i)%name
          ! contact is what gap elements find; of other models the first
          k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
-         call path_script('path_'//name, job, model%cases(i), results(k), lines)
-         call add('path_'//name, 'Well path with contact of the string', i)
-         call forces_script('forces_'//name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
-         call add('forces_'//name, 'Along the string', i)
+         name = 'path_'//model%cases(i)%name
+         call path_script(name, job, model%cases(i), results(k), lines)
+         call add(name, 'Well path with contact of the string', i)
+         name = 'forces_'//model%cases(i)%name
+         call forces_script(name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
+         call add(name, 'Along the string', i)
       end do
       if (.not. allocated(error)) call draw(job, list, error)
 
@@ -155,37 +157,24 @@ contains
       end subroutine add
    end subroutine write_pictures
 
-   !> Has one gnuplot draw all scripts. Pictures of an earlier run go first, so that what is there is of this one.
+   !> Has gnuplot draw all scripts, if there is one.
    subroutine draw(job, list, error)
       type(job_type), intent(in) :: job
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(out) :: error
-      type(text_type) :: scripts(size(list%pictures))
-      character(:), allocatable :: command
-      integer :: i, status, command_status
-      logical :: is
+      type(text_type) :: names(size(list%pictures)), scripts(size(list%pictures))
+      character(:), allocatable :: gnuplot
+      integer :: i
       do i = 1, size(list%pictures)
-         call delete_file(folder_in(job)//'/'//list%pictures(i)%name//'.svg')
-         scripts(i)%text = "load '"//list%pictures(i)%name//".gp'"
+         names(i)%text = list%pictures(i)%name
+         scripts(i)%text = 'load '//spelled(names(i)%text//'.gp')
       end do
       call write_text_file(folder_in(job)//'/'//whole_script//'.gp', scripts, error)
       if (allocated(error)) return
-      command = 'cd -- '//for_shell(folder_in(job))//' && { command -v gnuplot >/dev/null 2>&1 || exit '// &
-         to_text(status_no_gnuplot)//'; } && exec gnuplot '//whole_script//'.gp >'//complaint_file//' 2>&1 </dev/null'
-      call execute_command_line(command, exitstat=status, cmdstat=command_status)
-      list%no_gnuplot = command_status == 0 .and. status == status_no_gnuplot
-      if (list%no_gnuplot) return
-      list%drawn = command_status == 0 .and. status == 0
-      do i = 1, size(list%pictures)
-         inquire (file=folder_in(job)//'/'//list%pictures(i)%name//'.svg', exist=is)
-         list%drawn = list%drawn .and. is
-      end do
-      if (list%drawn) then
-         call delete_file(folder_in(job)//'/'//complaint_file)
-      else
-         call raise(error, status_failure, 'gnuplot failed on the scripts in '//folder_in(job)//'; '//complaint_file// &
-                    ' there tells why')
-      end if
+      gnuplot = find_program('gnuplot')
+      list%no_gnuplot = gnuplot == ''
+      if (.not. list%no_gnuplot) call draw_pictures(gnuplot, folder_in(job), names, whole_script, usual_patience, &
+                                                    list%pictures%drawn, error)
    end subroutine draw
 
    pure function folder_in(job) result(path)
@@ -193,20 +182,4 @@ contains
       character(:), allocatable :: path
       path = job%output_dir//'/'//picture_folder
    end function folder_in
-
-   !> A path as one word of a shell's command.
-   pure function for_shell(path) result(word)
-      character(*), intent(in) :: path
-      character(:), allocatable :: word
-      integer :: i
-      word = "'"
-      do i = 1, len(path)
-         if (path(i:i) == "'") then
-            word = word//"'\''"
-         else
-            word = word//path(i:i)
-         end if
-      end do
-      word = word//"'"
-   end function for_shell
 end module dg_picture_files
