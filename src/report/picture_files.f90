@@ -66,7 +66,7 @@ contains
          do i = 1, size(job%sweeps)
             associate (sweep => job%sweeps(i))
                do k = 1, size(sweep%models)
-                  name = 'sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k)))
+                  name = free_name('sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k))))
                   call sweep_script(name, job%units, sweep, sweep%models(k), lines)
                   call add(name, 'Hook load and torque against bit depth, sweep '//sweep%name//', model '// &
                            trim(model_name(sweep%models(k))), 0)
@@ -80,7 +80,7 @@ contains
                do k = 1, size(calibration%models)
                   name = to_text(i)             ! where its name is none for a file
                   if (is_separator_free(calibration%name)) name = calibration%name
-                  name = 'calibration_'//name//'_'//trim(model_name(calibration%models(k)))
+                  name = free_name('calibration_'//name//'_'//trim(model_name(calibration%models(k))))
                   call calibration_script(name, job, model, i, k, lines)
                   call add(name, 'Friction found from measurements, and the error before and after', 0)
                end do
@@ -91,7 +91,7 @@ contains
          do i = 1, size(job%uncertainties)
             associate (range => job%uncertainties(i)%range)
                do k = 1, size(range%models)
-                  name = 'uncertainty_'//range%name//'_'//trim(model_name(range%models(k)))
+                  name = free_name('uncertainty_'//range%name//'_'//trim(model_name(range%models(k))))
                   call uncertainty_script(name, job%units, range, range%models(k), lines)
                   call add(name, 'What uncertain data make of hook load and torque', 0)
                end do
@@ -101,7 +101,7 @@ contains
       if (allocated(job%study)) then
          do k = 1, size(job%study%cases)
             associate (load_case => model%cases(job%study%cases(k)))
-               name = 'study_'//load_case%name
+               name = free_name('study_'//load_case%name)
                call study_script(name, job, load_case, job%study, lines)
                call add(name, 'Error against the finest way to compute it, and what it costs', &
                         job%study%cases(k))
@@ -111,7 +111,7 @@ contains
       if (allocated(job%legacy)) then
          do i = 1, size(job%legacy)
             associate (table => job%legacy(i))
-               name = 'legacy_'//table%label
+               name = free_name('legacy_'//table%label)
                call legacy_script(name, job, table, model%cases(table%case_index)%name, lines)
                call add(name, 'Our results and those of '//table%label, table%case_index)
             end associate
@@ -128,16 +128,29 @@ contains
          end do
          ! contact is what gap elements find; of other models the first
          k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
-         name = 'path_'//model%cases(i)%name
+         name = free_name('path_'//model%cases(i)%name)
          call path_script(name, job, model%cases(i), results(k), lines)
          call add(name, 'Well path with contact of the string', i)
-         name = 'forces_'//model%cases(i)%name
+         name = free_name('forces_'//model%cases(i)%name)
          call forces_script(name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
          call add(name, 'Along the string', i)
       end do
       if (.not. allocated(error)) call draw(job, list, error)
 
    contains
+
+      !> A name that no picture has: the wanted one, or that with the next number.
+      function free_name(wanted) result(name)
+         character(*), intent(in) :: wanted
+         character(:), allocatable :: name
+         integer :: n, i
+         name = wanted
+         n = 1
+         do while (any([(list%pictures(i)%name == name, i=1, size(list%pictures))]))
+            n = n + 1
+            name = wanted//'_'//to_text(n)
+         end do
+      end function free_name
 
       !> Writes the script and enters the picture.
       subroutine add(name, caption, case_index)
