@@ -33,6 +33,8 @@ module dg_gnuplot_script
    !> Variable of gnuplot that is put behind the name of the picture's file: drillgap draws under another name first. Not set where
    !> a script is run by hand.
    character(*), parameter :: ending_variable = 'unfinished'
+   !> What means nothing but itself between double quotes, whatever stands beside it.
+   character(*), parameter :: plain_letters = ' abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789'
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
 
@@ -281,21 +283,37 @@ contains
       literal = spelled('../'//name//'.csv')
    end function results_file
 
-   !> A text as gnuplot takes it literally. The only way of a deck's text into a script. Between single quotes gnuplot knows no
-   !> escape, no command in backticks and no macro; a quote is written twice. Control bytes, which would end a line or spoil the
-   !> picture, become blanks; bytes that make no letter become '?'.
+   !> A text as gnuplot takes it literally, the only way of a deck's text into a script. Control bytes, which would end a line or
+   !> spoil the picture, become blanks; bytes that make no letter become '?'.
+   !>
+   !> Between single quotes gnuplot knows no escape, no command in backticks and no macro. A quote there is written twice, which
+   !> gnuplot 5.4 misreads at the beginning and beside another: a text with one stands between double quotes, its letters and
+   !> digits as they are, all else by its octal number, for gnuplot to take apart when nothing else can be seen in it.
    pure function spelled(text) result(literal)
       character(*), intent(in) :: text
       character(:), allocatable :: literal
       character(len(text)) :: shown
+      character(4) :: octal
       integer :: i
       shown = printable(text)
-      literal = "'"
-      do i = 1, len(shown)
-         if (shown(i:i) == "'") literal = literal//"'"
-         literal = literal//shown(i:i)
+      ! where a part of an XML file ends that is not read as XML: gnuplot writes it as it is
+      do i = 3, len(shown)
+         if (shown(i - 2:i) == ']]>') shown(i:i) = ')'
       end do
-      literal = literal//"'"
+      if (index(shown, "'") == 0) then
+         literal = "'"//shown//"'"
+         return
+      end if
+      literal = '"'
+      do i = 1, len(shown)
+         if (iachar(shown(i:i)) > 127 .or. verify(shown(i:i), plain_letters) == 0) then
+            literal = literal//shown(i:i)
+         else
+            write (octal, '(a, o3.3)') achar(92), iachar(shown(i:i))
+            literal = literal//octal
+         end if
+      end do
+      literal = literal//'"'
    end function spelled
 
    !> Letters and digits of a name, for identifiers within the picture.
