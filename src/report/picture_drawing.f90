@@ -29,10 +29,10 @@ module dg_picture_drawing
 contains
 
    !> Draws `<name>.svg` by `<name>.gp` for all names in the folder: all by one gnuplot with the script `whole`; where that fails
-   !> each by one of its own, so that one that cannot be drawn takes no other along. `error` where not all are drawn, or where
-   !> the program was asked to end.
+   !> each by one of its own, so that one that cannot be drawn takes no other along. Pictures of an earlier run go first, so that
+   !> what is there is of this one. `error` where not all are drawn, or where the program was asked to end.
    subroutine draw_pictures(gnuplot, folder, names, whole, patience, drawn, error)
-      character(*), intent(in) :: gnuplot          !< the program, from the root of the file system on
+      character(*), intent(in) :: gnuplot          !< the program, from the root of the file system on; '': none, nothing is drawn
       character(*), intent(in) :: folder
       type(text_type), intent(in) :: names(:)
       character(*), intent(in) :: whole            !< script that draws all, without ending
@@ -42,12 +42,12 @@ contains
       character(:), allocatable :: done
       integer :: i, outcome, bad
       drawn = .false.
-      bad = ended_well
       do i = 1, size(names)
          call delete_file(final_name(i))
          call delete_file(unfinished_name(i))
       end do
       call delete_file(folder//'/'//complaint_file)
+      if (gnuplot == '') return
       call run_gnuplot(gnuplot, folder, whole, names, patience, outcome, error)
       if (outcome == ended_badly) then
          do i = 1, size(names)

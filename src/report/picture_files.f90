@@ -177,6 +177,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(text_type) :: names(size(list%pictures)), scripts(size(list%pictures))
       character(:), allocatable :: gnuplot
+      logical :: drawn(size(list%pictures))
       integer :: i
       do i = 1, size(list%pictures)
          names(i)%text = list%pictures(i)%name
@@ -186,8 +187,8 @@ contains
       if (allocated(error)) return
       gnuplot = find_program('gnuplot')
       list%no_gnuplot = gnuplot == ''
-      if (.not. list%no_gnuplot) call draw_pictures(gnuplot, folder_in(job), names, whole_script, usual_patience, &
-                                                    list%pictures%drawn, error)
+      call draw_pictures(gnuplot, folder_in(job), names, whole_script, usual_patience, drawn, error)
+      list%pictures%drawn = drawn
    end subroutine draw
 
    pure function folder_in(job) result(path)
