@@ -20,6 +20,7 @@ contains
       use dg_test_calibration_runs, only: calibration_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
+      use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
@@ -36,5 +37,6 @@ contains
       call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())
+      call suite%addTest(picture_runs_suite())
    end function load_tests
 end program command_line

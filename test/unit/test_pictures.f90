@@ -41,7 +41,8 @@ contains
    end function pictures_suite
 
    subroutine test_quotes()
-      call assertEqual("'it''s'", spelled("it's"))
+      call assertEqual("'a `b` @c \'", spelled('a `b` @c \'))
+      call assertEqual('"it\047s a \140b\140"', spelled("it's a `b`"))
    end subroutine test_quotes
 
    !> Steps are 1, 2 or 5 times a power of ten, and no more of them than asked for.
@@ -128,7 +129,7 @@ contains
       allocate (results, source=sample_results())
       call forces_script('forces_i_up', sample_job(), model%cases(1), results(:1), [new_along_string(2)], ' rigid', lines)
       call assertTrue(has_text(lines, 'up at 2075 m; no solution: rigid'))
-      call assertTrue(has_line(lines, "set output 'forces_i_up.svg'"))
+      call assertTrue(has_line(lines, "set output 'forces_i_up.svg'.unfinished"))
       call assertTrue(has_line(lines, "set xlabel 'effective axial force [kN]'"))
       call assertTrue(has_line(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
       call assertTrue(has_line(lines, 'set yrange [2075:0]'), message='depth downwards')
