@@ -152,7 +152,7 @@ contains
          if (k <= last) then
             last = 0
          else if (last == first + 2) then
-            if (text(first:first + 1) == achar(239)//achar(191) .and. iachar(text(last:last)) > 189) last = 0
+            if (text(first:first + 1) == char(239)//char(191) .and. iachar(text(last:last)) > 189) last = 0
          end if
       end if
    end function letter_end
