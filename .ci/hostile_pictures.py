@@ -235,8 +235,7 @@ def ended_by(program, number, body):
     time.sleep(0.2)
     faults += [f"{len(all_of(seconds))} processes go on"] if all_of(seconds) else []
     faults += faults_of_pictures(place)
-    if (place.out / "report.html").exists():
-        faults.append("a page of a run that was ended")
+    faults += [f"{name} of a run that was ended" for name in ("report.html", "pictures/gnuplot.log") if (place.out / name).exists()]
     for left in all_of(seconds):
         os.kill(left, signal.SIGKILL)
     return place, faults

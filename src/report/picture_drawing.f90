@@ -71,15 +71,16 @@ contains
       done = to_text(count(drawn))//' of '//to_text(size(drawn))//' pictures in '//folder//' are drawn'
       bad = findloc(drawn, .false., dim=1)
       if (is_interrupted()) then
+         call delete_file(folder//'/'//complaint_file)
          call raise(error, status_failure, 'ended by '//interruption_name()//': '//done)
+      else if (bad == 0) then
+         call delete_file(folder//'/'//complaint_file)
       else if (outcome == silent) then
          call raise(error, status_failure, gnuplot//' drew nothing for '//to_text(patience)//' s and was ended: '//done// &
                     '; does it draw '//names(bad)%text//'.gp there when you run it yourself?')
-      else if (bad > 0) then
+      else
          call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not; '//complaint_file// &
                     ' there tells why')
-      else
-         call delete_file(folder//'/'//complaint_file)
       end if
 
    contains

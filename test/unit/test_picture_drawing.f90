@@ -175,6 +175,8 @@ contains
       if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 0.3 s and was ended: 1 of 3') > 0, &
                                             message=error%message)
       call assertFalse(is_file('b.svg') .or. is_file('b.svg.unfinished'))
+      call draw('for n in a b c; do whole $n; done; sleep 1000', 0.3_wp, drawn, error)
+      call assertTrue(all(drawn) .and. .not. allocated(error), message='it hangs when all is done')
    end subroutine test_hangs
 
    !> Patience is for each picture, not for all.
