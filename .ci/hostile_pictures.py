@@ -10,6 +10,7 @@ Names      a deck for each, in which calibrations, a hole section, a component, 
 Gnuplots   programs of that name on PATH that crash, fail, draw nothing, empty or cut pictures, fail at one picture, leave
            children: exit status 1 with a message, whole pictures only, and the page shows those
 Signals    one SIGINT, SIGTERM or SIGHUP ends the run and all of a gnuplot that hangs
+Data       panels without a number, where nothing converged or another program's table lies elsewhere, are no fault of gnuplot's
 Around     GNUTERM, CDPATH, a start-up file and GNUPLOT_LIB of the user do not matter; nor does a parent that ignores SIGCHLD
 Ends in 'N passed, N failed'.
 """
@@ -28,7 +29,8 @@ import xml.etree.ElementTree as xml
 TIME_LIMIT = 60
 NAMES = ["Bob's fit", "a,b", 'x"y', r"a\b", "`touch made`", 'system("touch made")', "@x", "%s", "%", "{/Symbol a}", "a^2_b",
          "Größe ∑", "ends in \\", "tab\there", "#1", "' . system('touch made') . '", "'; system 'touch made'; x='", "''", "a'",
-         "a'\\", "`", '"', '""', "$0", "<touch made", "|touch made", "!touch made", "NaN", "-", "END", "\x01\x02", "\x1b[31m", "\x7f",
+         "a'\\", "`", '"', '""', "$0", "<touch made", "|touch made", "!touch made", "NaN", "-", "END", "\x01\x02", "\x1b[31m",
+         "\x7f",
          "é" * 300, "y" * 5000, "'" * 7, "ab", "]]]>>", "&amp;<b>", "{", "}", "[", "first'", "../made", "a/b"]
 #: Marks of the two calibrations: legend, two factors before and after, an offset, three errors before and after.
 MARKS = {"first": 2 + 4 + 6, "other": 2 + 4 + 1 + 6}
@@ -97,13 +99,12 @@ class Place:
         path.chmod(0o755)
         self.environment["PATH"] = f"{folder}:{os.environ['PATH']}"
 
-    def start(self, *before):
-        return subprocess.Popen([*before, self.program, "deck.nml", "--output", "out"], cwd=self.home, env=self.environment,
-                                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    def start(self, *before, options=()):
+        return subprocess.Popen([*before, self.program, "deck.nml", "--output", "out", *options], cwd=self.home,
+                                env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
-    def run(self, *before):
-        process = self.start(*before)
-        return self.end_of(process)
+    def run(self, *before, options=()):
+        return self.end_of(self.start(*before, options=options))
 
     def end_of(self, process):
         """Exit status; -1000 where the program does not end."""
@@ -306,7 +307,8 @@ def by_hand(program):
 def shared_names(program):
     """Calibrations whose files would have one name."""
     place = Place(program)
-    rows = [f"&calibrate name = {quoted(name)}, parameter = 'friction' /\n" for name in ("2", "a/b", "a b", "4", "2_soft", "2_soft_2")]
+    names = ("2", "a/b", "a b", "4", "2_soft", "2_soft_2")
+    rows = [f"&calibrate name = {quoted(name)}, parameter = 'friction' /\n" for name in names]
     text = re.sub("(?m)^&calibrate.*\n", "", deck(PLAIN_DECK_NAME)) + "".join(rows)
     (place.home / "deck.nml").write_text(text, encoding="utf-8")
     status = place.run()
@@ -315,6 +317,42 @@ def shared_names(program):
     if len(titles) != len(rows):
         faults.append(f"pictures of {sorted(titles)} only")
     return place, faults
+
+
+def lacking_data(program, what):
+    """Pictures of which a panel has nothing to show are drawn all the same."""
+    place = Place(program)
+    text = re.sub("(?m)^&calibrate.*\n", "", deck(PLAIN_DECK_NAME))
+    text += "&legacy label = 'l', case = 'u', file = 'l.csv' /\n"
+    depths, wanted, pictures = "2000,300\n2900,0\n", 0, 8
+    if what == "nothing converged":
+        text = text.replace("'soft'", "'mcge'")
+        text = text.replace("element_length = 30", "element_length = 30, fidelity = 'reference', max_iterations = 1")
+        group = "operations = 'up', 'rotate_off_bottom', bit_depth_from = 800, bit_depth_step = 100"
+        text += (f"&sweep name = 's', {group} /\n&uncertainty name = 's', {group}, samples = 2, friction_deviation = 0.1 /\n"
+                 "&study element_lengths = 20, 30, cases = 'r' /\n"
+                 "&calibrate name = 'c', parameter = 'friction', model = 'mcge' /\n")
+        depths, wanted, pictures = "0,300\n900,0\n", 3, 6
+    (place.home / "deck.nml").write_text(text, encoding="utf-8")
+    (place.home / "l.csv").write_text("md,axial\n" + depths, encoding="utf-8")
+    status = place.run()
+    faults = [f"exit status {status}: {place.told[-300:]}"] if status != wanted or "gnuplot" in place.told else []
+    if len(place.pictures()) != pictures:
+        faults.append(f"{len(place.pictures())} pictures instead of {pictures}")
+    return place, faults + faults_of_pictures(place)
+
+
+def joined_parts(program):
+    """A run that joins parts draws what it joins."""
+    place = Place(program)
+    text = deck(PLAIN_DECK_NAME) + "&sweep name = 's', operations = 'up', bit_depth_from = 500, bit_depth_step = 100 /\n"
+    (place.home / "deck.nml").write_text(text, encoding="utf-8")
+    faults = []
+    for option in (("--part", "1/2"), ("--part", "2/2"), ("--merge", "2")):
+        status = place.run(options=option)
+        faults += [f"{option}: exit status {status}: {place.told[:300]}"] if status else []
+    names = [p.name for p in place.pictures()]
+    return place, faults + ([] if names == ["sweep_s_soft.svg"] else [f"pictures {names}"])
 
 
 def main():
@@ -328,7 +366,8 @@ def main():
               ("one without picture", one_bad_picture, ("sed -i 's/^set output.*/unset output/' path_d.gp\n", 8)),
               ("one with a fault", one_bad_picture, ("sed -i '/^unset output/i plot nonsense' path_d.gp\n", 8)),
               ("an earlier run", old_pictures, ()), ("children", leaves_children, ()), ("by hand", by_hand, ()),
-              ("shared names", shared_names, ())]
+              ("shared names", shared_names, ()), ("joined parts", joined_parts, ())]
+    tries += [(what, lacking_data, (what,)) for what in ("nothing converged", "legacy elsewhere")]
     tries += [(f"{number.name}, {kind}", ended_by, (number, body)) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
               for kind, body in (("hangs", "exec " + hang), ("with children", deaf))]
     tries += [(what, around, (what,)) for what in ("GNUTERM", "start-up file", "CDPATH", "GNUPLOT_LIB", "SIGCHLD ignored",

@@ -39,10 +39,10 @@ contains
       if (size(torque) > 0) wide = 0.5_wp*(right - left - gap)
       call panel(lines, left, left + wide, bottom, top, 'hook load ['//unit_text(quantity_force, units)//']', &
                  'bit depth ['//trim(units%length_label)//']')
-      call plot(lines, hookload)
+      call plot(lines, hookload, may_lack=.true.)
       if (size(torque) > 0) then
          call panel(lines, right - wide, right, bottom, top, 'torque at the top ['//unit_text(quantity_moment, units)//']', '')
-         call plot(lines, torque)
+         call plot(lines, torque, may_lack=.true.)
       end if
       call end_script(lines)
    end subroutine draw_broomstick

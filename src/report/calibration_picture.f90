@@ -134,7 +134,7 @@ contains
          character(*), intent(in) :: tics
          call append_text(lines, 'set yrange ['//to_text(real(rows, wp) + 0.6_wp, digits)//':0.4]; set ytics ('//tics// &
                           '); unset ylabel')
-         call plot(lines, series)
+         call plot(lines, series, may_lack=.true.)
       end subroutine draw
    end subroutine calibration_script
 end module dg_calibration_picture

@@ -147,11 +147,17 @@ contains
    end subroutine margins
 
    !> One plot command of all curves.
-   pure subroutine plot(lines, series)
+   pure subroutine plot(lines, series, may_lack)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(series_type), intent(in) :: series(:)
+      !> Data may lack, all of them, where nothing converged, and the panel has no range of its own: gnuplot fails at a panel
+      !> without a number, unless a function is among its curves.
+      logical, intent(in), optional :: may_lack
       character(:), allocatable :: line
+      logical :: function_too
       integer :: i
+      function_too = .false.
+      if (present(may_lack)) function_too = may_lack
       do i = 1, size(series)
          line = '     '
          if (i == 1) line = 'plot '
@@ -161,9 +167,10 @@ contains
          else
             line = line//' title '//spelled(series(i)%title)
          end if
-         if (i < size(series)) line = line//', \'
+         if (i < size(series) .or. function_too) line = line//', \'
          call append_text(lines, line)
       end do
+      if (function_too) call append_text(lines, '     NaN notitle')
    end subroutine plot
 
    !> Appends a curve.

@@ -72,7 +72,7 @@ contains
       call append_text(lines, 'set ytics ('//tics//'); unset ylabel')
       ! no mark on the frame
       call append_text(lines, 'set autoscale xfix; set offsets graph 0.04, graph 0.04, 0, 0')
-      call plot(lines, series)
+      call plot(lines, series, may_lack=.true.)
       at = 1
       if (with_error) then
          deallocate (series)
@@ -81,7 +81,7 @@ contains
          end do
          call next_panel('error against measurement [%]')
          call append_text(lines, 'set xrange [0:*]')
-         call plot(lines, series)
+         call plot(lines, series, may_lack=.true.)
       end if
       if (with_torque) then
          deallocate (series)
@@ -92,7 +92,7 @@ contains
             call add_marks(4, "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_measured//"'", '')
          call next_panel('torque at the top ['//unit_text(quantity_moment, job%units)//']')
          call append_text(lines, 'set xrange [0:*]')
-         call plot(lines, series)
+         call plot(lines, series, may_lack=.true.)
       end if
       call end_script(lines)
 

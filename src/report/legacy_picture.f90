@@ -56,7 +56,7 @@ contains
                                                       value('legacy_'//trim(quantity_name(quantity)))//')'), theirs(), '')
             call panel(lines, start, start + wide, bottom, top, trim(axis_name(quantity))//trim(axis_ending(k))//' ['// &
                        unit_text(shown%quantity, job%units)//']', label)
-            call plot(lines, series)
+            call plot(lines, series, may_lack=.true.)
             label = ''
             start = start + wide + gap
          end do

@@ -55,6 +55,7 @@ contains
       character(:), allocatable :: name, left_out
       integer, allocatable :: rows(:)
       integer :: i, k
+      logical :: apart
       allocate (list%pictures(0))
       call make_folder(folder_in(job), error)
       if (allocated(error)) return
@@ -74,7 +75,9 @@ contains
             end associate
          end do
       end if
-      if (allocated(job%calibrations)) then
+      ! a run that joins parts has neither calibrated nor solved anything else
+      apart = job%merge > 0
+      if (allocated(job%calibrations) .and. .not. apart) then
          do i = 1, size(job%calibrations)
             associate (calibration => job%calibrations(i))
                do k = 1, size(calibration%models)
@@ -98,7 +101,7 @@ contains
             end associate
          end do
       end if
-      if (allocated(job%study)) then
+      if (allocated(job%study) .and. .not. apart) then
          do k = 1, size(job%study%cases)
             associate (load_case => model%cases(job%study%cases(k)))
                name = free_name('study_'//load_case%name)
@@ -108,7 +111,7 @@ contains
             end associate
          end do
       end if
-      if (allocated(job%legacy)) then
+      if (allocated(job%legacy) .and. .not. apart) then
          do i = 1, size(job%legacy)
             associate (table => job%legacy(i))
                name = free_name('legacy_'//table%label)

@@ -74,6 +74,10 @@ contains
          call panel(lines, left(column), left(column) + wide, bottom(row), bottom(row) + tall, &
                     'solution time [s]', 'error of '//trim(names(k))//' [%]')
          call append_text(lines, "set autoscale y; set format xy '%g'")
+         ! gnuplot fails at a panel without a number: one in which nothing converged, or no way differs, has axes of its own
+         call append_text(lines, 'n = 0; set table $none')
+         call append_text(lines, 'plot '//results_file('study')//' using (this('//value(k)//') > 0 ? (n = n + 1) : 0) with table')
+         call append_text(lines, 'unset table; if (n == 0) { set xrange [0.1:1]; set yrange [0.1:1] }')
          call plot(lines, series)
       end do
       call end_script(lines)
