@@ -5,7 +5,7 @@ module dg_text
    implicit none
    private
    public :: text_type, append_text, joined, text_or_nothing
-   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, printable, letter_end
+   public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
    !> A text of its own length, for lists of texts.
    type :: text_type
@@ -95,7 +95,7 @@ contains
    end function quoted
 
    !> A text that every reader of UTF-8 and XML takes: control bytes become blanks, bytes that make no letter '?'.
-   pure function printable(text) result(safe)
+   pure function plain_utf8(text) result(safe)
       character(*), intent(in) :: text
       character(len(text)) :: safe
       integer :: i, last
@@ -112,7 +112,7 @@ contains
          end if
          i = last + 1
       end do
-   end function printable
+   end function plain_utf8
 
    !> Last byte of the letter in UTF-8 that begins at byte `first`; 0 where none does (table 3-7 of the Unicode standard, less
    !> the two that are no characters, U+FFFE and U+FFFF).

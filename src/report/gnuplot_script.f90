@@ -4,7 +4,7 @@
 !> No text of a deck becomes part of a script but through `spelled`: gnuplot runs what stands in its scripts.
 module dg_gnuplot_script
    use dg_kinds, only: wp
-   use dg_text, only: append_text, letter_end, printable, text_type, to_text
+   use dg_text, only: append_text, letter_end, plain_utf8, text_type, to_text
    implicit none
    private
    public :: colour_of, dash_of, mark_of
@@ -302,7 +302,7 @@ contains
       character(len(text)) :: shown
       character(4) :: octal
       integer :: i
-      shown = printable(text)
+      shown = plain_utf8(text)
       ! where a part of an XML file ends that is not read as XML: gnuplot writes it as it is
       do i = 3, len(shown)
          if (shown(i - 2:i) == ']]>') shown(i:i) = ')'

@@ -10,7 +10,7 @@ module dg_test_picture_drawing
    use dg_gnuplot_script, only: cut_text, row_tics, spelled
    use dg_kinds, only: wp
    use dg_picture_drawing, only: draw_pictures
-   use dg_text, only: append_text, c_text, printable, text_type, to_text
+   use dg_text, only: append_text, c_text, plain_utf8, text_type, to_text
    implicit none
    private
    public :: picture_drawing_suite
@@ -51,19 +51,19 @@ contains
       integer :: i
       do i = 0, 255
          select case (i)
-         case (0:31, 127); call assertEqual('a b', printable('a'//achar(i)//'b'), message=to_text(i))
-         case (32:126); call assertEqual('a'//achar(i)//'b', printable('a'//achar(i)//'b'), message=to_text(i))
-         case default; call assertEqual('a?b', printable('a'//char(i)//'b'), message=to_text(i))
+         case (0:31, 127); call assertEqual('a b', plain_utf8('a'//achar(i)//'b'), message=to_text(i))
+         case (32:126); call assertEqual('a'//achar(i)//'b', plain_utf8('a'//achar(i)//'b'), message=to_text(i))
+         case default; call assertEqual('a?b', plain_utf8('a'//char(i)//'b'), message=to_text(i))
          end select
       end do
-      call assertEqual(umlaut//sum_sign, printable(umlaut//sum_sign))
-      call assertEqual('?', printable(umlaut(1:1)), message='cut')
-      call assertEqual('???', printable(bytes([224, 128, 128])), message='longer than need be')
-      call assertEqual('???', printable(bytes([237, 160, 128])), message='half of a pair')
-      call assertEqual('???', printable(bytes([239, 191, 191])), message='no character')
-      call assertEqual(bytes([239, 191, 189]), printable(bytes([239, 191, 189])))
-      call assertEqual(bytes([240, 159, 152, 128]), printable(bytes([240, 159, 152, 128])))
-      call assertEqual('????', printable(bytes([244, 144, 128, 128])), message='beyond the last')
+      call assertEqual(umlaut//sum_sign, plain_utf8(umlaut//sum_sign))
+      call assertEqual('?', plain_utf8(umlaut(1:1)), message='cut')
+      call assertEqual('???', plain_utf8(bytes([224, 128, 128])), message='longer than need be')
+      call assertEqual('???', plain_utf8(bytes([237, 160, 128])), message='half of a pair')
+      call assertEqual('???', plain_utf8(bytes([239, 191, 191])), message='no character')
+      call assertEqual(bytes([239, 191, 189]), plain_utf8(bytes([239, 191, 189])))
+      call assertEqual(bytes([240, 159, 152, 128]), plain_utf8(bytes([240, 159, 152, 128])))
+      call assertEqual('????', plain_utf8(bytes([244, 144, 128, 128])), message='beyond the last')
    end subroutine test_printable
 
    subroutine test_cut()
@@ -75,7 +75,7 @@ contains
       call assertEqual("'100%%' 1, 'b' 2", row_tics([text_type('100%'), text_type('b')], 0.5_wp, 1000), message='no format')
    end subroutine test_cut
 
-   !> Whatever bytes stand in a text and beside each other, gnuplot has it as it is printable, and runs nothing of it.
+   !> Whatever bytes stand in a text and beside each other, gnuplot has it as plain_utf8 has it, and runs nothing of it.
    subroutine test_all_bytes()
       character(*), parameter :: special = '''"`@\#%{}$()[],;!<>|.*x '
       type(text_type), allocatable :: texts(:), script(:), printed(:)
@@ -100,7 +100,7 @@ contains
       call run_true_gnuplot(script, printed)
       call assertEqual(size(texts), size(printed))
       do i = 1, min(size(texts), size(printed))
-         call assertEqual(printable(texts(i)%text), printed(i)%text, message=spelled(texts(i)%text))
+         call assertEqual(plain_utf8(texts(i)%text), printed(i)%text, message=spelled(texts(i)%text))
       end do
       call assertFalse(is_file('made'))
       call assertEqual("'x]])'", spelled('x]]>'), message='would end what is no XML in the picture')
