@@ -1,11 +1,11 @@
 !> The command line.
 module dg_arguments
    use dg_error, only: error_type, raise, status_bad_input
-   use dg_text, only: quoted, suggestion
+   use dg_text, only: append_text, quoted, suggestion, text_type
    use dg_version, only: program_name
    implicit none
    private
-   public :: arguments_type, read_arguments, print_usage
+   public :: arguments_type, read_arguments, usage_lines
 
    type :: arguments_type
       character(:), allocatable :: deck
@@ -158,22 +158,24 @@ contains
       if (length > 0) call get_command_argument(number, value=word)
    end function argument
 
-   !> Prints how the program is called.
-   subroutine print_usage(unit)
-      integer, intent(in) :: unit
-      write (unit, '(a)') &
-         'usage: '//program_name//' DECK.nml [options]', &
-         '  --check        read and validate the deck, print what would be run, solve nothing', &
-         '  --output DIR   folder of results instead of the deck''s output_dir', &
-         '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores', &
-         '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them', &
-         '  --merge N      join the N parts of each sweep, solve nothing', &
-         '  --quiet        no notes, no progress', &
-         '  --help         this text', &
-         '  --version      name and version', &
-         'or: '//program_name//' --template                    prints a commented deck to start from', &
-         '    '//program_name//' --list-catalogue [PATTERN]    prints the catalogue of pipe, or what has PATTERN in its name', &
-         '    '//program_name//' --convert DECK.nml            prints the deck in the other system of units, SI or field', &
-         'exit status: 0 all cases solved, 2 bad command line, deck or data file, 3 a case did not converge, 1 else'
-   end subroutine print_usage
+   !> How the program is called.
+   subroutine usage_lines(lines)
+      type(text_type), allocatable, intent(out) :: lines(:)
+      call append_text(lines, 'usage: '//program_name//' DECK.nml [options]')
+      call append_text(lines, '  --check        read and validate the deck, print what would be run, solve nothing')
+      call append_text(lines, '  --output DIR   folder of results instead of the deck''s output_dir')
+      call append_text(lines, '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores')
+      call append_text(lines, '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them')
+      call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
+      call append_text(lines, '  --quiet        no notes, no progress')
+      call append_text(lines, '  --help         this text')
+      call append_text(lines, '  --version      name and version')
+      call append_text(lines, 'or: '//program_name//' --template                    prints a commented deck to start from')
+      call append_text(lines, '    '//program_name//' --list-catalogue [PATTERN]    '// &
+                       'prints the catalogue of pipe, or what has PATTERN in its name')
+      call append_text(lines, '    '//program_name//' --convert DECK.nml            '// &
+                       'prints the deck in the other system of units, SI or field')
+      call append_text(lines, 'exit status: 0 all cases solved, '// &
+                       '2 bad command line, deck or data file, 3 a case did not converge, 1 else')
+   end subroutine usage_lines
 end module dg_arguments

@@ -9,6 +9,7 @@ module dg_deck_echo
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
+   use dg_printed_text, only: print_line, print_lines
    use dg_study_plan, only: most_variants
    use dg_sweep_echo, only: add_sweeps
    use dg_text, only: append_text, text_type, to_text
@@ -25,21 +26,18 @@ module dg_deck_echo
 
 contains
 
-   !> Prints the whole of a deck to `unit`.
-   subroutine print_echo(unit, job, model, notes)
-      integer, intent(in) :: unit
+   !> Prints the whole of a deck.
+   subroutine print_echo(job, model, notes)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(text_type), intent(in) :: notes(:)
       type(text_type), allocatable :: lines(:)
       integer :: i
-      write (unit, '(a)') program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved'
+      call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
       call echo_lines(job, model, lines)
-      do i = 1, size(lines)
-         write (unit, '(a)') lines(i)%text
-      end do
+      call print_lines(lines)
       do i = 1, size(notes)
-         write (unit, '(a)') 'note        '//notes(i)%text
+         call print_line('note        '//notes(i)%text)
       end do
    end subroutine print_echo
 

@@ -2,18 +2,29 @@
 module dg_diagnostic
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
+   use dg_printable, only: printable
+   use dg_text, only: text_type
    use dg_version, only: program_name
    implicit none
    private
-   public :: tell, tell_faults
+   public :: tell, tell_lines, tell_faults
 
 contains
 
-   !> A line of its own, with the program's name before it.
+   !> A line of its own, with the program's name before it; a message may have more lines.
    subroutine tell(message)
       character(*), intent(in) :: message
-      write (error_unit, '(a)') program_name//': '//message
+      call put(program_name//': '//printable(message, new_line('a')))
    end subroutine tell
+
+   !> Lines as they are.
+   subroutine tell_lines(lines)
+      type(text_type), intent(in) :: lines(:)
+      integer :: i
+      do i = 1, size(lines)
+         call put(lines(i)%text)
+      end do
+   end subroutine tell_lines
 
    !> The faults of the input, a line each, in their order in its files.
    subroutine tell_faults(faults)
@@ -22,7 +33,15 @@ contains
       integer :: i
       allocate (sorted, source=sorted_faults(faults))
       do i = 1, size(sorted)
-         write (error_unit, '(a)') fault_text(sorted(i))
+         call put(printable(fault_text(sorted(i)), ''))
       end do
    end subroutine tell_faults
+
+   !> Nobody may be there to read it: the exit status tells, too.
+   subroutine put(line)
+      character(*), intent(in) :: line
+      integer :: status
+      write (error_unit, '(a)', iostat=status) line
+      if (status /= 0) return
+   end subroutine put
 end module dg_diagnostic

@@ -2,42 +2,50 @@
 !> Reads the command line and the deck, hands over, prints what went wrong, ends with the status of the
 !> contract. The only place where the program ends.
 program main
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
-   use dg_arguments, only: arguments_type, read_arguments, print_usage
+   use dg_arguments, only: arguments_type, read_arguments, usage_lines
    use dg_deck_echo, only: print_echo
-   use dg_diagnostic, only: tell, tell_faults
-   use dg_error, only: error_type, status_ok, status_bad_input
+   use dg_diagnostic, only: tell, tell_lines, tell_faults
+   use dg_error, only: error_type, status_ok, status_bad_input, status_failure
    use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type
    use dg_model, only: model_type
+   use dg_printed_text, only: print_line, print_lines
    use dg_process, only: end_process
    use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
    use dg_run_action, only: run_action
    use dg_run_deck, only: run_deck
+   use dg_standard_output, only: guard_descriptors, output_failed
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
    implicit none
    type(arguments_type) :: arguments
    type(error_type), allocatable :: error
+   type(text_type), allocatable :: usage(:)
    integer :: status
 
+   call guard_descriptors()
    call keep_freed_memory()
+   call usage_lines(usage)
    call read_arguments(arguments, error)
    if (allocated(error)) then
       call tell(error%message)
-      call print_usage(error_unit)
+      call tell_lines(usage)
       status = error%status
    else if (arguments%help) then
-      call print_usage(output_unit)
+      call print_lines(usage)
       status = status_ok
    else if (arguments%version) then
-      write (output_unit, '(a)') program_name//' '//program_version
+      call print_line(program_name//' '//program_version)
       status = status_ok
    else if (arguments%action /= '') then
       call run_action(arguments%action, arguments%deck, status)
    else
       call work(arguments, status)
+   end if
+   if (output_failed()) then
+      call tell('not all could be written to standard output (is the disk full, or did its reader end?)')
+      status = status_failure
    end if
    call end_process(status)
 
@@ -71,7 +79,7 @@ contains
          return
       end if
       if (arguments%check) then
-         call print_echo(output_unit, job, model, notes)
+         call print_echo(job, model, notes)
          status = status_ok
          return
       end if

@@ -1,6 +1,7 @@
 !> What a run prints, kept for its page: tables that are printed and of which report.html has no other form.
 module dg_printed_text
-   use, intrinsic :: iso_fortran_env, only: output_unit
+   use dg_printable, only: printable
+   use dg_standard_output, only: put_line
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -12,12 +13,10 @@ module dg_printed_text
 
 contains
 
-   !> One line to standard output; nobody may read on, and files hold the results all the same.
+   !> One line to standard output. Names and titles in it may hold what commands a terminal: that does not reach it.
    subroutine print_line(line)
       character(*), intent(in) :: line
-      integer :: status
-      write (output_unit, '(a)', iostat=status) line
-      if (status /= 0) return
+      call put_line(printable(line, ''))
    end subroutine print_line
 
    subroutine print_lines(lines)

@@ -1,13 +1,13 @@
 !> What a program asks of its operating system: how to end, and whether anybody watches.
 module dg_process
    use, intrinsic :: iso_c_binding, only: c_int
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: error_unit
    implicit none
    private
-   public :: end_process, someone_watches
+   public :: end_process, someone_watches, someone_reads
 
-   !> Descriptor of standard error (POSIX).
-   integer(c_int), parameter :: standard_error = 2_c_int
+   !> Descriptors (POSIX).
+   integer(c_int), parameter :: standard_output = 1_c_int, standard_error = 2_c_int
 
    interface
       subroutine c_exit(status) bind(c, name='exit')
@@ -30,7 +30,6 @@ contains
    !> and notes on floating-point flags to standard error, which is kept for diagnostics.
    subroutine end_process(status)
       integer, intent(in) :: status
-      flush (output_unit)
       flush (error_unit)
       call c_exit(int(status, c_int))
    end subroutine end_process
@@ -40,4 +39,10 @@ contains
       logical :: watches
       watches = c_isatty(standard_error) == 1_c_int
    end function someone_watches
+
+   !> Whether standard output is a terminal.
+   function someone_reads() result(reads)
+      logical :: reads
+      reads = c_isatty(standard_output) == 1_c_int
+   end function someone_reads
 end module dg_process

@@ -10,6 +10,8 @@ module dg_run_action
    use dg_kinds, only: wp
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_printed_text, only: print_lines
+   use dg_process, only: someone_reads
+   use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: si_units, unit_system_type
    implicit none
@@ -39,13 +41,26 @@ contains
             call tell_faults(faults)
             status = status_bad_input
          else
-            call print_lines(lines)
+            call print_deck(lines)
             status = status_ok
          end if
       case default
          status = status_failure
       end select
    end subroutine run_action
+
+   !> A deck, byte for byte, unless a terminal shows it.
+   subroutine print_deck(lines)
+      type(text_type), intent(in) :: lines(:)
+      integer :: i
+      if (someone_reads()) then
+         call print_lines(lines)
+         return
+      end if
+      do i = 1, size(lines)
+         call put_line(lines(i)%text)
+      end do
+   end subroutine print_deck
 
    !> Prints the entries that have `pattern` in their name or kind.
    subroutine list_catalogue(pattern, status)

@@ -1,6 +1,6 @@
 !> Runs every case of a deck with every model that it asks for, writes the results as they come.
 module dg_run_deck
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_diagnostic, only: tell
@@ -29,6 +29,7 @@ module dg_run_deck
    use dg_run_uncertainties, only: prepare_uncertainties, run_uncertainty, uncertainty_run_type
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
+   use dg_standard_output, only: flush_output
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_whole_string, only: find_whole_string, whole_string_type
@@ -111,7 +112,7 @@ contains
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
-      flush (output_unit)
+      call flush_output()
       if (.not. job%plots .or. job%parts > 0) return
       if (is_interrupted()) then
          call note_ending('pictures', status)
@@ -156,7 +157,7 @@ contains
          call run_study(printed, job, model, error)
          call note_failure(error, status)
       end if
-      flush (output_unit)
+      call flush_output()
       if (is_interrupted()) then
          call tell('ended by '//interruption_name()//': '//to_text(count(results%status /= result_not_converged))//' of '// &
                    to_text(size(results))//' results are there, the others are marked not_converged')

@@ -14,16 +14,18 @@ module dg_deck_catalogue
 contains
 
    !> Fills every component of the deck `path` that names an entry. The catalogue is read only where one does.
-   subroutine fill_from_catalogue(path, groups, faults)
+   subroutine fill_from_catalogue(path, groups, file, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(inout) :: groups(:)
+      character(:), allocatable, intent(out) :: file     !< the catalogue's path; '' where none was needed
       type(fault_list_type), intent(inout) :: faults
       type(catalogue_type) :: catalogue
       type(fault_type) :: asked
-      character(:), allocatable :: named, file
+      character(:), allocatable :: named
       integer :: i, before
       logical :: tried, sound
       named = ''
+      file = ''
       asked = fault_at(path, 0, '')
       tried = .false.
       sound = .false.

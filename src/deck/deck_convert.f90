@@ -5,11 +5,11 @@ module dg_deck_convert
    use dg_deck_number, only: read_real
    use dg_deck_schema, only: key_rule_type, kind_real, unit_factor
    use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: add_fault, fault_list_type
    use dg_file_lines, only: read_lines
    use dg_job, only: job_type
    use dg_model, only: model_type
-   use dg_read_deck, only: read_deck
+   use dg_read_deck, only: build_deck
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    use dg_version, only: program_name
@@ -38,11 +38,15 @@ contains
       logical :: has_job
       integer :: i
       allocate (notes(0))
-      call read_deck(path, model, job, notes, faults)
+      call read_lines(path, deck, failure)
+      if (failure /= '') then
+         call add_fault(faults, path, 0, 'deck '//failure)
+         return
+      end if
+      call build_deck(path, deck, model, job, notes, faults)
       if (faults%count > 0) return
       other = field_units()
       if (job%units%name == 'field') other = si_units()
-      call read_lines(path, deck, failure)
       call tokenize(deck, tokens)
       has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
       call convert_tokens(tokens, job%units, other, deck)

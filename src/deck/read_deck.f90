@@ -23,16 +23,17 @@ module dg_read_deck
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_file_lines, only: read_lines
+   use dg_file_lines, only: beside, read_lines
    use dg_job, only: job_type, model_count, model_name
+   use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_text, only: text_type, lower_case, quoted, suggestion, to_text
+   use dg_text, only: append_text, text_type, lower_case, quoted, suggestion, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    use dg_units, only: unit_system_type, si_units, field_units
    implicit none
    private
-   public :: read_deck
+   public :: read_deck, build_deck
 
 contains
 
@@ -45,12 +46,7 @@ contains
       type(text_type), allocatable, intent(out) :: notes(:)
       type(fault_list_type), intent(out) :: faults
       type(text_type), allocatable :: lines(:)
-      type(token_type), allocatable :: tokens(:)
-      type(group_type), allocatable :: groups(:)
-      type(checked_group_type), allocatable :: checked(:)
-      type(draft_type) :: draft
       character(:), allocatable :: failure
-      integer :: i
 
       allocate (notes(0))
       call read_lines(path, lines, failure)
@@ -58,6 +54,25 @@ contains
          call add_fault(faults, path, 0, 'deck '//failure)
          return
       end if
+      call build_deck(path, lines, model, job, notes, faults)
+   end subroutine read_deck
+
+   !> The same of a deck whose lines are read already: a pipe gives them once.
+   subroutine build_deck(path, lines, model, job, notes, faults)
+      character(*), intent(in) :: path
+      type(text_type), intent(in) :: lines(:)
+      type(model_type), intent(out) :: model
+      type(job_type), intent(out) :: job
+      type(text_type), allocatable, intent(out) :: notes(:)
+      type(fault_list_type), intent(out) :: faults
+      type(token_type), allocatable :: tokens(:)
+      type(group_type), allocatable :: groups(:)
+      type(checked_group_type), allocatable :: checked(:)
+      type(draft_type) :: draft
+      character(:), allocatable :: catalogue
+      integer :: i
+
+      allocate (notes(0))
       call tokenize(lines, tokens)
       call parse_groups(path, tokens, groups, faults)
       call check_group_names(path, groups, faults)
@@ -73,7 +88,7 @@ contains
       end do
       call take_job(path, draft%units, checked, job)
       job%deck_text = text_of_lines(lines)
-      call fill_from_catalogue(path, checked, faults)
+      call fill_from_catalogue(path, checked, catalogue, faults)
       call take_draft(checked, draft, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)
@@ -83,9 +98,10 @@ contains
       call take_stickings(draft, checked, job%stickings, faults)
       call take_uncertainties(draft, checked, job%models, job%uncertainties, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
+      job%inputs = inputs_of(path, checked, catalogue, job%legacy)
       if (faults%count == 0) call build_model(draft, model, faults)
       if (faults%count == 0) call note_oddities(draft, job, notes)
-   end subroutine read_deck
+   end subroutine build_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.
    subroutine check_group_names(path, groups, faults)
@@ -136,6 +152,26 @@ contains
       end do
       index = 0
    end function group_rule
+
+   !> Files that the deck is made of: itself, its survey, its catalogue ('': none), its tables of other programs.
+   pure function inputs_of(path, groups, catalogue, legacy) result(inputs)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: groups(:)
+      character(*), intent(in) :: catalogue
+      type(legacy_table_type), intent(in) :: legacy(:)
+      type(text_type), allocatable :: inputs(:)
+      integer :: i
+      call append_text(inputs, path)
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'trajectory') cycle
+         if (text_of(groups(i), 'survey_file', '') /= '') &
+            call append_text(inputs, beside(path, text_of(groups(i), 'survey_file', '')))
+      end do
+      if (catalogue /= '') call append_text(inputs, catalogue)
+      do i = 1, size(legacy)
+         call append_text(inputs, legacy(i)%file)
+      end do
+   end function inputs_of
 
    !> Whether this version knows and has a group.
    pure function is_available(name) result(available)

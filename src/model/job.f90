@@ -6,6 +6,7 @@ module dg_job
    use dg_sticking, only: sticking_type
    use dg_study_plan, only: study_plan_type
    use dg_sweep, only: sweep_type
+   use dg_text, only: text_type
    use dg_uncertainty, only: uncertainty_type
    use dg_units, only: unit_system_type
    implicit none
@@ -24,6 +25,7 @@ module dg_job
       character(:), allocatable :: title
       character(:), allocatable :: deck_path   !< as the user typed it
       character(:), allocatable :: output_dir
+      type(text_type), allocatable :: inputs(:) !< paths of the files that were read: deck, survey, catalogue, tables
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours

@@ -1,0 +1,134 @@
+!> Standard output, through C's buffer: gfortran's runtime library (12) tells nothing of a write that failed, neither when its
+!> own buffer is written nor by `flush`; C's remembers it.
+module dg_standard_output
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_intptr_t, c_null_ptr, &
+                                          c_ptr, c_size_t
+   use dg_file_identity, only: identity_of_open, identity_type
+   use dg_text, only: c_text
+   implicit none
+   private
+   public :: guard_descriptors, put_line, flush_output, output_failed
+
+   !> Descriptors of standard input, output and error (POSIX).
+   integer(c_int), parameter :: standard_descriptors(3) = [0_c_int, 1_c_int, 2_c_int]
+   character(*), parameter :: nowhere = '/dev/null'
+   !> Writing to a pipe that nobody reads (POSIX), and the handler of a signal that is ignored (SIG_IGN).
+   integer(c_int), parameter :: broken_pipe = 13_c_int
+   integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
+
+   interface
+      ! looks a name of the C library up; a null handle: wherever it is
+      function c_dlsym(handle, name) result(address) bind(c, name='dlsym')
+         import :: c_char, c_ptr
+         implicit none
+         type(c_ptr), value :: handle
+         character(kind=c_char), intent(in) :: name(*)
+         type(c_ptr) :: address
+      end function c_dlsym
+
+      function c_fopen(path, mode) result(file) bind(c, name='fopen')
+         import :: c_char, c_ptr
+         implicit none
+         character(kind=c_char), intent(in) :: path(*), mode(*)
+         type(c_ptr) :: file
+      end function c_fopen
+
+      function c_fwrite(text, size, count, file) result(written) bind(c, name='fwrite')
+         import :: c_char, c_ptr, c_size_t
+         implicit none
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_size_t), value :: size, count
+         type(c_ptr), value :: file
+         integer(c_size_t) :: written
+      end function c_fwrite
+
+      function c_fflush(file) result(status) bind(c, name='fflush')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: file
+         integer(c_int) :: status
+      end function c_fflush
+
+      function c_ferror(file) result(status) bind(c, name='ferror')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: file
+         integer(c_int) :: status
+      end function c_ferror
+
+      ! returns the handler before, or SIG_ERR
+      function c_signal(number, handler) result(before) bind(c, name='signal')
+         import :: c_funptr, c_int
+         implicit none
+         integer(c_int), value :: number
+         type(c_funptr), value :: handler
+         type(c_funptr) :: before
+      end function c_signal
+   end interface
+
+contains
+
+   !> To be called before any file is opened. Standard descriptors that whoever started the program has closed are taken: the
+   !> next file of results would get the number, and what is printed would go into it. What is printed fails then, and is told.
+   !> A reader who goes away is a failed write, not the end of the program.
+   subroutine guard_descriptors()
+      type(identity_type) :: found
+      type(c_funptr) :: before
+      type(c_ptr) :: file
+      integer :: i
+      do i = 1, size(standard_descriptors)
+         found = identity_of_open(standard_descriptors(i))
+         if (found%exists) cycle
+         ! the lowest number that is free; for reading only, so that writing to standard output fails
+         file = c_fopen(c_text(nowhere), c_text(merge('w', 'r', i == size(standard_descriptors))))
+         if (.not. c_associated(file)) return
+      end do
+      before = c_signal(broken_pipe, transfer(ignored, before))
+   end subroutine guard_descriptors
+
+   !> Puts one line; output_failed tells whether it could be written.
+   subroutine put_line(line)
+      character(*), intent(in) :: line
+      character(:), allocatable :: whole
+      integer(c_size_t) :: written
+      type(c_ptr) :: stream
+      stream = standard_stream()
+      if (.not. c_associated(stream)) return
+      whole = line//new_line('a')
+      written = c_fwrite(whole, 1_c_size_t, int(len(whole), c_size_t), stream)
+      if (written < len(whole)) return      ! the stream keeps that in mind
+   end subroutine put_line
+
+   !> Puts all there is where it belongs.
+   subroutine flush_output()
+      integer(c_int) :: status
+      type(c_ptr) :: stream
+      stream = standard_stream()
+      if (.not. c_associated(stream)) return
+      status = c_fflush(stream)
+      if (status /= 0) return               ! as above
+   end subroutine flush_output
+
+   !> Whether anything that was put could not be written (full disk, no reader, closed).
+   function output_failed() result(failed)
+      logical :: failed
+      type(c_ptr) :: stream
+      call flush_output()
+      stream = standard_stream()
+      failed = .not. c_associated(stream)
+      if (.not. failed) failed = c_ferror(stream) /= 0_c_int
+   end function output_failed
+
+   !> C's own stream, with its buffer and its note of what failed. It is a variable of C, and a Fortran variable bound to that
+   !> name would be another one.
+   function standard_stream() result(stream)
+      type(c_ptr) :: stream
+      type(c_ptr), pointer :: variable
+      type(c_ptr) :: address
+      stream = c_null_ptr
+      address = c_dlsym(c_null_ptr, c_text('stdout'))
+      if (.not. c_associated(address)) return
+      call c_f_pointer(address, variable)
+      stream = variable
+   end function standard_stream
+end module dg_standard_output
