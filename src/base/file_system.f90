@@ -1,16 +1,20 @@
 !> Files that appear whole or not at all: written under another name in the same folder, then renamed
-!> (POSIX rename replaces in one step).
+!> (POSIX rename replaces in one step, and replaces a link instead of following it).
 module dg_file_system
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_error, only: error_type, raise, status_failure
+   use dg_file_identity, only: identity_of_link, identity_type
    use dg_text, only: c_text, text_type
    implicit none
    private
-   public :: write_text_file, rename_file, delete_file
+   public :: write_text_file, rename_file, delete_file, unfinished_name, finished_name, unfinished_suffix
 
-   !> Put behind a file's name while it is being written.
+   !> Put behind a file's name while it is being written, with `.PROCESS-TICKS` between: no two writers have one name.
    character(*), parameter :: unfinished_suffix = '.unfinished'
+   character(*), parameter :: digits = '0123456789'
+   !> Names that are tried until one is free.
+   integer, parameter :: tries = 100
 
    interface
       function c_rename(from, to) result(status) bind(c, name='rename')
@@ -27,6 +31,12 @@ module dg_file_system
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: status
       end function c_unlink
+
+      function c_getpid() result(number) bind(c, name='getpid')
+         import :: c_int
+         implicit none
+         integer(c_int) :: number
+      end function c_getpid
    end interface
 
 contains
@@ -41,9 +51,16 @@ contains
       character(256) :: reason
       integer :: unit, status, closing, i
       integer(int64) :: expected, found
-      unfinished = path//unfinished_suffix
+      type(identity_type) :: there
       reason = ''
-      open (newunit=unit, file=unfinished, action='write', status='replace', iostat=status, iomsg=reason)
+      do i = 1, tries
+         unfinished = unfinished_name(path)
+         ! 'new': neither a file that is there nor what a link leads to is written over (O_EXCL)
+         open (newunit=unit, file=unfinished, action='write', status='new', iostat=status, iomsg=reason)
+         if (status == 0) exit
+         there = identity_of_link(unfinished)
+         if (.not. there%exists) exit
+      end do
       if (status /= 0) then
          call raise(error, status_failure, 'cannot write '//path//': '//trim(reason)//' (is its folder there and writable?)')
          return
@@ -65,6 +82,34 @@ contains
       call rename_file(unfinished, path, error)
       if (allocated(error)) call delete_file(unfinished)
    end subroutine write_text_file
+
+   !> Another name for a file in the same folder while it is being written, other than any given before.
+   function unfinished_name(path) result(name)
+      character(*), intent(in) :: path
+      character(:), allocatable :: name
+      character(24) :: process, ticks
+      integer(int64) :: now
+      call system_clock(now)
+      write (process, '(i0)') c_getpid()
+      write (ticks, '(i0)') now
+      name = path//'.'//trim(process)//'-'//trim(ticks)//unfinished_suffix
+   end function unfinished_name
+
+   !> The name that a file was to have; '' where `name` is none of an unfinished file.
+   pure function finished_name(name) result(finished)
+      character(*), intent(in) :: name
+      character(:), allocatable :: finished
+      integer :: last, dash, dot
+      finished = ''
+      last = len(name) - len(unfinished_suffix)
+      if (last < 1) return
+      if (name(last + 1:) /= unfinished_suffix) return
+      dash = index(name(:last), '-', back=.true.)
+      dot = index(name(:last), '.', back=.true.)
+      if (dot < 2 .or. dash < dot + 2 .or. dash == last) return
+      if (verify(name(dot + 1:dash - 1), digits) > 0 .or. verify(name(dash + 1:last), digits) > 0) return
+      finished = name(:dot - 1)
+   end function finished_name
 
    !> Gives a file another name, replacing a file of that name.
    subroutine rename_file(from, to, error)

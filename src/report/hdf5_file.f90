@@ -7,7 +7,7 @@ module dg_hdf5_file
    use, intrinsic :: iso_fortran_env, only: int64
    use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, &
                    h5dont_atexit_f, &
-                   h5dwrite_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_libver_latest_f, h5f_libver_v18_f, h5fclose_f, &
+                   h5dwrite_f, h5eset_auto_f, h5f_acc_excl_f, h5f_libver_latest_f, h5f_libver_v18_f, h5fclose_f, &
                    h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gclose_f, h5gcreate_f, h5kind_to_type, h5lcreate_soft_f, &
                    h5oclose_f, h5oopen_f, h5open_f, h5p_crt_order_indexed_f, h5p_crt_order_tracked_f, h5p_dataset_create_f, &
                    h5p_file_access_f, h5p_group_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, h5pset_deflate_f, &
@@ -15,7 +15,7 @@ module dg_hdf5_file
                    h5screate_f, h5screate_simple_f, h5t_cset_utf8_f, h5t_fortran_s1, h5t_ieee_f64le, h5t_std_i32le, &
                    h5t_std_i64le, h5t_string, h5tclose_f, h5tcopy_f, h5tset_cset_f, h5tset_size_f, hid_t, hsize_t, size_t
    use dg_error, only: error_type, raise, status_failure
-   use dg_file_system, only: delete_file, rename_file
+   use dg_file_system, only: delete_file, rename_file, unfinished_name
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    implicit none
@@ -26,6 +26,7 @@ module dg_hdf5_file
       private
       integer(hid_t) :: id = -1
       character(:), allocatable :: path        !< name that it is to have
+      character(:), allocatable :: unfinished  !< name that it has as long as it is written
       character(:), allocatable :: failure     !< what failed first; '' while all is well
    end type hdf5_file_type
 
@@ -40,7 +41,6 @@ module dg_hdf5_file
       module procedure attribute_text, attribute_real, attribute_integer, attribute_reals, attribute_integers
    end interface write_attribute
 
-   character(*), parameter :: unfinished_suffix = '.unfinished'
    !> Rows of a chunk: 128 kB of numbers.
    integer, parameter :: chunk_rows = 16384
    !> Of deflate, 1 to 9: more costs much and gains little.
@@ -57,6 +57,7 @@ contains
       integer(hid_t) :: access
       integer :: status
       file%path = path
+      file%unfinished = unfinished_name(path)
       file%failure = ''
       call h5dont_atexit_f(status)           ! after a file that failed its clean-up at the end of the program crashes (1.10)
       call h5open_f(status)
@@ -68,7 +69,7 @@ contains
       ! From format 1.8 on attributes may be longer than 64 kB: a deck is one.
       call h5pset_libver_bounds_f(access, h5f_libver_v18_f, h5f_libver_latest_f, status)
       call check(file, status, 'file format')
-      call h5fcreate_f(path//unfinished_suffix, h5f_acc_trunc_f, file%id, status, access_prp=access)
+      call h5fcreate_f(file%unfinished, h5f_acc_excl_f, file%id, status, access_prp=access)
       call check(file, status, 'creating the file (is its folder there and writable?)')
       if (file%failure /= '') file%id = -1
       call h5pclose_f(access, status)
@@ -89,11 +90,11 @@ contains
       end if
       call h5close_f(status)
       if (file%failure == '') then
-         call rename_file(file%path//unfinished_suffix, file%path, error)
+         call rename_file(file%unfinished, file%path, error)
       else
          call raise(error, status_failure, 'cannot write '//file%path//': '//file%failure//' failed')
       end if
-      if (allocated(error)) call delete_file(file%path//unfinished_suffix)
+      if (allocated(error)) call delete_file(file%unfinished)
    end subroutine close_hdf5
 
    !> Makes a group; the one above it must be there. Its members keep the order in which they come.
