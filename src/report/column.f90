@@ -175,7 +175,7 @@ contains
       end do
    end function csv_row
 
-   !> A number in SI units over the SI value of its unit; empty where missing.
+   !> A number in SI units over the SI value of its unit; empty where missing or beyond all numbers.
    pure function csv_value(value, unit) result(text)
       real(wp), intent(in) :: value, unit
       character(:), allocatable :: text

@@ -9,13 +9,13 @@ module dg_comparison
 
 contains
 
-   !> 100 |calculated - other|/|other| [%]; absent where `other` is absent or zero.
+   !> 100 |calculated - other|/|other| [%]; absent where `other` is absent, or so near zero that no number holds it.
    elemental function percent_error(calculated, other) result(error)
       real(wp), intent(in) :: calculated
       type(optional_real), intent(in) :: other
       type(optional_real) :: error
       if (.not. other%present) return
-      if (abs(other%value) <= 0.0_wp) return
+      if (abs(other%value) <= 100.0_wp*abs(calculated - other%value)/huge(1.0_wp)) return
       error = given(100.0_wp*abs(calculated - other%value)/abs(other%value))
    end function percent_error
 

@@ -3,7 +3,7 @@ module dg_html_text
    use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
    use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
@@ -159,7 +159,7 @@ contains
       type(field_type), intent(in) :: field
       logical :: has
       has = field%kind /= field_absent
-      if (field%kind == field_real) has = .not. is_missing(field%real_value)
+      if (field%kind == field_real) has = is_shown(field%real_value)
    end function has_value
 
    !> Digits behind the point that an engineer reads of a quantity.

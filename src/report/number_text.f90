@@ -2,6 +2,8 @@
 module dg_number_text
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
+   use dg_missing, only: is_shown
+   use dg_printable, only: printable
    implicit none
    private
    public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
@@ -17,17 +19,23 @@ module dg_number_text
    end interface csv_number
 
    character(*), parameter :: absent = '-'
+   !> Line feed and carriage return.
+   character(*), parameter :: breaks = achar(10)//achar(13)
 
 contains
 
    !> `value` with `decimals` digits behind the point, right-aligned; in exponent form where it is too
-   !> long for that, and never a negative zero.
+   !> long for that, never a negative zero, and '-' where it is no number.
    pure function fixed_cell_of_number(value, width, decimals) result(cell)
       real(wp), intent(in) :: value
       integer, intent(in) :: width
       integer, intent(in) :: decimals
       character(width) :: cell
       character(40) :: buffer, form
+      if (.not. is_shown(value)) then
+         cell = right_aligned(absent, width)
+         return
+      end if
       write (form, '(a, i0, a)') '(f40.', decimals, ')'
       write (buffer, form) value
       buffer = adjustl(buffer)
@@ -59,6 +67,10 @@ contains
       integer, intent(in) :: width
       character(width) :: cell
       character(12) :: buffer
+      if (.not. is_shown(value)) then
+         cell = right_aligned(absent, width)
+         return
+      end if
       write (buffer, '(es12.1e3)') value
       if (abs(value) < 1.0e99_wp .and. (abs(value) > 1.0e-99_wp .or. abs(value) <= 0.0_wp)) &
          write (buffer, '(es12.1e2)') value
@@ -101,11 +113,13 @@ contains
       if (len(text) >= width) cell = text(:width - 4)//'...'
    end function left_aligned
 
-   !> Ten significant digits: users compare files to 1e-6 and better.
+   !> Ten significant digits: users compare files to 1e-6 and better. Empty where it is no number.
    pure function csv_real(value) result(field)
       real(wp), intent(in) :: value
       character(:), allocatable :: field
       character(40) :: buffer
+      field = ''
+      if (.not. is_shown(value)) return
       write (buffer, '(g0.10)') value + 0.0_wp ! no negative zero
       field = trim(adjustl(buffer))
    end function csv_real
@@ -118,19 +132,21 @@ contains
       field = trim(buffer)
    end function csv_integer
 
-   !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180).
+   !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180); other control bytes become '?'.
    pure function csv_text(text) result(field)
       character(*), intent(in) :: text
       character(:), allocatable :: field
+      character(len(text)) :: plain
       integer :: i
-      if (scan(text, ',"'//achar(10)//achar(13)) == 0) then
-         field = text
+      plain = printable(text, breaks)
+      if (scan(plain, ',"'//breaks) == 0) then
+         field = plain
          return
       end if
       field = '"'
       do i = 1, len(text)
-         field = field//text(i:i)
-         if (text(i:i) == '"') field = field//'"'
+         field = field//plain(i:i)
+         if (plain(i:i) == '"') field = field//'"'
       end do
       field = field//'"'
    end function csv_text

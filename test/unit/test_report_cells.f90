@@ -1,9 +1,11 @@
 module dg_test_report_cells
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_comparison, only: percent_error
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_load_case, only: given, moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
       operation_static, operation_trip_out, optional_real, rotates
+   use dg_missing, only: is_shown, missing
    use dg_number_text, only: count_cell, csv_number, csv_text, fixed_cell, left_aligned, right_aligned, &
       scientific_cell
    implicit none
@@ -21,6 +23,7 @@ contains
       call suite%addTest(TestMethod('fixed', test_fixed))
       call suite%addTest(TestMethod('other_cells', test_other_cells))
       call suite%addTest(TestMethod('csv_numbers', test_csv_numbers))
+      call suite%addTest(TestMethod('no_numbers', test_no_numbers))
       call suite%addTest(TestMethod('csv_text', test_csv_text))
       call suite%addTest(TestMethod('percent_error', test_percent_error))
       call suite%addTest(TestMethod('which_column_applies', test_which_column_applies))
@@ -63,13 +66,31 @@ contains
       call assertEqual('12', csv_number(12))
    end subroutine test_csv_numbers
 
-   !> RFC 4180.
+   !> What is missing, infinite or no number leaves a field empty and a cell with a dash.
+   subroutine test_no_numbers()
+      real(wp) :: none(5)
+      integer :: i
+      none = [missing, transfer(int(z'7FF0000000000000', int64), 1.0_wp), transfer(int(z'FFF0000000000000', int64), 1.0_wp), &
+              transfer(int(z'7FF8000000000000', int64), 1.0_wp), transfer(int(z'FFF8000000000001', int64), 1.0_wp)]
+      do i = 1, size(none)
+         call assertEqual('', csv_number(none(i)))
+         call assertEqual('[     -]', '['//fixed_cell(none(i), 6, 1)//']')
+         call assertEqual('[     -]', '['//scientific_cell(none(i), 6)//']')
+         call assertFalse(is_shown(none(i)))
+      end do
+      call assertTrue(all(is_shown([0.0_wp, -1.0_wp, 1.0e308_wp, -1.0e308_wp, 5.0e-324_wp])))
+      call assertEqual('1.000000000', csv_number(1.0_wp))
+   end subroutine test_no_numbers
+
+   !> RFC 4180; what commands a terminal does not stay.
    subroutine test_csv_text()
       call assertEqual('plain text', csv_text('plain text'))
       call assertEqual('"a,b"', csv_text('a,b'))
       call assertEqual('"5"" pipe"', csv_text('5" pipe'))
       call assertEqual('"a'//line_break//'b"', csv_text('a'//line_break//'b'))
       call assertEqual('', csv_text(''))
+      call assertEqual('"a?[31m,?'//char(195)//char(169)//'"', &
+                       csv_text('a'//achar(27)//'[31m,'//achar(127)//char(195)//char(169)))
    end subroutine test_csv_text
 
    !> First row of the paper's Table 1: 733.4 against 745.0 kN is 1.56 %.
@@ -82,6 +103,8 @@ contains
       call assertFalse(error%present)
       error = percent_error(1.0_wp, given(0.0_wp))
       call assertFalse(error%present, message='no error of nothing')
+      error = percent_error(7.0e5_wp, given(1.0e-303_wp))
+      call assertFalse(error%present, message='beyond all numbers')
    end subroutine test_percent_error
 
    subroutine test_which_column_applies()
