@@ -18,6 +18,7 @@ program main
    use dg_standard_output, only: guard_descriptors, output_failed
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
+   use dg_written_files, only: check_inputs
    implicit none
    type(arguments_type) :: arguments
    type(error_type), allocatable :: error
@@ -59,6 +60,7 @@ contains
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
+      type(error_type), allocatable :: error
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults)
@@ -76,6 +78,12 @@ contains
       if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
          call tell(arguments%deck//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
          status = status_bad_input
+         return
+      end if
+      call check_inputs(job, model, error)
+      if (allocated(error)) then
+         call tell(error%message)
+         status = error%status
          return
       end if
       if (arguments%check) then

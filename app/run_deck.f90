@@ -5,8 +5,8 @@ module dg_run_deck
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
-   use dg_file_system, only: delete_file
    use dg_folder, only: make_folder
+   use dg_folder_lock, only: folder_lock_type, lock_folder, release_folder
    use dg_history_file, only: write_history
    use dg_interruption, only: interruption_name, is_interrupted, watch_for_signals
    use dg_job, only: job_type, model_name
@@ -19,6 +19,7 @@ module dg_run_deck
    use dg_printed_text, only: print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
+   use dg_result_name, only: case_file, history_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
@@ -33,12 +34,10 @@ module dg_run_deck
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_whole_string, only: find_whole_string, whole_string_type
+   use dg_written_files, only: begin_files, end_files, other_records
    implicit none
    private
    public :: run_deck
-
-   ! Files of one case.
-   integer, parameter :: profile_file = 1, view_file = 2, history_file = 3
 
    !> What prevented a result, if anything did.
    type :: failure_type
@@ -47,12 +46,34 @@ module dg_run_deck
 
 contains
 
-   !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
-   !> `status` is the exit status: the gravest of what happened.
+   !> Takes the output folder for this run alone and does all that the deck asks for. `status` is the exit status: the gravest
+   !> of what happened.
    subroutine run_deck(job, given, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: given        !< as the deck has it
       integer, intent(out) :: status
+      type(folder_lock_type) :: lock
+      character(:), allocatable :: note
+      type(error_type), allocatable :: error
+      status = status_ok
+      call check_memory(job, given, error)
+      if (.not. allocated(error)) call make_folder(job%output_dir, error)
+      call watch_for_signals()
+      if (.not. allocated(error)) call lock_folder(job%output_dir, job%part, job%parts, lock, note, error)
+      if (allocated(error)) then
+         call note_failure(error, status)
+         return
+      end if
+      if (note /= '' .and. .not. job%quiet) call tell(note)
+      call run_in_folder(job, given, status)
+      call release_folder(lock)
+   end subroutine run_deck
+
+   !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
+   subroutine run_in_folder(job, given, status)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: given        !< as the deck has it
+      integer, intent(inout) :: status
       type(model_type) :: model                    !< with friction that calibrations apply
       type(sweep_run_type), allocatable :: sweeps(:)
       type(uncertainty_run_type), allocatable :: uncertainties(:)
@@ -64,25 +85,24 @@ contains
       integer :: i, lost, rows
       logical :: calibrated_first
 
-      status = status_ok
       calibrated_first = any(job%calibrations%apply)
-      call check_memory(job, given, error)
-      if (.not. allocated(error)) call make_folder(job%output_dir, error)
-      call watch_for_signals()
-      if (calibrated_first .and. .not. allocated(error)) then
-         call run_calibrations(printed, job, given, model, lost, error)
+      model = given
+      lost = 0
+      if (calibrated_first) then
+         call begin_files(job, given, error)
+         if (.not. allocated(error)) call run_calibrations(printed, job, given, model, lost, error)
          if (lost > 0) status = status_not_converged
-      else
-         model = given
       end if
       if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
       if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, error)
+      ! what is refused so far leaves the results of an earlier run as they are
+      if (.not. (allocated(error) .or. calibrated_first)) call begin_files(job, model, error)
       if (allocated(error)) then
          call tell(error%message)
          status = error%status
+         if (calibrated_first) call end_files(job, error)
          return
       end if
-      if (job%parts == 0 .and. job%merge == 0) call remove_earlier(job, model)
       rows = 0
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))
@@ -113,14 +133,30 @@ contains
          if (lost > 0) status = graver(status, status_not_converged)
       end do
       call flush_output()
-      if (.not. job%plots .or. job%parts > 0) return
-      if (is_interrupted()) then
-         call note_ending('pictures', status)
-      else
-         call run_pictures(printed, job, model, results, alongs, wholes, error)
-         call note_failure(error, status)
+      if (job%plots .and. job%parts == 0) then
+         if (is_interrupted()) then
+            call note_ending('pictures', status)
+         else
+            call run_pictures(printed, job, model, results, alongs, wholes, error)
+            call note_failure(error, status)
+         end if
       end if
-   end subroutine run_deck
+      call end_files(job, error)
+      call note_failure(error, status)
+      if (job%parts == 0 .and. .not. job%quiet) call note_records(job)
+   end subroutine run_in_folder
+
+   !> Tells of unfinished work of other sweeps, which stays in the folder.
+   subroutine note_records(job)
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable :: names(:)
+      integer :: i
+      allocate (names(0))   ! the compiler's flow analysis takes them for undefined otherwise
+      call other_records(job, names)
+      do i = 1, size(names)
+         call tell('note: '//in_folder(job, names(i)%text)//' is unfinished work of an earlier run; remove it if it is not needed')
+      end do
+   end subroutine note_records
 
    !> The load cases of a deck.
    subroutine run_cases(printed, job, model, results, alongs, wholes, status)
@@ -257,49 +293,6 @@ contains
          end if
       end associate
    end subroutine write_case_files
-
-   !> Removes what an earlier run left under the names of this one's results, so that a folder never holds results of two runs
-   !> side by side, whatever ends this one.
-   subroutine remove_earlier(job, model)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      character(*), parameter :: files(5) = [character(11) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
-                                                        'study.csv']
-      integer :: i, j, k
-      do i = 1, size(files)
-         call delete_file(in_folder(job, trim(files(i))))
-      end do
-      do i = 1, size(job%sweeps)
-         call delete_file(in_folder(job, 'sweep_'//job%sweeps(i)%name//'.csv'))
-      end do
-      do i = 1, size(job%uncertainties)
-         call delete_file(in_folder(job, 'uncertainty_'//job%uncertainties(i)%range%name//'.csv'))
-      end do
-      do j = 1, size(job%models)
-         do i = 1, size(model%cases)
-            do k = profile_file, history_file
-               call delete_file(in_folder(job, case_file(k, model%cases(i)%name, job%models(j))))
-            end do
-         end do
-      end do
-   end subroutine remove_earlier
-
-   !> Name of a file of one case and model.
-   pure function case_file(kind, case, number) result(name)
-      integer, intent(in) :: kind               !< profile_file, ...
-      character(*), intent(in) :: case
-      integer, intent(in) :: number             !< of the model
-      character(:), allocatable :: name
-      name = '_'//case//'_'//trim(model_name(number))
-      select case (kind)
-      case (profile_file)
-         name = 'profile'//name//'.csv'
-      case (view_file)
-         name = 'view'//name//'.vtkhdf'
-      case default
-         name = 'history'//name//'.csv'
-      end select
-   end function case_file
 
    !> Tells that a signal came before something was begun, unless what it cut short has told it.
    subroutine note_ending(what, status)

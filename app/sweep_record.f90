@@ -8,6 +8,7 @@ module dg_sweep_record
    use dg_file_system, only: delete_file, write_text_file
    use dg_job, only: job_type
    use dg_progress, only: seconds_between
+   use dg_result_name, only: record_file
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: result_text, take_record
    use dg_task_record, only: read_record, record_head, record_line, record_type
@@ -40,8 +41,7 @@ contains
       character(*), intent(in) :: name         !< of it
       integer, intent(in) :: part, parts
       character(:), allocatable :: path
-      path = job%output_dir//'/'//what//'_'//name//'.partial'
-      if (parts > 0) path = job%output_dir//'/'//what//'_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
+      path = job%output_dir//'/'//record_file(what, name, part, parts)
    end function record_path
 
    !> Begins to keep the results of a run. Where an interrupted run has left a record its results are taken over; one of other

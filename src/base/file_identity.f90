@@ -1,10 +1,10 @@
 !> Which file a path leads to, as the system knows it: two paths may name one file, by links or by '..'.
 module dg_file_identity
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int16_t, c_int32_t, c_int64_t, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int16_t, c_int32_t, c_int64_t, c_long, c_null_char, c_size_t
    use dg_text, only: c_text
    implicit none
    private
-   public :: identity_type, identity_of, identity_of_link, identity_of_open, is_same_file
+   public :: identity_type, identity_of, identity_of_link, identity_of_open, is_same_file, link_target
 
    type :: identity_type
       logical :: exists = .false.
@@ -33,6 +33,9 @@ module dg_file_identity
    !> Kinds of files in the mode (S_IFMT, S_IFREG, S_IFDIR, S_IFLNK of sys/stat.h).
    integer, parameter :: kind_mask = 61440, kind_regular = 32768, kind_folder = 16384, kind_link = 40960
 
+   !> Longest path of Linux (PATH_MAX).
+   integer, parameter :: longest_path = 4096
+
    interface
       function c_statx(descriptor, path, flags, mask, found) result(status) bind(c, name='statx')
          import :: c_char, c_int, statx_type
@@ -43,6 +46,15 @@ module dg_file_identity
          type(statx_type), intent(out) :: found
          integer(c_int) :: status
       end function c_statx
+
+      function c_readlink(path, target, room) result(length) bind(c, name='readlink')
+         import :: c_char, c_long, c_size_t
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(out) :: target(*)
+         integer(c_size_t), value :: room
+         integer(c_long) :: length
+      end function c_readlink
    end interface
 
 contains
@@ -84,6 +96,18 @@ contains
       identity%inode = found%inode
       identity%device = [found%major, found%minor]
    end function asked
+
+   !> Where a link leads, as it has it; '' where `path` is no link.
+   function link_target(path) result(target)
+      character(*), intent(in) :: path
+      character(:), allocatable :: target
+      character(kind=c_char) :: chars(longest_path)
+      integer :: i
+      target = ''
+      do i = 1, int(c_readlink(c_text(trim(path)), chars, int(longest_path, c_size_t)))
+         target = target//chars(i)
+      end do
+   end function link_target
 
    !> Whether both are there and one file.
    elemental function is_same_file(one, other) result(is)

@@ -1,18 +1,56 @@
-!> Makes folders. POSIX calls, because Fortran has none and a shell command would need quoting.
+!> Makes, lists and removes folders. POSIX calls, because Fortran has none and a shell command would need quoting.
 module dg_folder
-   use, intrinsic :: iso_c_binding, only: c_char, c_int
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int16_t, c_int64_t, c_null_char, c_ptr, &
+                                          c_signed_char
    use dg_error, only: error_type, raise, status_failure
-   use dg_text, only: c_text
+   use dg_text, only: append_text, c_text, text_type
    implicit none
    private
-   public :: make_folder, is_folder
+   public :: make_folder, is_folder, list_folder, remove_empty_folder
 
    !> rwxrwxrwx less the user's umask (0777 octal).
    integer(c_int), parameter :: all_rights = 511_c_int
    !> W_OK + X_OK of unistd.h: files can be made in the folder.
    integer(c_int), parameter :: may_write = 3_c_int
 
+   integer, parameter :: longest_name = 256
+   !> struct dirent of Linux on 64 bits.
+   type, bind(c) :: dirent_type
+      integer(c_int64_t) :: inode, offset
+      integer(c_int16_t) :: length
+      integer(c_signed_char) :: kind
+      character(kind=c_char) :: name(longest_name)
+   end type dirent_type
+
    interface
+      function c_opendir(path) result(folder) bind(c, name='opendir')
+         import :: c_char, c_ptr
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         type(c_ptr) :: folder
+      end function c_opendir
+
+      function c_readdir(folder) result(entry) bind(c, name='readdir')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: folder
+         type(c_ptr) :: entry
+      end function c_readdir
+
+      function c_closedir(folder) result(status) bind(c, name='closedir')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: folder
+         integer(c_int) :: status
+      end function c_closedir
+
+      function c_rmdir(path) result(status) bind(c, name='rmdir')
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int) :: status
+      end function c_rmdir
+
       ! mode_t is unsigned int on Linux; 0777 is the same in int
       function c_mkdir(path, mode) result(status) bind(c, name='mkdir')
          import :: c_char, c_int
@@ -61,4 +99,41 @@ contains
       integer(c_int), parameter :: exists = 0_c_int   ! F_OK
       is = c_access(c_text(path//'/.'), exists) == 0
    end function is_folder
+
+   !> Names of what a folder holds that end so, in no order; none where it cannot be read.
+   subroutine list_folder(path, ending, names)
+      character(*), intent(in) :: path
+      character(*), intent(in) :: ending
+      type(text_type), allocatable, intent(out) :: names(:)
+      type(dirent_type), pointer :: entry
+      type(c_ptr) :: folder, next
+      character(:), allocatable :: name
+      integer(c_int) :: status
+      integer :: i
+      allocate (names(0))
+      folder = c_opendir(c_text(path))
+      if (.not. c_associated(folder)) return
+      do
+         next = c_readdir(folder)
+         if (.not. c_associated(next)) exit
+         call c_f_pointer(next, entry)
+         name = ''
+         do i = 1, longest_name
+            if (entry%name(i) == c_null_char) exit
+            name = name//entry%name(i)
+         end do
+         if (len(name) <= len(ending)) cycle
+         if (name(len(name) - len(ending) + 1:) == ending) call append_text(names, name)
+      end do
+      status = c_closedir(folder)
+      if (status /= 0) return       ! what was read is there
+   end subroutine list_folder
+
+   !> Removes a folder that is empty; nothing happens to any other.
+   subroutine remove_empty_folder(path)
+      character(*), intent(in) :: path
+      integer(c_int) :: status
+      status = c_rmdir(c_text(path))
+      if (status /= 0) return
+   end subroutine remove_empty_folder
 end module dg_folder

@@ -2,20 +2,18 @@
 module dg_picture_drawing
    use dg_child_process, only: child_type, end_child, start_child, wait_for_child
    use dg_error, only: error_type, raise, status_failure
-   use dg_file_system, only: delete_file, rename_file
+   use dg_file_system, only: delete_file, rename_file, unfinished_suffix
    use dg_gnuplot_script, only: ending_variable, spelled
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_kinds, only: wp
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: draw_pictures, usual_patience
+   public :: draw_pictures, complaint_file, usual_patience
 
    !> How long gnuplot may draw without beginning another picture [s]: it takes 10 ms for one of 1000 rows and two minutes for one
    !> of four million, on a slow machine twice that.
    real(wp), parameter :: usual_patience = 300.0_wp
-   !> Put behind a picture's name while it is drawn.
-   character(*), parameter :: unfinished_suffix = '.unfinished'
    !> Where gnuplot complains; kept only where it failed.
    character(*), parameter :: complaint_file = 'gnuplot.log'
    !> Variables of the environment that change what gnuplot does: its terminal, its start, where it looks for scripts and fonts.

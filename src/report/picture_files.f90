@@ -14,17 +14,17 @@ module dg_picture_files
    use dg_job, only: job_type, model_mcge, model_name
    use dg_legacy_picture, only: legacy_script
    use dg_model, only: model_type
-   use dg_picture_drawing, only: draw_pictures, usual_patience
+   use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
+   use dg_result_name, only: picture_folder
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
    use dg_uncertainty_picture, only: uncertainty_script
    use dg_text, only: is_separator_free, text_type, to_text
+   use dg_written_files, only: note_file
    implicit none
    private
-   public :: picture_type, picture_list_type, picture_folder, write_pictures, folder_in
+   public :: picture_type, picture_list_type, write_pictures, folder_in
 
-   !> Folder of scripts and pictures, within the output folder.
-   character(*), parameter :: picture_folder = 'pictures'
    !> Script that draws all.
    character(*), parameter :: whole_script = 'all'
 
@@ -162,7 +162,9 @@ contains
          type(picture_type), allocatable :: longer(:)
          integer :: n
          if (allocated(error)) return
-         call write_text_file(folder_in(job)//'/'//name//'.gp', lines, error)
+         call note_file(job%output_dir, picture_folder//'/'//name//'.gp', error)
+         if (.not. allocated(error)) call note_file(job%output_dir, picture_folder//'/'//name//'.svg', error)
+         if (.not. allocated(error)) call write_text_file(folder_in(job)//'/'//name//'.gp', lines, error)
          n = size(list%pictures)
          allocate (longer(n + 1))
          longer(:n) = list%pictures
@@ -186,7 +188,9 @@ contains
          names(i)%text = list%pictures(i)%name
          scripts(i)%text = 'load '//spelled(names(i)%text//'.gp')
       end do
-      call write_text_file(folder_in(job)//'/'//whole_script//'.gp', scripts, error)
+      call note_file(job%output_dir, picture_folder//'/'//whole_script//'.gp', error)
+      if (.not. allocated(error)) call note_file(job%output_dir, picture_folder//'/'//complaint_file, error)
+      if (.not. allocated(error)) call write_text_file(folder_in(job)//'/'//whole_script//'.gp', scripts, error)
       if (allocated(error)) return
       gnuplot = find_program('gnuplot')
       list%no_gnuplot = gnuplot == ''
