@@ -10,6 +10,8 @@ contains
       use funit, only: TestSuite
       use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
+      use dg_test_output_folder, only: output_folder_suite
+      use dg_test_standard_output, only: standard_output_suite
       use dg_test_odd_decks, only: odd_decks_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
@@ -28,6 +30,8 @@ contains
       call suite%addTest(bad_decks_suite())
       call suite%addTest(odd_decks_suite())
       call suite%addTest(program_suite())
+      call suite%addTest(output_folder_suite())
+      call suite%addTest(standard_output_suite())
       call suite%addTest(legacy_runs_suite())
       call suite%addTest(threads_suite())
       call suite%addTest(interruption_suite())

@@ -10,7 +10,7 @@ module dg_program_run
    implicit none
    private
    public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
-      clear_scratch
+      clear_scratch, program_path, content
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
