@@ -13,6 +13,10 @@ over, and at last left to end by itself. After each ending:
 at the end          every file is that of the undisturbed run but for times, nothing else is left
 Other lives:        the output folder is removed during the run, and a real disk runs full in it (where mounting is allowed):
                     exit status 1 with a message, no traceback, nothing half done under a final name
+Two runs:           started together in one folder: one is done as if alone, the other refused by exit status 1, and told who
+                    holds the folder; so are four parts of which two are the same, while the others share it
+Other names:        a run is killed, then a deck with other names of cases, models and sweeps is run in its folder: it leaves
+                    what it leaves in a folder of its own, records of the killed run's unfinished work aside
 Ends in 'N passed, N failed'.
 """
 import argparse
@@ -46,6 +50,8 @@ DECK = """&job models = 'mcge', 'soft', plots = {plots} /
 TIME_LIMIT = 120
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 UNFINISHED = ".unfinished"
+LOCK = "drillgap.lock"
+LIST = "drillgap_files.txt"       # of what is written: more than that while a run is under way
 
 
 def without_times(path):
@@ -79,13 +85,13 @@ class Place:
         (self.home / "deck.nml").write_text(deck, encoding="utf-8")
         self.out = out or self.home / "out"
 
-    def start(self):
-        with open(self.home / "told", "wb") as told:
-            return subprocess.Popen([self.program, self.home / "deck.nml", "--output", self.out, "--threads", "2"],
-                                    stdout=subprocess.DEVNULL, stderr=told, stdin=subprocess.DEVNULL)
+    def start(self, *options, told="told"):
+        with open(self.home / told, "wb") as errors:
+            return subprocess.Popen([self.program, self.home / "deck.nml", "--output", self.out, "--threads", "2", *options],
+                                    stdout=subprocess.DEVNULL, stderr=errors, stdin=subprocess.DEVNULL)
 
-    def told(self):
-        return (self.home / "told").read_text(errors="replace")
+    def told(self, told="told"):
+        return (self.home / told).read_text(errors="replace")
 
     def files(self):
         return {str(p.relative_to(self.out)): p for p in self.out.rglob("*") if p.is_file()} if self.out.is_dir() else {}
@@ -99,7 +105,11 @@ def faults_of_files(place, whole, killed):
             if not killed:
                 faults.append(f"{name} is left")
             continue
-        if ".partial" in name or (killed and name == "pictures/gnuplot.log"):
+        if ".partial" in name or name == LIST or (killed and name == "pictures/gnuplot.log"):
+            continue
+        if name == LOCK:
+            if not killed:
+                faults.append("the lock is left")
             continue
         if name not in whole:
             faults.append(f"{name} is a stranger")
@@ -157,6 +167,53 @@ def interrupted(program, deck, whole, seconds, rng):
     return place, [*story, *faults] if faults else []
 
 
+def two_runs(program, deck, whole, seconds, rng):
+    """Two at once, by two paths; then parts, one of them twice."""
+    place = Place(program, deck)
+    other = place.out / ".." / place.out.name
+    first = place.start()
+    time.sleep(rng.choice([0.0, 0.0, 0.02, 0.1]))
+    second = place.start("--output", other, told="second")
+    ends = [(first.wait(TIME_LIMIT), place.told()), (second.wait(TIME_LIMIT), place.told("second"))]
+    faults = []
+    if sorted(status for status, _ in ends) != [0, 1]:
+        faults.append(f"exit statuses {[status for status, _ in ends]}: {ends[0][1][:200]} {ends[1][1][:200]}")
+    faults += [f"no word of who holds the folder: {told[:200]}" for status, told in ends if status == 1 and "in use by another run: process" not in told]
+    faults += [f"{name} is left over" for name in place.files() if name not in whole]
+    faults += [f"{name} is not that of the undisturbed run" for name in whole
+               if name not in place.files() or not name.startswith("pictures") and without_times(place.files()[name]) != whole[name]]
+    shutil.rmtree(place.out)
+    runs = [(part, place.start("--part", f"{part}/3", told=f"part{i}")) for i, part in enumerate((1, 2, 3, rng.choice((1, 2, 3))))]
+    status = [run.wait(TIME_LIMIT) for _, run in runs]
+    if sum(status) != 1 or status[runs[3][0] - 1] + status[3] != 1:
+        faults.append(f"parts: exit statuses {status}: {[place.told(f'part{i}')[:200] for i in range(4)]}")
+    if place.start("--merge", "3").wait(TIME_LIMIT):
+        faults.append(f"merge: {place.told()[:300]}")
+    for name in ("sweep_s.csv", "uncertainty_u.csv"):
+        if name not in place.files() or without_times(place.files()[name]) != whole[name]:
+            faults.append(f"{name} of parts is not that of the undisturbed run")
+    if LOCK in place.files():
+        faults.append("the lock is left")
+    return place, faults
+
+
+def other_names(program, deck, _, seconds, rng):
+    place = Place(program, deck)
+    process = place.start()
+    time.sleep(rng.uniform(0.1, 1.0) * seconds)
+    process.kill()
+    process.wait(TIME_LIMIT)
+    changed = deck.replace("'drill'", "'bore'").replace("'mcge', 'soft'", "'soft', 'rigid'").replace("name = 's'", "name = 'x'")
+    fresh = Place(program, changed)
+    (place.home / "deck.nml").write_text(changed, encoding="utf-8")
+    faults = [f"exit status {status}" for status in (place.start().wait(TIME_LIMIT), fresh.start().wait(TIME_LIMIT)) if status]
+    faults += [f"{name} is left over" for name in place.files() if name not in fresh.files() and not name.endswith(".partial")]
+    faults += [f"{name} is not that of a fresh folder" for name, path in fresh.files().items()
+               if name not in place.files() or not name.startswith("pictures") and without_times(place.files()[name]) != without_times(path)]
+    shutil.rmtree(fresh.home)
+    return place, faults
+
+
 def folder_removed(program, deck, whole, seconds, rng):
     place = Place(program, deck)
     process = place.start()
@@ -200,6 +257,9 @@ def disk_full(program, deck, whole, rng):
     return place, [*story, *faults] if faults else []
 
 
+OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -220,13 +280,14 @@ def main():
     print(f"undisturbed: {seconds:.1f} s, {len(whole)} files")
     passed = failed = skipped = 0
     lives = [("signals", seed) for seed in range(options.count)]
-    lives += [(kind, seed) for kind in ("folder removed", "disk full") for seed in range(max(1, options.count // 4))]
+    lives += [(kind, seed) for kind in ("folder removed", "disk full", "two runs", "other names")
+              for seed in range(max(1, options.count // 4))]
     for kind, seed in lives:
         rng = random.Random(f"{options.seed} {kind} {seed}")
         if kind == "signals":
             place, faults = interrupted(program, deck, whole, seconds, rng)
-        elif kind == "folder removed":
-            place, faults = folder_removed(program, deck, whole, seconds, rng)
+        elif kind in OTHER_LIVES:
+            place, faults = OTHER_LIVES[kind](program, deck, whole, seconds, rng)
         else:
             place, faults = disk_full(program, deck, whole, rng)
         if faults is None:
