@@ -13,8 +13,8 @@ over, and at last left to end by itself. After each ending:
 at the end          every file is that of the undisturbed run but for times, nothing else is left
 Other lives:        the output folder is removed during the run, and a real disk runs full in it (where mounting is allowed):
                     exit status 1 with a message, no traceback, nothing half done under a final name
-Two runs:           started together in one folder: one is done as if alone, the other refused by exit status 1, and told who
-                    holds the folder; so are four parts of which two are the same, while the others share it
+Two runs:           started together in one folder: one is done as if alone, the other refused by exit status 1 and told who
+                    holds the folder, or done after it; so are four parts of which two are the same, while the others share it
 Other names:        a run is killed, then a deck with other names of cases, models and sweeps is run in its folder: it leaves
                     what it leaves in a folder of its own, records of the killed run's unfinished work aside
 Ends in 'N passed, N failed'.
@@ -176,7 +176,7 @@ def two_runs(program, deck, whole, seconds, rng):
     second = place.start("--output", other, told="second")
     ends = [(first.wait(TIME_LIMIT), place.told()), (second.wait(TIME_LIMIT), place.told("second"))]
     faults = []
-    if sorted(status for status, _ in ends) != [0, 1]:
+    if sorted(status for status, _ in ends) not in ([0, 1], [0, 0]):     # one after the other, where the first ends at once
         faults.append(f"exit statuses {[status for status, _ in ends]}: {ends[0][1][:200]} {ends[1][1][:200]}")
     faults += [f"no word of who holds the folder: {told[:200]}" for status, told in ends if status == 1 and "in use by another run: process" not in told]
     faults += [f"{name} is left over" for name in place.files() if name not in whole]
@@ -185,7 +185,7 @@ def two_runs(program, deck, whole, seconds, rng):
     shutil.rmtree(place.out)
     runs = [(part, place.start("--part", f"{part}/3", told=f"part{i}")) for i, part in enumerate((1, 2, 3, rng.choice((1, 2, 3))))]
     status = [run.wait(TIME_LIMIT) for _, run in runs]
-    if sum(status) != 1 or status[runs[3][0] - 1] + status[3] != 1:
+    if sum(status) > 1 or status[runs[3][0] - 1] + status[3] != sum(status):
         faults.append(f"parts: exit statuses {status}: {[place.told(f'part{i}')[:200] for i in range(4)]}")
     if place.start("--merge", "3").wait(TIME_LIMIT):
         faults.append(f"merge: {place.told()[:300]}")
@@ -203,7 +203,8 @@ def other_names(program, deck, _, seconds, rng):
     time.sleep(rng.uniform(0.1, 1.0) * seconds)
     process.kill()
     process.wait(TIME_LIMIT)
-    changed = deck.replace("'drill'", "'bore'").replace("'mcge', 'soft'", "'soft', 'rigid'").replace("name = 's'", "name = 'x'")
+    changed = deck.replace("'drill'", "'bore'").replace("'mcge', 'soft'", "'soft', 'rigid'")
+    changed = changed.replace("&sweep name = 's'", "&sweep name = 'x'").replace("&uncertainty name = 'u'", "&uncertainty name = 'y'")
     fresh = Place(program, changed)
     (place.home / "deck.nml").write_text(changed, encoding="utf-8")
     faults = [f"exit status {status}" for status in (place.start().wait(TIME_LIMIT), fresh.start().wait(TIME_LIMIT)) if status]
