@@ -34,7 +34,7 @@ module dg_folder_lock
    integer(c_long), parameter :: bytes_of_division = 10000_c_long
    !> A run that is about to end gives the folder free within this many tries, that long apart [us].
    integer, parameter :: tries = 10
-   integer(c_int), parameter :: pause = 50000_c_int
+   integer(c_int), parameter :: pause = 20000_c_int
    integer, parameter :: longest_host = 256
    !> In the line of a holder: `process 123 on HOST since TIME, WHAT`.
    character(*), parameter :: of_process = 'process ', of_host = ' on ', of_time = ' since '
@@ -254,7 +254,7 @@ contains
             text = text//line
          end associate
       end do
-      if (text == '') text = 'which does not say more in '//path
+      if (text == '') text = 'one that has just begun or ended'
    end function holders
 
    !> Whether a line is that of a process of this machine that has ended.
