@@ -96,6 +96,7 @@ def listed():
     yield "a line of 5 MB", changed("'hostile'", "'" + "x" * 5_000_000 + "'"), 2, "line 1 has more than", {}
     yield "a line of 20 kB", changed("'hostile'", "'" + "x" * 20_000 + "'"), 0, "", {}
     yield "99 kB of keys", changed("density =", "x=1 " * 24_000 + "density ="), 2, "too many faults", {}
+    yield "100 lines of 98 kB", {**good, "deck.nml": SI_DECK + ("! " + "&<" * 49_000 + "\n") * 100}, 0, "", {}
     yield "200000 lines", {**good, "deck.nml": SI_DECK + "\n" * 200_000}, 0, "", {}
     yield "20000 groups", {**good, "deck.nml": SI_DECK + "&fluid /\n" * 20_000}, 2, "second time", {}
     yield "5000 cases", {**good, "deck.nml": SI_DECK + "".join(f"&load_case name='c{i}' operation='up' bit_depth=7e9 /\n" for i in range(5000))}, 2, "deck.nml:", {}

@@ -4,7 +4,7 @@ module dg_text
    use dg_kinds, only: wp
    implicit none
    private
-   public :: text_type, append_text, joined, text_or_nothing
+   public :: text_type, append_text, put_piece, joined, text_or_nothing
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
    !> A text of its own length, for lists of texts.
@@ -45,6 +45,16 @@ contains
       longer(n + 1)%text = text
       call move_alloc(longer, list)
    end subroutine append_text
+
+   !> Puts a piece behind the letters that a text has so far. For texts that are made letter by letter: `text = text//piece` copies all
+   !> of it each time, which takes the square of its length.
+   pure subroutine put_piece(text, filled, piece)
+      character(*), intent(inout) :: text     !< with room for the piece
+      integer, intent(inout) :: filled        !< letters so far
+      character(*), intent(in) :: piece
+      text(filled + 1:filled + len(piece)) = piece
+      filled = filled + len(piece)
+   end subroutine put_piece
 
    !> The texts of a list in one, with `separator` between them.
    pure function joined(list, separator) result(text)

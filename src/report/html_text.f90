@@ -5,7 +5,7 @@ module dg_html_text
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
-   use dg_text, only: text_type, to_text
+   use dg_text, only: put_piece, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -43,36 +43,41 @@ contains
       page%lines(page%count)%text = text
    end subroutine add_line
 
-   !> A text as HTML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'.
+   !> A text as HTML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'. Put in place piece by piece: lines
+   !> of a hundred kilobytes are legal in a deck, and a text that grows by a byte at a time takes the square of its length.
    pure function html_safe(text) result(safe)
       character(*), intent(in) :: text
       character(:), allocatable :: safe
-      integer :: i, follow
-      safe = ''
+      character(:), allocatable :: room
+      integer, parameter :: longest = 6     ! letters that stand for one: &quot;
+      integer :: i, follow, filled
+      allocate (character(longest*len(text)) :: room)
+      filled = 0
       i = 1
       do while (i <= len(text))
          select case (text(i:i))
-         case ('&'); safe = safe//'&amp;'
-         case ('<'); safe = safe//'&lt;'
-         case ('>'); safe = safe//'&gt;'
-         case ('"'); safe = safe//'&quot;'
+         case ('&'); call put_piece(room, filled, '&amp;')
+         case ('<'); call put_piece(room, filled, '&lt;')
+         case ('>'); call put_piece(room, filled, '&gt;')
+         case ('"'); call put_piece(room, filled, '&quot;')
          case default
             if (iachar(text(i:i)) < iachar(' ')) then
-               safe = safe//' '
+               call put_piece(room, filled, ' ')
             else if (iachar(text(i:i)) < 128) then
-               safe = safe//text(i:i)
+               call put_piece(room, filled, text(i:i))
             else
                follow = followers(text(i:))
                if (follow < 0) then
-                  safe = safe//'?'
+                  call put_piece(room, filled, '?')
                else
-                  safe = safe//text(i:i + follow)
+                  call put_piece(room, filled, text(i:i + follow))
                   i = i + follow
                end if
             end if
          end select
          i = i + 1
       end do
+      safe = room(:filled)
    end function html_safe
 
    !> Bytes that belong to the first one of a text in UTF-8; -1 where it is none (RFC 3629).

@@ -4,6 +4,7 @@ module dg_number_text
    use dg_load_case, only: optional_real
    use dg_missing, only: is_shown
    use dg_printable, only: printable
+   use dg_text, only: put_piece
    implicit none
    private
    public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
@@ -137,17 +138,19 @@ contains
       character(*), intent(in) :: text
       character(:), allocatable :: field
       character(len(text)) :: plain
-      integer :: i
+      character(:), allocatable :: room
+      integer :: i, filled
       plain = printable(text, breaks)
       if (scan(plain, ',"'//breaks) == 0) then
          field = plain
          return
       end if
-      field = '"'
+      allocate (character(2*len(text)) :: room)
+      filled = 0
       do i = 1, len(text)
-         field = field//plain(i:i)
-         if (plain(i:i) == '"') field = field//'"'
+         call put_piece(room, filled, plain(i:i))
+         if (plain(i:i) == '"') call put_piece(room, filled, '"')
       end do
-      field = field//'"'
+      field = '"'//room(:filled)//'"'
    end function csv_text
 end module dg_number_text

@@ -1,6 +1,7 @@
 module dg_test_report_cells
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_comparison, only: percent_error
+   use dg_html_text, only: html_safe
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_load_case, only: given, moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
@@ -25,6 +26,7 @@ contains
       call suite%addTest(TestMethod('csv_numbers', test_csv_numbers))
       call suite%addTest(TestMethod('no_numbers', test_no_numbers))
       call suite%addTest(TestMethod('csv_text', test_csv_text))
+      call suite%addTest(TestMethod('long_texts', test_long_texts))
       call suite%addTest(TestMethod('percent_error', test_percent_error))
       call suite%addTest(TestMethod('which_column_applies', test_which_column_applies))
    end function report_cells_suite
@@ -92,6 +94,24 @@ contains
       call assertEqual('"a?[31m,?'//char(195)//char(169)//'"', &
                        csv_text('a'//achar(27)//'[31m,'//achar(127)//char(195)//char(169)))
    end subroutine test_csv_text
+
+   !> A text of a megabyte in a cell and on the page: milliseconds. A procedure that takes the square of the length takes a minute,
+   !> so that the bound of a hundred times what is needed tells the two apart on any machine.
+   subroutine test_long_texts()
+      real(wp), parameter :: bound = 5.0_wp     ! [s]
+      integer, parameter :: half = 500000
+      character(:), allocatable :: text
+      real(wp) :: start, finish
+      call cpu_time(start)
+      text = html_safe(repeat('<x', half))
+      call assertEqual(5*half, len(text))
+      call assertEqual('&lt;x&lt;x', text(5*half - 9:))
+      text = csv_text(repeat('"x', half))
+      call assertEqual(3*half + 2, len(text))
+      call assertEqual('""x""x"', text(3*half - 4:))
+      call cpu_time(finish)
+      call assertTrue(finish - start < bound)
+   end subroutine test_long_texts
 
    !> First row of the paper's Table 1: 733.4 against 745.0 kN is 1.56 %.
    subroutine test_percent_error()
