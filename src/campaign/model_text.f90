@@ -17,6 +17,8 @@ module dg_model_text
    public :: model_lines, sweep_lines, uncertainty_lines
 
    integer, parameter :: longest_settings = 2000
+   !> Numbers in one line: a line of a record may have a hundred kilobytes, and a survey any number of stations.
+   integer, parameter :: most_in_line = 1000
 
 contains
 
@@ -55,7 +57,7 @@ contains
       call append_text(lines, 'first bit depth, m = '//to_text(sweep%depths(1)))
       call append_text(lines, 'last bit depth, m = '//to_text(sweep%depths(size(sweep%depths))))
       call append_text(lines, 'number of bit depths = '//to_text(size(sweep%depths)))
-      call append_text(lines, 'bit depths, m ='//numbers_text(sweep%depths))
+      call append_numbers(lines, 'bit depths, m', sweep%depths)
    end function sweep_lines
 
    !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
@@ -82,9 +84,9 @@ contains
       allocate (lines(0))
       call append_text(lines, program_name//' = '//program_version)
       call append_text(lines, 'survey, number of stations = '//to_text(size(model%trajectory%md)))
-      call append_text(lines, 'survey, md ='//numbers_text(model%trajectory%md))
-      call append_text(lines, 'survey, inclination ='//numbers_text(model%trajectory%inclination))
-      call append_text(lines, 'survey, azimuth ='//numbers_text(model%trajectory%azimuth))
+      call append_numbers(lines, 'survey, md', model%trajectory%md)
+      call append_numbers(lines, 'survey, inclination', model%trajectory%inclination)
+      call append_numbers(lines, 'survey, azimuth', model%trajectory%azimuth)
       call append_text(lines, 'survey, number of arcs = '//to_text(size(model%trajectory%arcs)))
       do i = 1, size(model%holes)
          call append_hole(lines, 'hole '//to_text(i)//', ', model%holes(i))
@@ -152,6 +154,19 @@ contains
       character(:), allocatable :: text
       text = trim(merge('yes', 'no ', flag))
    end function yes_or_no
+
+   !> `key = numbers`, in as many lines as they need.
+   subroutine append_numbers(lines, key, numbers)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: key
+      real(wp), intent(in) :: numbers(:)
+      integer :: first
+      call append_text(lines, key//' ='//numbers_text(numbers(:min(size(numbers), most_in_line))))
+      do first = most_in_line + 1, size(numbers), most_in_line
+         call append_text(lines, key//', from '//to_text(first)//' ='// &
+                          numbers_text(numbers(first:min(size(numbers), first + most_in_line - 1))))
+      end do
+   end subroutine append_numbers
 
    pure function numbers_text(numbers) result(text)
       real(wp), intent(in) :: numbers(:)

@@ -1,7 +1,8 @@
 !> A sweep as numbered pieces of work: what belongs to which part, and results as lines of a record.
 module dg_sweep_work
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use dg_kinds, only: wp
-   use dg_case_result, only: result_locked_up, result_status_name
+   use dg_case_result, only: result_converged, result_locked_up, result_status_name
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_task_record, only: difference_of, part_text, record_type
    use dg_text, only: text_type, to_text
@@ -12,6 +13,9 @@ module dg_sweep_work
    !> Numbers of a double in text, to the last bit.
    character(*), parameter :: row_form = '(2es25.16e3)'
    integer, parameter :: number_width = 25
+   !> Greatest hook load [N] and torque [N.m] that a record is believed: far above what any rig carries, and below what a damaged
+   !> exponent makes of a number. Those of a point without solution may be anything finite.
+   real(wp), parameter :: greatest = 1.0e15_wp
 
 contains
 
@@ -33,25 +37,44 @@ contains
       if (allocated(point%message)) text = text//' '//point%message
    end function result_text
 
-   !> The point of such a text; `sound` tells whether it is one.
+   !> The point of such a text; `sound` tells whether it is one that result_text can have written: the two numbers, in that form to
+   !> the last letter, finite, and those of a solution no greater than any string can have.
    pure subroutine take_result(text, point, sound)
       character(*), intent(in) :: text
       type(sweep_result_type), intent(out) :: point
       logical, intent(out) :: sound
-      integer :: i, at, status
+      character(2*number_width) :: again
+      integer :: i, at, last, status
       sound = .false.
       do i = 1, result_locked_up
          at = len_trim(result_status_name(i))
-         if (len(text) < at + 2*number_width) cycle
+         last = at + 2*number_width
+         if (len(text) < last) cycle
          if (text(:at + 1) /= trim(result_status_name(i))//' ') cycle
-         read (text(at + 1:at + 2*number_width), row_form, iostat=status) point%hookload, point%torque
+         read (text(at + 1:last), row_form, iostat=status) point%hookload, point%torque
          if (status /= 0) return
+         if (.not. all(ieee_is_finite([point%hookload, point%torque]))) return
+         if (i == result_converged .and. max(abs(point%hookload), abs(point%torque)) > greatest) return
+         write (again, row_form) point%hookload, point%torque
+         if (again /= text(at + 1:last)) return
          point%status = i
-         if (len(text) > at + 2*number_width + 1) point%message = text(at + 2*number_width + 2:)
+         if (len(text) > last) then
+            if (text(last + 1:last + 1) /= ' ' .or. has_control_bytes(text(last + 1:))) return
+            point%message = text(last + 2:)
+         end if
          sound = .true.
          return
       end do
    end subroutine take_result
+
+   !> Whether a text holds bytes that no message has.
+   pure function has_control_bytes(text) result(has)
+      character(*), intent(in) :: text
+      logical :: has
+      integer, parameter :: delete = 127
+      integer :: i
+      has = any([(iachar(text(i:i)) < iachar(' ') .or. iachar(text(i:i)) == delete, i=1, len(text))])
+   end function has_control_bytes
 
    !> Puts the results of a record to those that are there. `failure` is '' or says why the record is not one of part `part`
    !> of `parts` of the work with these settings; then `points` stay as they were.
@@ -86,7 +109,10 @@ contains
          else if (is_solved(points(record%numbers(i)))) then
             failure = 'point '//to_text(record%numbers(i))//' is there already'
          end if
-         if (failure /= '') return
+         if (failure /= '') then
+            failure = 'line '//to_text(record%places(i))//': '//failure
+            return
+         end if
       end do
       do i = 1, size(found)
          points(record%numbers(i)) = found(i)

@@ -22,12 +22,15 @@ module dg_task_record
       type(text_type), allocatable :: settings(:)  !< `key = value`
       integer, allocatable :: numbers(:)           !< of the pieces that are done, in the order of the file
       type(text_type), allocatable :: texts(:)     !< what is known of each
+      integer, allocatable :: places(:)            !< the line of each in the file
    end type record_type
 
    character(*), parameter :: title = 'drillgap record, format 1'
    character(*), parameter :: end_mark = ' ;'
    integer, parameter :: head_lines = 4
    character(*), parameter :: equals = ' = '
+   !> More pieces than any work that a deck can ask for: a head that tells them is damaged, and they would only take memory.
+   integer, parameter :: most_pieces = 10000000
    !> Longest value that a message repeats.
    integer, parameter :: longest_shown = 60
 
@@ -63,17 +66,18 @@ contains
       line = to_text(number)//' '//text//end_mark
    end function record_line
 
-   !> Reads the lines of a record. `failure` is '' or says what is wrong with them. A last line that was cut short is left
-   !> out; any other line that is none is a failure, and so is a piece that stands there twice with different texts.
+   !> Reads the lines of a record. `failure` is '' or says what is wrong with them, and in which line. A last line that was cut
+   !> short, without its end mark, is left out; any other line that is none is a failure, and so is a piece that stands there
+   !> twice with different texts.
    pure subroutine read_record(lines, record, failure)
       type(text_type), intent(in) :: lines(:)
       type(record_type), intent(out) :: record
       character(:), allocatable, intent(out) :: failure
       integer, allocatable :: first_place(:)
       integer :: i, settings, number, count, blank
-      logical :: sound
+      logical :: sound, whole
       failure = ''
-      allocate (record%numbers(0), record%texts(0), record%settings(0))
+      allocate (record%numbers(0), record%texts(0), record%places(0), record%settings(0))
       if (size(lines) < head_lines) then
          failure = 'it is no record: it has '//to_text(size(lines))//' lines'
          return
@@ -89,25 +93,27 @@ contains
       if (sound) call take_number(lines(2)%text(blank + len(' of '):), record%parts, sound)
       if (sound) call take_number(after('pieces ', lines(3)%text), record%pieces, sound)
       if (sound) call take_number(after('settings ', lines(4)%text), settings, sound)
+      if (sound) sound = record%pieces <= most_pieces
       if (.not. sound .or. head_lines + settings > size(lines)) then
          failure = 'its head is damaged or cut short'
          return
       end if
       record%settings = lines(head_lines + 1:head_lines + settings)
       count = size(lines) - head_lines - settings
-      deallocate (record%numbers, record%texts)
-      allocate (record%numbers(count), record%texts(count))
+      deallocate (record%numbers, record%texts, record%places)
+      allocate (record%numbers(count), record%texts(count), record%places(count))
       allocate (first_place(record%pieces), source=0)
       count = 0
       do i = head_lines + settings + 1, size(lines)
          associate (line => lines(i)%text)
             blank = index(line, ' ')
             number = 0
-            sound = len(line) > len(end_mark) + 1 .and. blank > 1
-            if (sound) sound = line(len(line) - len(end_mark) + 1:) == end_mark
+            whole = len(line) >= len(end_mark)
+            if (whole) whole = line(len(line) - len(end_mark) + 1:) == end_mark
+            if (.not. whole .and. i == size(lines)) exit
+            sound = whole .and. len(line) > len(end_mark) + 1 .and. blank > 1
             if (sound) call take_number(line(:blank), number, sound)
-            if (sound) sound = number >= 1 .and. number <= record%pieces
-            if (.not. sound .and. i == size(lines)) exit
+            if (sound) sound = number <= record%pieces
             if (.not. sound) then
                failure = 'line '//to_text(i)//' is damaged'
                return
@@ -122,11 +128,13 @@ contains
             count = count + 1
             first_place(number) = count
             record%numbers(count) = number
+            record%places(count) = i
             record%texts(count)%text = line(blank + 1:len(line) - len(end_mark))
          end associate
       end do
       record%numbers = record%numbers(:count)
       record%texts = record%texts(:count)
+      record%places = record%places(:count)
    end subroutine read_record
 
    !> What is behind a word; '' where the text does not begin with it.

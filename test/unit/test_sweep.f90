@@ -35,6 +35,9 @@ contains
       call suite%addTest(TestMethod('result_through_text', test_result_text))
       call suite%addTest(TestMethod('record_through_text', test_record))
       call suite%addTest(TestMethod('damaged_records', test_damaged))
+      call suite%addTest(TestMethod('impossible_results', test_impossible))
+      call suite%addTest(TestMethod('whole_last_line', test_whole_last_line))
+      call suite%addTest(TestMethod('long_settings', test_long_settings))
       call suite%addTest(TestMethod('foreign_records', test_foreign))
       call suite%addTest(TestMethod('settings_name_the_difference', test_settings))
       call suite%addTest(TestMethod('fitting_friction', test_fitting))
@@ -238,6 +241,59 @@ contains
       end subroutine refuse
    end subroutine test_damaged
 
+   !> Results that no run can have written are refused with their line: numbers that are none, are blank, or no string can have.
+   subroutine test_impossible()
+      character(*), parameter :: good = '   2.0000000000000000E+000'
+      character(*), parameter :: bad(10) = [character(25) :: '                      NaN', '                 Infinity', &
+         '                -Infinity', '', '  1.0000000000000000E+300', '  -1.0000000000000000E+16', '   2.0000000000000000D+000', &
+         '   2.000000000000000E+0000', '                        2', '   2,0000000000000000E+000']
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      call set_record(lines)
+      do i = 1, size(bad)
+         call refuse('2 converged'//bad(i)//good//' ;')
+         call refuse('2 converged'//good//bad(i)//' ;')
+      end do
+      call refuse('2 '//good//good//' ;')
+      call refuse('2 solved'//good//good//' ;')
+      call refuse('2 locked_up                      NaN'//good//' ;')
+      call refuse('2 not_converged'//good//'                 Infinity no rest ;')
+      call refuse('2 converged'//good//good//'no blank before ;')
+      call refuse('2 converged'//good//good//' a'//achar(27)//'[2J ;')
+   contains
+      !> In the last line, too, which is whole.
+      subroutine refuse(line)
+         character(*), intent(in) :: line
+         type(text_type), allocatable :: settings(:)
+         type(record_type) :: record
+         type(sweep_result_type) :: points(7)
+         character(:), allocatable :: failure
+         lines(8)%text = line
+         call set_settings(settings)
+         call read_record(lines, record, failure)
+         if (failure == '') call take_record(record, 2, 3, settings, points, failure)
+         call assertEqual('line 8: the result of point 2 is damaged', failure, message=line)
+         call assertFalse(any(is_solved(points)), message='nothing taken')
+      end subroutine refuse
+   end subroutine test_impossible
+
+   !> A last line that is whole is judged like the others; a head cannot ask for endless memory.
+   subroutine test_whole_last_line()
+      type(text_type), allocatable :: lines(:)
+      type(record_type) :: record
+      character(:), allocatable :: failure
+      call set_record(lines)
+      call append_text(lines, '-1'//lines(8)%text(2:))
+      call read_record(lines, record, failure)
+      call assertEqual('line 9 is damaged', failure)
+      lines(9)%text = '8'//lines(8)%text(2:)
+      call read_record(lines, record, failure)
+      call assertEqual('line 9 is damaged', failure)
+      lines(3)%text = 'pieces 999999999'
+      call read_record(lines, record, failure)
+      call assertEqual('its head is damaged or cut short', failure)
+   end subroutine test_whole_last_line
+
    !> A record of another part, another deck, or of points that are there already gives nothing.
    subroutine test_foreign()
       type(text_type), allocatable :: lines(:), settings(:)
@@ -259,12 +315,12 @@ contains
       settings(2)%text = 'b, m = 2'
       record%numbers(2) = 3
       call take_record(record, 2, 3, settings, points, failure)
-      call assertEqual('point 3 does not belong to part 2 of 3', failure)
+      call assertEqual('line 8: point 3 does not belong to part 2 of 3', failure)
       call assertFalse(any(is_solved(points)), message='nothing taken')
       record%numbers(2) = 2
       points(2)%status = result_converged
       call take_record(record, 2, 3, settings, points, failure)
-      call assertEqual('point 2 is there already', failure)
+      call assertEqual('line 8: point 2 is there already', failure)
       call assertFalse(is_solved(points(5)), message='nothing taken')
    end subroutine test_foreign
 
@@ -295,6 +351,22 @@ contains
       sweep%depths(2) = 101.0_wp
       call assertEqual('bit depths, m has changed', difference_of(then, sweep_lines(model, sweep)))
    end subroutine test_settings
+
+   !> However many stations, no line of a record is longer than a file is read with, and each number still counts.
+   subroutine test_long_settings()
+      type(model_type) :: model
+      type(sweep_type) :: sweep
+      type(text_type), allocatable :: then(:)
+      integer, parameter :: stations = 5003, longest = 100000
+      integer :: i
+      call build(model, sweep)
+      deallocate (model%trajectory%md)
+      allocate (model%trajectory%md(stations), source=[(real(i, wp), i=1, stations)])
+      allocate (then, source=sweep_lines(model, sweep))
+      call assertTrue(all([(len(then(i)%text), i=1, size(then))] < longest))
+      model%trajectory%md(stations) = 7.0_wp
+      call assertEqual('survey, md, from 5001 has changed', difference_of(then, sweep_lines(model, sweep)))
+   end subroutine test_long_settings
 
    !> Hook loads of 10, 8, 4 at 0.1, 0.2, 0.3: 7 lies a quarter of the way from 0.2 to 0.3, in whatever order.
    subroutine test_fitting()
