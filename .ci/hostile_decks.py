@@ -70,6 +70,11 @@ def full_disk():
     resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))
 
 
+def memory_of(megabytes):
+    """No more addresses than that, as by ulimit -v."""
+    return lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes * 1024 * 1024,) * 2)
+
+
 def remove(name):
     return lambda home: (home / name).unlink()
 
@@ -139,6 +144,25 @@ def listed():
     yield "elements without number", changed("element_length = 30.0", "element_length = 0.01").copy() | {
         "wells/path.csv": SURVEY.replace("700,44.0", "49000,44.0"),
         "deck.nml": SI_DECK.replace("element_length = 30.0", "element_length = 0.01").replace("= 700.0", "= 49000.0")}, 2, "GB", {}
+    if not Run.bounded:      # with sanitizers programs need terabytes
+        return
+    fine = SI_DECK.replace("element_length = 30.0", "element_length = 0.1")
+    pipe = "&job models = 'soft', plots = .false. /\n" + SI_DECK[SI_DECK.index("&trajectory"):SI_DECK.index("&load_case")]
+    case = "&load_case name = 'up', operation = 'up', bit_depth = 700.0, measured_hookload = 250.0 /\n"
+    for name, deck, status, text in (
+            ("a case", fine, 1, "fewer threads"),
+            ("a sweep", pipe + "&sweep operations = 'up', bit_depth_to = 700, bit_depth_step = 0.001 /\n", 1, "ulimit -v"),
+            ("an uncertainty", pipe + "&uncertainty operations = 'up', bit_depth_to = 700, bit_depth_step = 0.7, samples = 5000, "
+             "friction_deviation = 0.02 /\n", 1, "fewer samples"),
+            ("a study", pipe + case + "&study cases = 'up', models = 'mcge', element_lengths = 0.01, 5 /\n", 1, "larger element_length"),
+            ("joints", pipe.replace("joint_od = 161.9", "joint_od = 161.9, joint_spacing = 0.1, joint_length = 0.05") + case
+             + "&solver tool_joints = 'discrete' /\n", 1, "smeared"),
+            ("a calibration", pipe + case + "&calibrate cases = 'up', separate = 'none' /\n", 1, "OPENBLAS_NUM_THREADS"),
+            ("a sound deck", SI_DECK, 0, "")):
+        yield f"{name} with 200 MB", {**good, "deck.nml": deck}, status, text, {"shell_limits": memory_of(200)}
+    wells = {"wells/path.csv": "md,inc,azi\n" + "".join(f"{i * 0.002:.3f},10,0\n" for i in range(350_001))}
+    for megabytes in (150, 200, 250, 300):
+        yield f"350000 stations with {megabytes} MB", {**good, **wells}, 1, "ulimit -v", {"shell_limits": memory_of(megabytes)}
 
 
 def main(program):

@@ -10,7 +10,7 @@ program main
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_line, print_lines
-   use dg_process, only: end_process
+   use dg_process, only: begin_process, end_process
    use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
    use dg_run_action, only: run_action
@@ -26,6 +26,7 @@ program main
    integer :: status
 
    call guard_descriptors()
+   call begin_process()
    call keep_freed_memory()
    call usage_lines(usage)
    call read_arguments(arguments, error)

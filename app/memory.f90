@@ -1,82 +1,206 @@
-!> Whether the machine has the memory that a deck asks for: told before anything is begun, not by the system's killing the
-!> program in the middle of it.
+!> Whether there is the memory that a deck asks for: told before anything is begun, not by the system's killing the program in
+!> the middle of it.
 module dg_memory
-   use, intrinsic :: iso_c_binding, only: c_int, c_long
-   use, intrinsic :: iso_fortran_env, only: int64
-   use dg_kinds, only: wp
-   use dg_error, only: error_type, raise, status_bad_input
+   use dg_component, only: has_joints
+   use dg_drillstring, only: component_tops
+   use dg_error, only: error_type, raise, status_bad_input, status_failure
    use dg_job, only: job_type
-   use dg_model, only: model_type
+   use dg_kinds, only: wp
+   use dg_model, only: model_type, string_index
+   use dg_numerics, only: fidelity_name, numerics_type, set_fidelity, solver_banded
+   use dg_process_memory, only: address_room, memory_of_machine
+   use dg_sweep, only: point_count, sweep_type
    use dg_text, only: quoted, to_text
    use dg_threads, only: thread_count
+   use dg_uncertainty, only: piece_count
    implicit none
    private
    public :: check_memory
 
    !> What a case takes while it is solved, and what its result and the files of it keep, an element [bytes]: 5.4 kB in all
-   !> were seen with 100 000 elements.
-   real(wp), parameter :: bytes_solving = 5.0e3_wp, bytes_kept = 1.0e3_wp
+   !> were seen with 100 000 elements. What a point of a sweep or Monte Carlo keeps, with its line in a record.
+   real(wp), parameter :: bytes_solving = 5.0e3_wp, bytes_kept = 1.0e3_wp, bytes_of_point = 250.0_wp
+   !> What pages, pictures and libraries take beside, and the stack of a thread [bytes].
+   real(wp), parameter :: bytes_beside = 2.0e7_wp, bytes_of_stack = 8.4e6_wp
+   !> Work space of a thread in OpenBLAS [bytes]: where it does not get that it tries for ever.
+   real(wp), parameter :: bytes_of_blas = 1.35e8_wp
    real(wp), parameter :: gigabyte = 1.0e9_wp
    integer, parameter :: digits = 3
-   ! Numbers of Linux: of sysconf, and of the address space in getrlimit.
-   integer(c_int), parameter :: page_size = 30_c_int, physical_pages = 85_c_int, address_space = 9_c_int
-   !> Where a container's limit stands, if it has one.
-   character(*), parameter :: container_limit = '/sys/fs/cgroup/memory.max'
+   !> Elements from one tool joint to the next where joints are discrete, and the part of an element's length within which
+   !> stations are one node (dg_mesh) [-].
+   real(wp), parameter :: elements_a_joint = 5.0_wp, merged_share = 1.0e-3_wp
 
-   interface
-      function c_sysconf(name) result(value) bind(c, name='sysconf')
-         import :: c_int, c_long
-         implicit none
-         integer(c_int), value :: name
-         integer(c_long) :: value
-      end function c_sysconf
-
-      ! rlim_t is unsigned long on Linux; RLIM_INFINITY is -1 here
-      function c_getrlimit(resource, limits) result(status) bind(c, name='getrlimit')
-         import :: c_int, c_long
-         implicit none
-         integer(c_int), value :: resource
-         integer(c_long), intent(out) :: limits(2)
-         integer(c_int) :: status
-      end function c_getrlimit
-   end interface
+   !> The greatest piece of work so far, and what all of it keeps.
+   type :: need_type
+      real(wp) :: bytes = 0.0_wp           !< taken while it is solved
+      real(wp) :: kept = 0.0_wp            !< [bytes]
+      character(:), allocatable :: what
+      character(:), allocatable :: remedy
+   end type need_type
 
 contains
 
-   !> Bad input where the cases need more memory than the machine has. The need is a lower bound: elements may be cut finer
-   !> than asked for, and no model but mcge needs as much.
+   !> An error where the deck's work needs more memory than there is: bad input where the machine has too little, a failure where
+   !> only the shell allows too little. The need is a lower bound: elements may be cut finer than asked for.
    subroutine check_memory(job, model, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: elements(size(model%cases)), need, there
-      integer :: longest, models
-      if (size(model%cases) == 0) return      ! sweeps alone: their elements are long
-      models = size(job%models)
-      elements = model%cases%bit_depth/model%numerics%element_length
-      longest = maxloc(elements, 1)
-      need = bytes_solving*elements(longest)*thread_count(job%threads, models*size(elements)) + bytes_kept*models*sum(elements)
-      there = memory_there()
-      if (need > there) call raise(error, status_bad_input, job%deck_path//': group &solver: elements of '// &
-         to_text(model%numerics%element_length, digits)//' m, '//to_text(elements(longest), digits)//' of them in case '// &
-         quoted(model%cases(longest)%name)//', need '//to_text(need/gigabyte, digits)//' GB of memory, the machine has '// &
-         to_text(there/gigabyte, digits)//'; give a larger element_length or fewer threads')
+      type(need_type) :: need
+      real(wp) :: room, wanted
+      character(:), allocatable :: text
+      integer :: i
+      need%what = 'the run'
+      need%remedy = 'do less in one run'
+      if (job%merge == 0) then
+         call add_cases(job, model, need)
+         if (allocated(job%study) .and. job%parts == 0) call add_study(job, model, need)
+      end if
+      do i = 1, size(job%sweeps)
+         call add_range(job, model, job%sweeps(i), point_count(job%sweeps(i)), 'sweep', &
+                        'fewer frictions or a larger bit_depth_step', need)
+      end do
+      do i = 1, size(job%uncertainties)
+         call add_range(job, model, job%uncertainties(i)%range, piece_count(job%uncertainties(i)), 'uncertainty', &
+                        'fewer samples', need)
+      end do
+      wanted = need%bytes + need%kept + bytes_beside
+      room = memory_of_machine()
+      text = job%deck_path//': '//need%what//', needs '//to_text(wanted/gigabyte, digits)//' GB of memory, the machine has '// &
+             to_text(room/gigabyte, digits)//'; give '//need%remedy
+      if (wanted > room) call raise(error, status_bad_input, text)
+      if (allocated(error)) return
+      ! addresses are not all used: threads reserve more than they touch
+      if (.not. address_room() < huge(room)) return
+      call add_blas(job, model, need, wanted)
+      wanted = wanted + bytes_of_stack*(thread_count(job%threads, huge(1)) - 1)
+      if (wanted <= address_room()) return
+      call raise(error, status_failure, job%deck_path//': '//need%what//', needs '//to_text(wanted/gigabyte, digits)// &
+                 ' GB of memory, this shell allows '//to_text(max(address_room(), 0.0_wp)/gigabyte, digits)// &
+                 ' GB more than the program itself takes; allow more (ulimit -v), set OPENBLAS_NUM_THREADS=1, which spares '// &
+                 'some, or give '//need%remedy)
    end subroutine check_memory
 
-   !> Memory that this process can have [bytes]: the machine's, less where its container or shell allows less.
-   function memory_there() result(bytes)
-      real(wp) :: bytes
-      integer(c_long) :: limits(2)
-      integer(int64) :: number
-      integer :: unit, status
-      bytes = real(c_sysconf(page_size), wp)*real(c_sysconf(physical_pages), wp)
-      if (c_getrlimit(address_space, limits) == 0_c_int) then
-         if (limits(1) > 0) bytes = min(bytes, real(limits(1), wp))
-      end if
-      open (newunit=unit, file=container_limit, status='old', action='read', iostat=status)
-      if (status /= 0) return
-      read (unit, *, iostat=status) number       ! or 'max'
-      if (status == 0) bytes = min(bytes, real(number, wp))
-      close (unit)
-   end function memory_there
+   !> Load cases, one a model and case, and what calibrations do with them.
+   subroutine add_cases(job, model, need)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      real(wp) :: elements(size(model%cases))
+      integer :: i
+      if (size(model%cases) == 0) return
+      elements = [(elements_in(model, model%cases(i)%string, model%cases(i)%bit_depth, model%numerics%element_length), &
+                   i=1, size(model%cases))]
+      if (job%parts == 0) need%kept = need%kept + bytes_kept*size(job%models)*sum(elements)
+      i = maxloc(elements, 1)
+      call take_greater(need, elements(i), thread_count(job%threads, size(job%models)*size(elements)), &
+                        'case '//quoted(model%cases(i)%name), finer_text(model, model%numerics%element_length))
+   end subroutine add_cases
+
+   !> Solutions of a study go one by one.
+   subroutine add_study(job, model, need)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      type(numerics_type) :: numerics
+      real(wp) :: shortest
+      integer :: i
+      shortest = model%numerics%element_length
+      if (size(job%study%element_lengths) > 0) shortest = minval(job%study%element_lengths)
+      do i = 1, size(job%study%fidelities)
+         numerics = model%numerics
+         call set_fidelity(numerics, fidelity_name(job%study%fidelities(i)))
+         shortest = min(shortest, numerics%element_length)
+      end do
+      do i = 1, size(job%study%cases)
+         associate (case => model%cases(job%study%cases(i)))
+            call take_greater(need, elements_in(model, case%string, case%bit_depth, shortest), 1, &
+                              'study, case '//quoted(case%name), finer_text(model, shortest))
+         end associate
+      end do
+   end subroutine add_study
+
+   !> A range of bit depths, solved at so many points.
+   subroutine add_range(job, model, range, points, kind, fewer, need)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: range
+      integer, intent(in) :: points
+      character(*), intent(in) :: kind     !< sweep or uncertainty
+      character(*), intent(in) :: fewer    !< what makes them less
+      type(need_type), intent(inout) :: need
+      real(wp) :: elements
+      elements = 0.0_wp
+      if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
+      need%kept = need%kept + bytes_of_point*points
+      call take_greater(need, elements, thread_count(job%threads, points), kind//' '//quoted(range%name)//', '// &
+                        to_text(points)//' solutions', fewer//', '//finer_text(model, model%numerics%element_length))
+   end subroutine add_range
+
+   !> Notes the work that takes most.
+   subroutine take_greater(need, elements, threads, what, remedy)
+      type(need_type), intent(inout) :: need
+      real(wp), intent(in) :: elements
+      integer, intent(in) :: threads
+      character(*), intent(in) :: what, remedy
+      if (bytes_solving*elements*threads < need%bytes) return
+      need%bytes = bytes_solving*elements*threads
+      need%what = what//', '//to_text(elements, digits)//' elements'
+      need%remedy = remedy
+      if (threads > 1) need%remedy = remedy//' or fewer threads'
+   end subroutine take_greater
+
+   !> What makes elements fewer.
+   function finer_text(model, element_length) result(text)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: element_length   !< [m]
+      character(:), allocatable :: text
+      text = 'a larger element_length than '//to_text(element_length, digits)//' m'
+      if (model%numerics%discrete_joints) text = text//', tool_joints = ''smeared'''
+   end function finer_text
+
+   !> Elements of a string at a bit depth, no less than there will be but for round-off [-].
+   pure function elements_in(model, string, bit_depth, element_length) result(elements)
+      type(model_type), intent(in) :: model
+      character(*), intent(in) :: string
+      real(wp), intent(in) :: bit_depth, element_length   !< [m]
+      real(wp) :: elements
+      real(wp) :: longest, bottom
+      real(wp), allocatable :: tops(:)
+      integer :: i, number
+      number = string_index(model%strings, string)
+      associate (pipes => model%strings(number)%components)
+         allocate (tops(size(pipes)))
+         tops = component_tops(model%strings(number), bit_depth - model%trajectory%md(1))
+         elements = 0.0_wp
+         bottom = 0.0_wp
+         do i = 1, size(pipes)
+            longest = element_length
+            if (model%numerics%discrete_joints .and. has_joints(pipes(i))) &
+               longest = min(longest, pipes(i)%joint_spacing/elements_a_joint)
+            elements = elements + (tops(i) - bottom)/longest
+            bottom = tops(i)
+         end do
+      end associate
+      ! every station is a node, but for those that lie too near each other
+      elements = max(elements, min(real(count(model%trajectory%md < bit_depth), wp), bit_depth/(merged_share*element_length)))
+   end function elements_in
+
+   !> Work space of OpenBLAS, of whose routines calibrations and the banded solver use some, put to what is wanted [bytes].
+   subroutine add_blas(job, model, need, wanted)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      real(wp), intent(inout) :: wanted
+      logical :: banded
+      banded = model%numerics%linear_solver == solver_banded
+      if (allocated(job%study)) banded = banded .or. any(job%study%linear_solvers == solver_banded)
+      if (.not. banded .and. size(job%calibrations) + size(job%stickings) == 0) return
+      wanted = wanted + bytes_of_blas*merge(thread_count(job%threads, huge(1)), 1, banded)
+      if (need%bytes > bytes_of_blas) return
+      need%what = merge('the banded solver', 'a calibration    ', banded)
+      need%what = trim(need%what)//' with the library OpenBLAS'
+      need%remedy = 'no &calibrate'
+      if (banded) need%remedy = 'another linear_solver'
+   end subroutine add_blas
 end module dg_memory

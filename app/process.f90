@@ -1,20 +1,68 @@
 !> What a program asks of its operating system: how to end, and whether anybody watches.
+!>
+!> It ends by _exit: libraries are not asked to tidy up. OpenBLAS would wait for its threads, and one that found no memory for its
+!> work space when it began never ends.
 module dg_process
-   use, intrinsic :: iso_c_binding, only: c_int
+   use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_size_t
    use, intrinsic :: iso_fortran_env, only: error_unit
+   use dg_error, only: status_failure
+   use dg_kinds, only: wp
+   use dg_process_memory, only: address_room
+   use dg_version, only: program_name
    implicit none
    private
-   public :: end_process, someone_watches, someone_reads
+   public :: begin_process, end_process, someone_watches, someone_reads
 
+   !> A bad address: number of Linux.
+   integer(c_int), parameter :: bad_address = 11_c_int
    !> Descriptors (POSIX).
    integer(c_int), parameter :: standard_output = 1_c_int, standard_error = 2_c_int
 
+   !> What is told where a library ended the program. The run-time library has said before what it could not allocate.
+   character(*), parameter :: last_word = program_name//': a library has ended the program. If memory is what it lacked: '// &
+      'allow more (ulimit -v), use --threads 1, or give a larger element_length or fewer points and samples'//new_line('a')
+
    interface
-      subroutine c_exit(status) bind(c, name='exit')
+      subroutine c_exit_now(status) bind(c, name='_exit')
          import :: c_int
          implicit none
          integer(c_int), value :: status
-      end subroutine c_exit
+      end subroutine c_exit_now
+
+      function c_atexit(handler) result(failed) bind(c, name='atexit')
+         import :: c_funptr, c_int
+         implicit none
+         type(c_funptr), value :: handler
+         integer(c_int) :: failed
+      end function c_atexit
+
+      ! returns the handler before, or SIG_ERR
+      function c_signal(number, handler) result(before) bind(c, name='signal')
+         import :: c_funptr, c_int
+         implicit none
+         integer(c_int), value :: number
+         type(c_funptr), value :: handler
+         type(c_funptr) :: before
+      end function c_signal
+
+      ! ssize_t is as large as size_t
+      function c_write(descriptor, text, length) result(written) bind(c, name='write')
+         import :: c_char, c_int, c_size_t
+         implicit none
+         integer(c_int), value :: descriptor
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_size_t), value :: length
+         integer(c_size_t) :: written
+      end function c_write
+
+      !> Options of gfortran's run-time library (its manual, "Non-Fortran main program"): the first four are standards that
+      !> are warned of, those that are allowed, pedantry, and tracebacks.
+      subroutine gfortran_set_options(number, options) bind(c, name='_gfortran_set_options')
+         import :: c_int
+         implicit none
+         integer(c_int), value :: number
+         integer(c_int), intent(in) :: options(*)
+      end subroutine gfortran_set_options
 
       function c_isatty(descriptor) result(is) bind(c, name='isatty')
          import :: c_int
@@ -26,12 +74,37 @@ module dg_process
 
 contains
 
-   !> Ends the program with an exit status. C's exit instead of STOP: a `stop` with a number prints 'STOP 2'
+   !> To be called first. Where memory is limited, so that any allocation may fail, the run-time library's word on it is not
+   !> followed by a traceback, which takes memory itself. Libraries that do not look whether they got memory then end by SIGSEGV:
+   !> that is told in the same words.
+   subroutine begin_process()
+      integer(c_int), parameter :: warned = 66_c_int, allowed = 32767_c_int, plain(4) = [warned, allowed, 0_c_int, 0_c_int]
+      type(c_funptr) :: before
+      if (c_atexit(c_funloc(say_last_word)) /= 0_c_int) return
+      if (.not. address_room() < huge(1.0_wp)) return
+      call gfortran_set_options(size(plain, kind=c_int), plain)
+      before = c_signal(bad_address, c_funloc(note_bad_address))
+   end subroutine begin_process
+
+   !> SIGSEGV.
+   subroutine note_bad_address(number) bind(c, name='dg_note_bad_address')
+      integer(c_int), value :: number
+      if (number == bad_address) call say_last_word()
+   end subroutine note_bad_address
+
+   !> Runs when a library ends the program, before libraries tidy up.
+   subroutine say_last_word() bind(c, name='dg_say_last_word')
+      integer(c_size_t) :: written
+      written = c_write(standard_error, last_word, len(last_word, c_size_t))
+      if (written >= 0) call c_exit_now(int(status_failure, c_int))
+   end subroutine say_last_word
+
+   !> Ends the program with an exit status. C's _exit instead of STOP: a `stop` with a number prints 'STOP 2'
    !> and notes on floating-point flags to standard error, which is kept for diagnostics.
    subroutine end_process(status)
       integer, intent(in) :: status
       flush (error_unit)
-      call c_exit(int(status, c_int))
+      call c_exit_now(int(status, c_int))
    end subroutine end_process
 
    !> Whether standard error is a terminal: only then is progress shown.

@@ -1,10 +1,11 @@
 !> Memory of this process, as Linux tells it.
 module dg_process_memory
-   use, intrinsic :: iso_c_binding, only: c_int, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_int, c_long, c_size_t
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    implicit none
    private
-   public :: memory_now, memory_peak, forget_memory_peak, keep_freed_memory
+   public :: memory_now, memory_peak, memory_of_machine, address_room, forget_memory_peak, keep_freed_memory
 
    !> Where Linux tells of a process, and where it takes the wish to forget its peak (proc(5)).
    character(*), parameter :: status_file = '/proc/self/status', wish_file = '/proc/self/clear_refs'
@@ -14,6 +15,12 @@ module dg_process_memory
    !> the second, the greatest that the library takes, come from it.
    integer(c_int), parameter :: trim_threshold = -1_c_int, map_threshold = -3_c_int
    integer(c_int), parameter :: kept = 268435456_c_int, greatest_piece = 33554432_c_int
+   !> Heaps of the library; each that a thread has of its own reserves addresses, 128 MB at first.
+   integer(c_int), parameter :: most_heaps = -8_c_int
+   ! Numbers of Linux: of sysconf, and of the address space in getrlimit.
+   integer(c_int), parameter :: page_size = 30_c_int, physical_pages = 85_c_int, address_space = 9_c_int
+   !> Where a container's limit stands, if it has one.
+   character(*), parameter :: container_limit = '/sys/fs/cgroup/memory.max'
 
    interface
       !> Gives free memory back to the system (GNU C library).
@@ -31,17 +38,57 @@ module dg_process_memory
          integer(c_int), value :: parameter_number, setting
          integer(c_int) :: done
       end function c_mallopt
+
+      function c_sysconf(name) result(value) bind(c, name='sysconf')
+         import :: c_int, c_long
+         implicit none
+         integer(c_int), value :: name
+         integer(c_long) :: value
+      end function c_sysconf
+
+      ! rlim_t is unsigned long on Linux; RLIM_INFINITY is -1 here
+      function c_getrlimit(resource, limits) result(status) bind(c, name='getrlimit')
+         import :: c_int, c_long
+         implicit none
+         integer(c_int), value :: resource
+         integer(c_long), intent(out) :: limits(2)
+         integer(c_int) :: status
+      end function c_getrlimit
    end interface
 
 contains
 
    !> Keeps what is freed for the next solution, instead of giving it back to the system and asking for it again, page by page:
-   !> a tenth of the time of short cases.
+   !> a tenth of the time of short cases. Where addresses are limited threads share one heap.
    subroutine keep_freed_memory()
       integer(c_int) :: done
       done = c_mallopt(map_threshold, greatest_piece)
       if (done /= 0) done = c_mallopt(trim_threshold, kept)
+      if (address_room() < huge(1.0_wp)) done = c_mallopt(most_heaps, 1_c_int)
    end subroutine keep_freed_memory
+
+   !> Memory that the shell lets this process have beside what it has (ulimit -v) [bytes]; huge where it sets no limit, so that
+   !> allocations do not fail.
+   function address_room() result(bytes)
+      real(wp) :: bytes
+      integer(c_long) :: limits(2)
+      bytes = huge(bytes)
+      if (c_getrlimit(address_space, limits) /= 0_c_int) return
+      if (limits(1) >= 0) bytes = real(limits(1), wp) - told('VmSize:')
+   end function address_room
+
+   !> Memory of the machine [bytes], less where a container allows less.
+   function memory_of_machine() result(bytes)
+      real(wp) :: bytes
+      integer(int64) :: number
+      integer :: unit, status
+      bytes = real(c_sysconf(page_size), wp)*real(c_sysconf(physical_pages), wp)
+      open (newunit=unit, file=container_limit, status='old', action='read', iostat=status)
+      if (status /= 0) return
+      read (unit, *, iostat=status) number       ! or 'max'
+      if (status == 0) bytes = min(bytes, real(number, wp))
+      close (unit)
+   end function memory_of_machine
 
    !> Memory in use now [bytes]; 0 where the system does not tell.
    function memory_now() result(bytes)
