@@ -134,13 +134,13 @@ def listed():
     yield "survey of a null azimuth", {**good, "wells/path.csv": SURVEY.replace(",41.0,15", ",41.0,-999.25")}, 2, "path.csv:6", {}
     yield "survey ragged", {**good, "wells/path.csv": SURVEY.replace(",41.0,15", "")}, 2, "path.csv:6", {}
     yield "survey turning back", {**good, "wells/path.csv": SURVEY.replace("600,", "300,")}, 2, "path.csv:6", {}
-    yield "output is a file", good, 1, "cannot make the output folder", {"arguments": [*out, "deck.nml"]}
-    yield "output below a file", good, 1, "cannot make the output folder", {"arguments": [*out, "deck.nml/out"]}
+    yield "output is a file", good, 1, "File exists", {"arguments": [*out, "deck.nml"]}
+    yield "output below a file", good, 1, "Not a directory", {"arguments": [*out, "deck.nml/out"]}
     yield "output not writable", good, 1, "cannot", {"arguments": [*out, "/proc/drillgap"]}
-    yield "output an endless name", good, 1, "cannot", {"arguments": [*out, "o" * 5000]}
-    yield "a folder where a file is to be", good, 1, "summary.csv", {
+    yield "output an endless name", good, 1, "File name too long", {"arguments": [*out, "o" * 5000]}
+    yield "a folder where a file is to be", good, 1, "summary.csv: Is a directory", {
         "before": lambda home: (home / "out/summary.csv").mkdir(parents=True)}
-    yield "disk full", good, 1, "disk full", {"shell_limits": full_disk}
+    yield "disk full", good, 1, "File too large", {"shell_limits": full_disk}
     yield "elements without number", changed("element_length = 30.0", "element_length = 0.01").copy() | {
         "wells/path.csv": SURVEY.replace("700,44.0", "49000,44.0"),
         "deck.nml": SI_DECK.replace("element_length = 30.0", "element_length = 0.01").replace("= 700.0", "= 49000.0")}, 2, "GB", {}

@@ -19,8 +19,8 @@ module dg_process
    integer(c_int), parameter :: standard_output = 1_c_int, standard_error = 2_c_int
 
    !> What is told where a library ended the program. The run-time library has said before what it could not allocate.
-   character(*), parameter :: last_word = program_name//': a library has ended the program. If memory is what it lacked: '// &
-      'allow more (ulimit -v), use --threads 1, or give a larger element_length or fewer points and samples'//new_line('a')
+   character(*), parameter :: last_word = program_name//': a library has ended the program. If memory or threads are what it '// &
+      'lacked: allow more (ulimit -v), use --threads 1, or give a larger element_length or fewer points and samples'//new_line('a')
 
    interface
       subroutine c_exit_now(status) bind(c, name='_exit')

@@ -11,6 +11,7 @@ module dg_sweep_record
    use dg_result_name, only: record_file
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: result_text, take_record
+   use dg_system_reason, only: reason_of_failed_write
    use dg_task_record, only: read_record, record_head, record_line, record_type
    use dg_text, only: text_type, to_text
    implicit none
@@ -180,6 +181,7 @@ contains
       type(keeper_type), intent(inout) :: keeper
       type(sweep_result_type), intent(in) :: points(:)
       type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: reason
       integer :: unit, status, i
       open (newunit=unit, file=keeper%path, status='old', position='append', action='write', iostat=status)
       do i = 1, keeper%count
@@ -187,8 +189,12 @@ contains
          write (unit, '(a)', iostat=status) record_line(keeper%waiting(i), result_text(points(keeper%waiting(i))))
       end do
       if (status == 0) close (unit, iostat=status)
-      if (status /= 0) call raise(error, status_failure, 'cannot write '//keeper%path//': an interruption would lose what '// &
-                                  'is solved (is the disk full?)')
+      if (status /= 0) then
+         reason = reason_of_failed_write(keeper%path)
+         if (reason == '') reason = 'it failed once'
+         call raise(error, status_failure, 'cannot write '//keeper%path//': '//reason//'; an interruption would '// &
+                    'lose what is solved')
+      end if
       keeper%count = 0
    end subroutine append_waiting
 end module dg_sweep_record

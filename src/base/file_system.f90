@@ -5,6 +5,7 @@ module dg_file_system
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_error, only: error_type, raise, status_failure
    use dg_file_identity, only: identity_of_link, identity_type
+   use dg_system_reason, only: reason_of_failed_write, system_reason
    use dg_text, only: c_text, text_type
    implicit none
    private
@@ -62,7 +63,7 @@ contains
          if (.not. there%exists) exit
       end do
       if (status /= 0) then
-         call raise(error, status_failure, 'cannot write '//path//': '//trim(reason)//' (is its folder there and writable?)')
+         call raise(error, status_failure, 'cannot write '//path//': '//system_words(reason))
          return
       end if
       expected = 0
@@ -75,8 +76,9 @@ contains
       ! A full disk cuts the file and raises no status (seen with gfortran 12): the size tells.
       inquire (file=unfinished, size=found)
       if (status /= 0 .or. closing /= 0 .or. found /= expected) then
+         if (reason == '') reason = reason_of_failed_write(unfinished)
          call delete_file(unfinished)
-         call raise(error, status_failure, 'writing '//path//' failed: '//trim(reason)//' (is the disk full?)')
+         call raise(error, status_failure, 'writing '//path//' failed: '//system_words(reason))
          return
       end if
       call rename_file(unfinished, path, error)
@@ -111,13 +113,23 @@ contains
       finished = name(:dot - 1)
    end function finished_name
 
+   !> The run-time library's reason without the path that it repeats; without one the file was shorter at its end than what was
+   !> written, and nothing else is known.
+   pure function system_words(reason) result(words)
+      character(*), intent(in) :: reason
+      character(:), allocatable :: words
+      words = trim(reason(index(reason, ': ', back=.true.) + 1:))
+      words = adjustl(words)
+      if (words == '') words = 'the file is cut short'
+   end function system_words
+
    !> Gives a file another name, replacing a file of that name.
    subroutine rename_file(from, to, error)
       character(*), intent(in) :: from
       character(*), intent(in) :: to
       type(error_type), allocatable, intent(out) :: error
       if (c_rename(c_text(from), c_text(to)) /= 0) &
-         call raise(error, status_failure, 'cannot rename '//from//' to '//to//' (is that a folder, or not writable?)')
+         call raise(error, status_failure, 'cannot rename '//from//' to '//to//': '//system_reason())
    end subroutine rename_file
 
    !> Removes a file; nothing happens where there is none.

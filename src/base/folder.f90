@@ -3,6 +3,7 @@ module dg_folder
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int16_t, c_int64_t, c_null_char, c_ptr, &
                                           c_signed_char
    use dg_error, only: error_type, raise, status_failure
+   use dg_system_reason, only: system_reason
    use dg_text, only: append_text, c_text, text_type
    implicit none
    private
@@ -76,6 +77,7 @@ contains
    subroutine make_folder(path, error)
       character(*), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: reason
       integer :: i
       integer(c_int) :: status
       do i = 2, len(path)
@@ -83,12 +85,12 @@ contains
          if (path(i - 1:i - 1) /= '/') status = c_mkdir(c_text(path(:i - 1)), all_rights)
       end do
       status = c_mkdir(c_text(path), all_rights)     ! fails where it exists: what counts is what is there now
+      reason = system_reason()
       if (.not. is_folder(path)) then
-         call raise(error, status_failure, 'cannot make the output folder '//path// &
-                    ' (is a file in its way, or a folder above it not writable?)')
+         call raise(error, status_failure, 'cannot make the output folder '//path//': '//reason)
       else if (c_access(c_text(path), may_write) /= 0) then
-         call raise(error, status_failure, 'cannot write into the output folder '//path//'; change its rights or '// &
-                    'use --output')
+         reason = system_reason()
+         call raise(error, status_failure, 'cannot write into the output folder '//path//': '//reason//'; use --output')
       end if
    end subroutine make_folder
 

@@ -18,6 +18,7 @@ module dg_hdf5_file
    use dg_file_system, only: delete_file, rename_file, unfinished_name
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
+   use dg_system_reason, only: reason_of_failed_write
    implicit none
    private
    public :: hdf5_file_type, create_hdf5, close_hdf5, make_group, make_link, write_data, write_attribute, write_ascii
@@ -70,7 +71,7 @@ contains
       call h5pset_libver_bounds_f(access, h5f_libver_v18_f, h5f_libver_latest_f, status)
       call check(file, status, 'file format')
       call h5fcreate_f(file%unfinished, h5f_acc_excl_f, file%id, status, access_prp=access)
-      call check(file, status, 'creating the file (is its folder there and writable?)')
+      call check(file, status, 'creating the file')
       if (file%failure /= '') file%id = -1
       call h5pclose_f(access, status)
    end subroutine create_hdf5
@@ -80,19 +81,22 @@ contains
    subroutine close_hdf5(file, error)
       type(hdf5_file_type), intent(inout) :: file
       type(error_type), allocatable, intent(out) :: error
+      character(:), allocatable :: reason
       integer :: status
       if (file%id >= 0) then
          call h5fflush_f(file%id, h5f_scope_local_f, status)
-         call check(file, status, 'writing to disk (is it full?)')
+         call check(file, status, 'writing to disk')
          call h5fclose_f(file%id, status)
-         call check(file, status, 'closing the file (is the disk full?)')
+         call check(file, status, 'closing the file')
          file%id = -1
       end if
       call h5close_f(status)
       if (file%failure == '') then
          call rename_file(file%unfinished, file%path, error)
       else
-         call raise(error, status_failure, 'cannot write '//file%path//': '//file%failure//' failed')
+         reason = reason_of_failed_write(file%unfinished)
+         if (reason /= '') reason = ': '//reason
+         call raise(error, status_failure, 'cannot write '//file%path//': '//file%failure//' failed'//reason)
       end if
       if (allocated(error)) call delete_file(file%unfinished)
    end subroutine close_hdf5

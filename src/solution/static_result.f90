@@ -71,9 +71,14 @@ contains
          result%message = trim(text)
       case (newton_exhausted)
          result%status = result_not_converged
-         write (text, '(a,i0,a,es9.2,a,i0,a)') 'iterations used up in load step ', last%increment, ': residual ', &
-            last%residual_force, ' N, ', last%flips, ' gaps still changing; try shorter elements, more max_iterations or load_steps'
-         result%message = trim(text)
+         write (text, '(a,i0,a,es9.2,a,i0,a)') ' in load step ', last%increment, ': residual ', last%residual_force, ' N, ', &
+            last%flips, ' gaps still changing'
+         if (newton%iterations >= model%numerics%max_iterations) then
+            result%message = 'iterations used up'//trim(text)//'; try more max_iterations'
+         else
+            result%message = 'no rest found in '//to_text(newton%iterations)//' iterations, and none to expect of more,'// &
+               trim(text)
+         end if
       case default
          result%status = result_not_converged
          write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &

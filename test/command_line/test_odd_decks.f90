@@ -1,7 +1,7 @@
 !> Decks that are legal but hardly meant: they are run, and the program says what is odd. The good deck is not odd.
 module dg_test_odd_decks
-   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: good_deck, replaced, run_deck_text, run_type
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type
    implicit none
    private
    public :: odd_decks_suite
@@ -17,6 +17,7 @@ contains
       call suite%addTest(TestMethod('stabiliser_without_blades', test_blades))
       call suite%addTest(TestMethod('thresholds', test_thresholds))
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
+      call suite%addTest(TestMethod('little_memory', test_little_memory))
    end function odd_decks_suite
 
    subroutine test_units()
@@ -48,6 +49,43 @@ contains
       call note("&boundary", "&component string = 'liner', od = 139.7, id = 121.4 /"//newline//"&boundary", &
                 "string 'liner' is used by no case")
    end subroutine test_unused
+
+   !> A shell that allows 200 MB: solved, or refused in words. The limit of processor time ends a program that hangs.
+   subroutine test_little_memory()
+      character(*), parameter :: limits = 'ulimit -t 60; ulimit -v 204800;'
+      character(*), parameter :: sweep = "&sweep operations = 'up', bit_depth_to = 900, bit_depth_step = 0.001 /"//newline
+      character(*), parameter :: study = "&study cases = 'u', models = 'mcge', element_lengths = 0.01, 5 /"//newline
+      character(*), parameter :: chance = "&uncertainty operations = 'up', bit_depth_to = 900, bit_depth_step = 0.9, "// &
+                                          "samples = 2000, friction_deviation = 0.02 /"//newline
+      character(*), parameter :: fit = "&calibrate cases = 'u', separate = 'none' /"//newline
+      type(run_type) :: run
+      run = run_program('--version', limits)
+      if (run%status /= 0) return      ! built with sanitizers, which ask for terabytes
+      run = under_limits(good_deck())
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call refused(good_deck()//sweep, 'fewer frictions or a larger bit_depth_step')
+      call refused(good_deck()//chance, 'fewer samples')
+      call refused(good_deck()//study, 'a larger element_length than 0.01 m')
+      call refused(replaced(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, measured_hookload = 300.0')//fit, &
+                   'OPENBLAS_NUM_THREADS=1')
+   contains
+      function under_limits(text) result(run)
+         character(*), intent(in) :: text
+         type(run_type) :: run
+         run = run_deck_text(text, '--check')
+         run = run_program(deck_path//' --output '//results_path, limits)
+      end function under_limits
+
+      subroutine refused(text, advice)
+         character(*), intent(in) :: text, advice
+         type(run_type) :: run
+         run = under_limits(text)
+         call assertEqual(1, run%status, message=run%diagnostics)
+         call assertTrue(index(run%diagnostics, 'GB of memory') > 0 .and. index(run%diagnostics, advice) > 0, &
+                         message=run%diagnostics)
+         call assertFalse(run%has_results)
+      end subroutine refused
+   end subroutine test_little_memory
 
    !> The good deck with `old` changed to `new` passes, with a note that holds `expected`.
    subroutine note(old, new, expected)
