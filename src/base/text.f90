@@ -46,8 +46,8 @@ contains
       call move_alloc(longer, list)
    end subroutine append_text
 
-   !> Puts a piece behind the letters that a text has so far. For texts that are made letter by letter: `text = text//piece` copies all
-   !> of it each time, which takes the square of its length.
+   !> Puts a piece behind the letters that a text has so far. For texts that are made letter by letter: `text = text//piece` copies
+   !> all of it each time, which takes the square of its length.
    pure subroutine put_piece(text, filled, piece)
       character(*), intent(inout) :: text     !< with room for the piece
       integer, intent(inout) :: filled        !< letters so far

@@ -70,6 +70,9 @@ module dg_static_analysis
    !> is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
    integer, parameter :: enough = 400
    real(wp), parameter :: finer = 0.25_wp
+   !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
+   !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
+   real(wp), parameter :: most_work = 1.0e7_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
 
@@ -95,7 +98,7 @@ contains
       call solve_on_mesh(model, case_index, model%numerics%element_length, first, history, result)
       length = finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
-          .not. is_interrupted()) then
+          .not. work_is_done(result) .and. .not. is_interrupted()) then
          history = result%history
          given_up = result%iterations
          call solve_on_mesh(model, case_index, length, most, history, result)
@@ -106,12 +109,19 @@ contains
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
 
+   !> Whether a mesh has had the work that it may have, but for its last iteration.
+   pure function work_is_done(result) result(done)
+      type(case_result_type), intent(in) :: result
+      logical :: done
+      done = real(result%iterations + 1, wp)*result%elements > most_work
+   end function work_is_done
+
    !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, most, history, result)
+   subroutine solve_on_mesh(model, case_index, element_length, allowed, history, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
-      integer, intent(in) :: most                  !< iterations, those in `history` included
+      integer, intent(in) :: allowed               !< iterations, those in `history` included
       type(iteration_type), intent(in) :: history(:)
       type(case_result_type), intent(out) :: result
       type(mesh_type) :: mesh
@@ -130,11 +140,13 @@ contains
       integer :: shortened(scale_count)
       integer :: plan(3)
       integer :: attempt, outcome, place, way, in_plane
+      integer :: most              ! iterations
       call mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
       if (totals%runaway) then
          call result_of_lock_up(model, case_index, result)
          return
       end if
+      most = min(allowed, size(history) + int(most_work/mesh%elements))
       may_buckle = compressed > buckling_share
       allocate (state(6, mesh%nodes))
       allocate (gap_states(mesh%elements), source=state_free)
@@ -198,6 +210,9 @@ contains
          call find_stability_margin(newton, model%trajectory, mesh, loads, gaps, state, work, known, margin)
       if (.not. newton%planar) call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work)
       call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
+      if (result%status == result_not_converged .and. most < allowed .and. newton%iterations >= most) &
+         result%message = to_text(newton%iterations)//' iterations with '//to_text(mesh%elements)//' elements are the most '// &
+         'work that is done for a case, and found no rest; give a larger element_length'
       result%stability_margin = margin
       result%way = way
       if (way == way_left) call add_message(result, 'solved in space: '//to_text(in_plane)//' iterations in the plane of the '// &
