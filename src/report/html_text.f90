@@ -5,7 +5,7 @@ module dg_html_text
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
-   use dg_text, only: put_piece, text_type, to_text
+   use dg_text, only: plain_utf8, put_piece, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -49,54 +49,23 @@ contains
       character(*), intent(in) :: text
       character(:), allocatable :: safe
       character(:), allocatable :: room
+      character(len(text)) :: plain
       integer, parameter :: longest = 6     ! letters that stand for one: &quot;
-      integer :: i, follow, filled
+      integer :: i, filled
+      plain = plain_utf8(text)
       allocate (character(longest*len(text)) :: room)
       filled = 0
-      i = 1
-      do while (i <= len(text))
-         select case (text(i:i))
+      do i = 1, len(text)
+         select case (plain(i:i))
          case ('&'); call put_piece(room, filled, '&amp;')
          case ('<'); call put_piece(room, filled, '&lt;')
          case ('>'); call put_piece(room, filled, '&gt;')
          case ('"'); call put_piece(room, filled, '&quot;')
-         case default
-            if (iachar(text(i:i)) < iachar(' ')) then
-               call put_piece(room, filled, ' ')
-            else if (iachar(text(i:i)) < 128) then
-               call put_piece(room, filled, text(i:i))
-            else
-               follow = followers(text(i:))
-               if (follow < 0) then
-                  call put_piece(room, filled, '?')
-               else
-                  call put_piece(room, filled, text(i:i + follow))
-                  i = i + follow
-               end if
-            end if
+         case default; call put_piece(room, filled, plain(i:i))
          end select
-         i = i + 1
       end do
       safe = room(:filled)
    end function html_safe
-
-   !> Bytes that belong to the first one of a text in UTF-8; -1 where it is none (RFC 3629).
-   pure function followers(text) result(count)
-      character(*), intent(in) :: text
-      integer :: count
-      integer :: k
-      select case (iachar(text(1:1)))
-      case (194:223); count = 1
-      case (224:239); count = 2
-      case (240:244); count = 3
-      case default; count = -1
-      end select
-      if (count >= len(text)) count = -1
-      do k = 2, count + 1
-         if (iachar(text(k:k)) < 128 .or. iachar(text(k:k)) > 191) count = -1
-         if (count < 0) return
-      end do
-   end function followers
 
    !> A table of the columns of those names that have any value; each with its unit below, its meaning where the mouse rests.
    pure subroutine append_table(page, columns, shown, units, rows, marked)
