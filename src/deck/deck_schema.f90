@@ -6,7 +6,7 @@ module dg_deck_schema
    use dg_text, only: to_text, joined
    implicit none
    private
-   public :: group_rule_type, key_rule_type, unit_factor, unit_label, range_text, split_words, listed
+   public :: group_rule_type, key_rule_type, unit_factor, unit_label, range_text, hold_in_range, split_words, listed
    public :: kind_text, kind_real, kind_integer, kind_logical
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
@@ -31,6 +31,9 @@ module dg_deck_schema
    integer, parameter :: unit_rotation = 11
    integer, parameter :: unit_speed = 12
    integer, parameter :: unit_gravity = 13   !< m/s2 in both systems
+
+   !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers so that they come back to 1e-11.
+   real(wp), parameter :: range_round_off = 2.0e-11_wp
 
    integer, parameter :: name_length = 24
    integer, parameter :: words_length = 120
@@ -143,6 +146,26 @@ contains
       end if
       if (text /= '' .and. rule%unit /= unit_none) text = text//' '//unit_label(units, rule%unit)
    end function range_text
+
+   !> Whether a number has the range of its key; one that is beyond it by the round-off of a conversion is the end of the range.
+   pure subroutine hold_in_range(rule, si, number, holds)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: si     !< in which the table states its bounds
+      real(wp), intent(inout) :: number            !< [SI]
+      logical, intent(out) :: holds
+      real(wp) :: scale
+      scale = unit_factor(si, rule%unit)
+      holds = .true.
+      if (rule%open) holds = number/scale > rule%low
+      if (.not. holds) return
+      if (number/scale < rule%low) then
+         holds = rule%low - number/scale <= range_round_off*abs(rule%low)
+         if (holds) number = rule%low*scale
+      else if (number/scale > rule%high) then
+         holds = number/scale - rule%high <= range_round_off*abs(rule%high)
+         if (holds) number = rule%high*scale
+      end if
+   end subroutine hold_in_range
 
    !> The words of a text with blanks between them.
    pure subroutine split_words(text, words)

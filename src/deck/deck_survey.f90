@@ -2,7 +2,7 @@
 module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
-   use dg_deck_schema, only: key_rule_type, range_text, unit_factor
+   use dg_deck_schema, only: hold_in_range, key_rule_type, range_text, unit_factor
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_survey_file, only: station_list_type, read_survey_file
@@ -16,8 +16,6 @@ module dg_deck_survey
    real(wp), parameter :: vertical = 1.0e-12_wp
    !> Depth within which the first station is at surface [m].
    real(wp), parameter :: at_surface = 1.0e-6_wp
-   !> Part of the end of a range that is only the round-off of a conversion [-].
-   real(wp), parameter :: range_round_off = 4.0_wp*epsilon(1.0_wp)
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 9
 
@@ -147,15 +145,18 @@ contains
          character(*), intent(in) :: key
          real(wp), intent(in) :: values(:)      !< [SI]
          type(key_rule_type) :: rule
-         real(wp) :: scale, slack
+         type(unit_system_type) :: si
+         real(wp) :: held
          integer :: i
+         logical :: holds
+         si = si_units()
          rule = group%rules(rule_index(group%rules, key))
-         scale = unit_factor(si_units(), rule%unit)
-         slack = range_round_off*rule%high*scale
          do i = 1, size(values)
-            if (values(i) >= rule%low*scale - slack .and. values(i) <= rule%high*scale + slack) cycle
+            held = values(i)
+            call hold_in_range(rule, si, held, holds)
+            if (holds) cycle
             call station_fault(i, key//' = '//to_text(values(i)/unit_factor(units, rule%unit), depth_digits)// &
-                               ' is out of range; needs a number, '//range_text(rule, units, si_units()))
+                               ' is out of range; needs a number, '//range_text(rule, units, si))
          end do
       end subroutine check_range
 

@@ -5,7 +5,7 @@ module dg_deck_values
    use dg_checked_group, only: value_type, checked_group_type, rule_index
    use dg_deck_number, only: read_real, read_integer, read_logical
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, unit_factor, unit_label, &
-      range_text, split_words, listed, name_length, unit_none
+      range_text, hold_in_range, split_words, listed, name_length, unit_none
    use dg_deck_keys, only: keys_of, operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
@@ -181,7 +181,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(value_type), intent(inout) :: value
       character(:), allocatable, intent(out) :: message
-      real(wp) :: number, scale
+      real(wp) :: number
       integer :: whole
       logical :: legal
 
@@ -208,11 +208,9 @@ contains
             message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)
             return
          end if
-         scale = unit_factor(si_units(), rule%unit)
          number = number*unit_factor(units, rule%unit)
-         ! a hair of room for the rounding of converted units
-         if (number < rule%low*scale - spacing(rule%low*scale) .or. number > rule%high*scale + spacing(rule%high*scale) &
-             .or. (rule%open .and. number <= rule%low*scale)) then
+         call hold_in_range(rule, si_units(), number, legal)
+         if (.not. legal) then
             message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
             return
          end if

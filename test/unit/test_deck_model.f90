@@ -3,6 +3,8 @@ module dg_test_deck_model
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
+   use dg_deck_keys, only: keys_of
+   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, unit_factor
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, fault_text
    use dg_file_system, only: delete_file, write_text_file
@@ -11,7 +13,8 @@ module dg_test_deck_model
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, numerics_type
    use dg_read_deck, only: read_deck
-   use dg_text, only: append_text, text_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: field_units, si_units
    implicit none
    private
    public :: deck_model_suite
@@ -29,6 +32,7 @@ contains
       call suite%addTest(TestMethod('field_units', test_field, tearDown=remove_deck))
       call suite%addTest(TestMethod('all_keys', test_all_keys, tearDown=remove_deck))
       call suite%addTest(TestMethod('depth_a_hair_too_deep', test_hair, tearDown=remove_deck))
+      call suite%addTest(TestMethod('ends_of_ranges', test_ends_of_ranges))
    end function deck_model_suite
 
    subroutine remove_deck()
@@ -201,4 +205,39 @@ contains
       if (.not. allocated(model%cases)) return
       call assertEqual(999.9999_wp, model%cases(1)%bit_depth)
    end subroutine test_hair
+
+   !> The ends of all ranges in field units, as --convert writes them: legal, and the very ends. What is beyond them is not.
+   subroutine test_ends_of_ranges()
+      character(*), parameter :: groups(5) = [character(11) :: 'job', 'hole', 'component', 'load_case', 'solver']
+      integer, parameter :: digits = 14
+      real(wp), parameter :: rounded = 1.0e-11_wp, beyond = 1.0e-9_wp
+      type(key_rule_type), allocatable :: rules(:)
+      character(:), allocatable :: written
+      real(wp) :: number, factor, ending
+      integer :: i, k, d, checked
+      logical :: holds
+      checked = 0
+      do i = 1, size(groups)
+         rules = keys_of(trim(groups(i)))
+         do k = 1, size(rules)
+            if (rules(k)%kind /= kind_real .or. .not. abs(rules(k)%high) < huge(1.0_wp)) cycle
+            factor = unit_factor(field_units(), rules(k)%unit)
+            ending = rules(k)%high*unit_factor(si_units(), rules(k)%unit)
+            written = to_text(ending/factor, digits)
+            read (written, *) number
+            do d = -1, 1         ! fewer digits where they lie within that
+               number = number*factor*(1.0_wp + d*rounded)
+               call hold_in_range(rules(k), si_units(), number, holds)
+               call assertTrue(holds, message=trim(rules(k)%key)//' = '//written)
+               call assertTrue(number <= ending, message=trim(rules(k)%key)//' is not beyond its range')
+               number = ending/factor
+            end do
+            number = ending*(1.0_wp + beyond)
+            call hold_in_range(rules(k), si_units(), number, holds)
+            call assertFalse(holds, message=trim(rules(k)%key)//' beyond its range')
+            checked = checked + 1
+         end do
+      end do
+      call assertTrue(checked > 40, message='keys with an end')
+   end subroutine test_ends_of_ranges
 end module dg_test_deck_model
