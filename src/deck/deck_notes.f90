@@ -27,9 +27,9 @@ module dg_deck_notes
    real(wp), parameter :: deepest = 16.0e3_wp
    !> To compare with: water [kg/m3] and steel [Pa].
    real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
-   !> Thresholds of Eqs. 7-8 from which on the contact force that they hide shows in the hook load [-], [N] (a build of 900 m: 1e-4
-   !> at these, 2 % where they are as large as the deck may have them).
-   real(wp), parameter :: large_eps_n0 = 0.01_wp, large_r_n0 = 10.0e3_wp
+   !> Threshold of Eqs. 7-8 from which on the contact force that it hides shows in the hook load [-] (a build of 900 m: 1e-4 at this,
+   !> 2 % where it is as large as the deck may have it).
+   real(wp), parameter :: large_eps_n0 = 0.01_wp
    integer, parameter :: digits = 6, few_digits = 4
 
 contains
@@ -45,8 +45,8 @@ contains
             'group &fluid: density = '//to_text(draft%mud_density/units%density, digits)// &
             ' is that of a gas or of foam; water has '//to_text(water/units%density, few_digits))
       end associate
-      if (draft%numerics%eps_n0 >= large_eps_n0 .or. draft%numerics%r_n0 >= large_r_n0) call append_text(notes, &
-         'group &solver: eps_n0 or r_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
+      if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
+         'group &solver: eps_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
          'force and friction come out too small')
       call note_path(draft, notes)
       do i = 1, size(draft%components)

@@ -9,11 +9,13 @@ module dg_static_result
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_newton, only: newton_converged, newton_exhausted, newton_type
+   use dg_numerics, only: numerics_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
+   use dg_wall_stages, only: tolerance_at
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
@@ -31,6 +33,11 @@ module dg_static_result
    !> had been used up.
    character(*), parameter :: other_ways = 'another element_length (half, or 5 m), gap_location or load_steps: one of these '// &
       'finds it for about half of such strings'
+   !> Forces out of balance, or of walls that pull, over the weight from which on a result is none [-]: sound ones have 1e-12 to
+   !> 1e-6, those at the stiffest walls that a deck may have 5e-5.
+   real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
+   !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
+   real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits of a weight in a message, in kilonewtons.
    integer, parameter :: shown = 4
    real(wp), parameter :: kilonewton = 1000.0_wp
@@ -109,6 +116,8 @@ contains
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
       call check_equilibrium(model%trajectory, mesh, loads, gaps, work, result%equilibrium_force, &
                              result%equilibrium_moment)
+      if (outcome == newton_converged) call judge_balance(model%numerics, gaps, newton%force_scale, work%normal, &
+         whirls .or. drive > model%numerics%tolerance*newton%force_scale, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
       if (model%boundary%bit_centred) then
@@ -117,6 +126,34 @@ contains
       end if
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
+
+   !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
+   !> be: what is left out there is told.
+   pure subroutine judge_balance(numerics, gaps, force_scale, normal, whirls, result)
+      type(numerics_type), intent(in) :: numerics
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: force_scale       !< weight and bit load [N]
+      real(wp), intent(in) :: normal(:)         !< contact forces; below 0: the wall pulls [N]
+      logical, intent(in) :: whirls
+      type(case_result_type), intent(inout) :: result
+      real(wp) :: pulling
+      pulling = -sum(normal, normal < 0.0_wp)
+      if (result%equilibrium_force > max(most_out_of_balance, residuals_together*numerics%tolerance)*force_scale .and. &
+          .not. whirls) then
+         result%status = result_not_converged
+         result%message = 'forces are '//to_text(result%equilibrium_force/kilonewton, shown)//' kN out of balance: '
+         if (tolerance_at(numerics, gaps, force_scale) > numerics%tolerance) then
+            result%message = result%message//'a wall this stiff presses with the round-off of places; give a smaller '// &
+                             'wall_stiffness, gk_contact and gk_max (the wall of 1e6 kN/m2 is as good as rigid)'
+         else
+            result%message = result%message//'residuals add up; give a smaller tolerance'
+         end if
+      else if (pulling > most_out_of_balance*force_scale) then
+         result%status = result_not_converged
+         result%message = 'walls pull the string with '//to_text(pulling/kilonewton, shown)//' kN in all, since gaps open only '// &
+                          'where they pull with more than r_n0; give a smaller r_n0 (its default is 1e-6 kN)'
+      end if
+   end subroutine judge_balance
 
    !> Adds a warning to those of a result.
    pure subroutine add_message(result, text)

@@ -1,7 +1,7 @@
 !> Cases at the edge of what can be solved: what is left there is said, and bounded by its reason.
 module dg_test_hard_cases
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, result_converged, result_not_converged
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_trip_in, operation_trip_out
@@ -22,6 +22,8 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('hard_cases')
       call suite%addTest(TestMethod('stiff_walls', test_stiff_walls))
+      call suite%addTest(TestMethod('walls_too_stiff', test_walls_too_stiff))
+      call suite%addTest(TestMethod('walls_that_pull', test_walls_that_pull))
       call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
    end function hard_cases_suite
 
@@ -57,6 +59,37 @@ contains
          hookload = result%hookload
       end do
    end subroutine test_stiff_walls
+
+   !> A wall ten million times stiffer than solid steel: forces are out of balance by the string's weight (seen: 222 kN of 205 kN),
+   !> and that is no result.
+   subroutine test_walls_too_stiff()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call new_well(model, [0.0_wp, 300.0_wp, 600.0_wp, 900.0_wp], [0.0_wp, 0.0_wp, 45.0_wp, 45.0_wp], &
+                    [0.0_wp, 10.0_wp, 10.0_wp, 40.0_wp], 0.2159_wp, 0.3_wp, pipe(w, od, id))
+      model%holes%wall_stiffness = 1.0e17_wp
+      model%cases(1)%operation = operation_trip_out
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_not_converged, result%status, message='status')
+      call assertGreaterThan(index(result%message, 'out of balance'), 0, message=result%message)
+      call assertGreaterThan(index(result%message, 'smaller wall_stiffness'), 0, message=result%message)
+   end subroutine test_walls_too_stiff
+
+   !> A threshold of force so high that closed gaps hold the string to the wall where it would leave it: round a bend of 67 deg/30 m
+   !> the contact force came out below zero.
+   subroutine test_walls_that_pull()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call new_well(model, [0.0_wp, 1200.0_wp, 1240.0_wp, 1360.0_wp], [0.0_wp, 0.0_wp, 90.0_wp, 90.0_wp], &
+                    spread(120.0_wp, 1, 4), 0.1524_wp, 0.0_wp, pipe(194.0_wp, 0.0889_wp, 0.0702_wp))
+      model%numerics%r_n0 = 1.0e3_wp
+      model%cases(1)%operation = operation_trip_out
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_not_converged, result%status, message='status')
+      call assertGreaterThan(index(result%message, 'smaller r_n0'), 0, message=result%message)
+   end subroutine test_walls_that_pull
 
    !> Going in through 80 deg at 300 deg/30 m, a radius of 45 diameters: bending presses the string on the wall with forces whose
    !> friction is more than its weight, so that it must be pushed from above, 38 kN, and snakes in the vertical hole. The
