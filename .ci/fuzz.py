@@ -73,7 +73,8 @@ def samples():
             rows = catalogue.splitlines(keepends=True)
             head = next(i for i, row in enumerate(rows) if row.startswith("name,"))
             keep = [r for r in rows[head + 1:] if any(u.startswith(r.split(",")[0]) for u in used) or ",grade," in r]
-            files["catalogue.csv"] = "".join(rows[:head + 1] + keep + rows[head + 1:head + 9])
+            others = [r for r in rows[head + 1:head + 9] if r not in keep]
+            files["catalogue.csv"] = "".join(rows[:head + 1] + keep + others)
         found.append((path.stem, deck, files))
     return found
 

@@ -12,7 +12,7 @@ import tempfile
 TIME_LIMIT = 120.0           # s, a hundred times what the slowest listed deck takes with sanitizers
 MEMORY_LIMIT = 1_000_000     # kB; not asked of programs with sanitizers, which keep what has been given back
 MARKS = ("Backtrace", "Fortran runtime", "AddressSanitizer", "runtime error", "libgfortran", "HDF5-DIAG", "Error termination",
-         "terminate called", "OpenBLAS", "SIGSEGV")
+         "terminate called", "OpenBLAS blas", "OpenBLAS :", "OpenBLAS warning", "SIGSEGV")
 # A line of a refusal: FILE:LINE: ..., FILE: ..., the program's own name, a continued line, or how it is used.
 REFUSAL = re.compile(r"^(\S*[./]\S*.*?: |drillgap: |  |usage: |or: |exit status: |$)")
 

@@ -27,8 +27,8 @@ module dg_deck_notes
    real(wp), parameter :: deepest = 16.0e3_wp
    !> To compare with: water [kg/m3] and steel [Pa].
    real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
-   !> Threshold of Eqs. 7-8 from which on the contact force that it hides shows in the hook load [-] (a build of 900 m: 1e-4 at this,
-   !> 2 % where it is as large as the deck may have it).
+   !> Threshold of Eqs. 7-8 from which on the contact force that it hides shows in the hook load [-] (a build of 900 m: 1e-4 at
+   !> this, 2 % where it is as large as the deck may have it).
    real(wp), parameter :: large_eps_n0 = 0.01_wp
    integer, parameter :: digits = 6, few_digits = 4
 
