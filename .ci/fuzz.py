@@ -710,7 +710,7 @@ def case_collision(lab, rng):
     case = deck.get(deck.all("load_case")[0], "name")[0].strip("'")
     results = ["summary.csv", "limits.csv", f"profile_{case}_soft.csv"]
     results += [f"legacy_{deck.get(g, 'label')[0].strip(chr(39))}.csv" for g in deck.all("legacy")]
-    result = rng.choice(results + ["summary.csv.unfinished"])
+    result = rng.choice(results + ["summary.csv.unfinished", "summary.csv.7-7.unfinished"])
     key = rng.choice([k for k in (("trajectory", "survey_file"), ("legacy", "file"), ("job", "catalogue_file"), None) if k is None or
                       k[0] == "trajectory" or k[0] == "legacy" and deck.all("legacy") or k[0] == "job" and "catalogue.csv" in files])
     way = rng.choice(["itself", "symbolic link", "hard link"])

@@ -36,7 +36,7 @@ class Run:
         (self.home / cwd).mkdir(exist_ok=True)
         if before:
             before(self.home)
-        held = self.contents()
+        self.held = held = self.contents()
 
         def limits():
             if Run.bounded:
@@ -63,7 +63,7 @@ class Run:
             tables.seek(0)
             self.stderr = errors.read().decode("latin-1")
             self.stdout = tables.read().decode("latin-1")
-        now = self.contents()
+        self.now = now = self.contents()
         inside = self.out.relative_to(self.home).as_posix()
         self.touched = sorted(p for p in set(held) | set(now) if held.get(p) != now.get(p))      # made, changed or removed
         self.strangers = [p for p in self.touched if p != inside and not p.startswith(inside + "/")
@@ -101,7 +101,7 @@ class Run:
             found.append(f"touched outside the output folder: {self.strangers[:5]}")
         if Run.bounded and self.memory > MEMORY_LIMIT:
             found.append(f"{self.memory} kB of memory")
-        if self.out.is_dir() and list(self.out.rglob("*.unfinished")):
+        if any(path.endswith(".unfinished") and path not in self.held for path in self.now):
             found.append("unfinished files left")
         if self.status in (1, 2) and not self.stderr.strip():
             found.append(f"exit status {self.status} without a message")

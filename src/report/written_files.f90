@@ -220,16 +220,24 @@ contains
       character(*), intent(in) :: name
       type(identity_type) :: file
       character(:), allocatable :: path
-      integer :: i
       path = job%output_dir//'/'//name
       file = identity_of_link(path)
-      if (.not. file%is_regular) return
+      if (.not. file%is_regular .or. is_input(job, file)) return
       if (index(name, '/') > 0 .and. .not. is_own_folder(job%output_dir//'/'//picture_folder)) return
-      do i = 1, size(job%inputs)
-         if (is_same_file(file, identity_of(job%inputs(i)%text))) return
-      end do
       call delete_file(path)
    end subroutine remove_result
+
+   !> Whether a file is one that the run reads.
+   function is_input(job, file) result(is)
+      type(job_type), intent(in) :: job
+      type(identity_type), intent(in) :: file
+      logical :: is
+      integer :: i
+      is = .false.
+      do i = 1, size(job%inputs)
+         is = is .or. is_same_file(file, identity_of(job%inputs(i)%text))
+      end do
+   end function is_input
 
    !> Removes what a run that was killed was just writing. A part of a divided run does so with its own files alone: others may
    !> be at work.
@@ -251,7 +259,7 @@ contains
          if (job%parts > 0) goes = any([(mine(k)%text == name, k=1, size(mine))])
          path = job%output_dir//'/'//place//found(i)%text
          file = identity_of_link(path)
-         if (goes .and. file%is_regular) call delete_file(path)
+         if (goes .and. file%is_regular .and. .not. is_input(job, file)) call delete_file(path)
       end do
    end subroutine remove_unfinished
 

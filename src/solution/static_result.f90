@@ -33,9 +33,9 @@ module dg_static_result
    !> had been used up.
    character(*), parameter :: other_ways = 'another element_length (half, or 5 m), gap_location or load_steps: one of these '// &
       'finds it for about half of such strings'
-   !> Forces out of balance, or of walls that pull, over the weight from which on a result is none [-]: sound ones have 1e-12 to
-   !> 1e-6, those at the stiffest walls that a deck may have 5e-5.
-   real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
+   !> Forces out of balance over the weight from which on a result is none [-]: sound ones have 1e-12 to 1e-6, those at the
+   !> stiffest walls that a deck may have 5e-5. The same of walls that pull: the usual r_n0 in 10 000 gaps is 1e-5.
+   real(wp), parameter :: most_out_of_balance = 1.0e-4_wp, most_pulled = 1.0e-5_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits of a weight in a message, in kilonewtons.
@@ -148,7 +148,7 @@ contains
          else
             result%message = result%message//'residuals add up; give a smaller tolerance'
          end if
-      else if (pulling > most_out_of_balance*force_scale) then
+      else if (pulling > most_pulled*force_scale) then
          result%status = result_not_converged
          result%message = 'walls pull the string with '//to_text(pulling/kilonewton, shown)//' kN in all, since gaps open only '// &
                           'where they pull with more than r_n0; give a smaller r_n0 (its default is 1e-6 kN)'

@@ -17,6 +17,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('output_folder')
       call suite%addTest(TestMethod('inputs_survive', test_inputs))
+      call suite%addTest(TestMethod('unfinished_input', test_unfinished_input))
       call suite%addTest(TestMethod('deck_in_its_results', test_deck_as_result))
       call suite%addTest(TestMethod('links_are_not_followed', test_links))
       call suite%addTest(TestMethod('two_runs', test_two_runs))
@@ -43,6 +44,21 @@ contains
       call survive('mkdir -p '//scratch//'/elsewhere && ln -s elsewhere '//results_path//' && mv '//survey//' '//scratch// &
                    '/elsewhere/summary.csv', 'elsewhere/summary.csv')
    end subroutine test_inputs
+
+   !> A survey under the name of a file that a killed run was writing stays when those are removed.
+   subroutine test_unfinished_input()
+      type(run_type) :: run
+      character(*), parameter :: name = 'results/summary.csv.7-7.unfinished'
+      character(:), allocatable :: deck, before
+      deck = replaced(good_deck(), 'md  = 0.0, 500.0, 900.0', "survey_file = '"//name//"'")
+      deck = replaced(replaced(deck, 'inc = 0.0, 0.0, 30.0', ''), 'azi = 3*10.0', '')
+      run = run_deck_text(deck, '--check')                 ! no survey yet
+      call shell('mkdir -p '//results_path//" && printf 'md,inc,azi\n0,0,10\n500,0,10\n900,30,10\n' > "//scratch//'/'//name)
+      before = content(scratch//'/'//name)
+      run = run_program(deck_path//' --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(before, content(scratch//'/'//name))
+   end subroutine test_unfinished_input
 
    !> Puts the survey where a command puts it; `name` is how the deck names it. The run is refused and nothing changes.
    subroutine survive(command, name)
