@@ -11,7 +11,7 @@ import xml.etree.ElementTree
 
 BALANCE = 1.0e-6             # force out of balance over the largest force: residuals are iterated to 1e-9 of the weight
 # Round-off of places presses with a stiff wall: so much of the force for each kN/m2, at most what the program allows.
-ROUND_OFF, STIFF_BALANCE = 1.0e-14, 1.0e-4
+ROUND_OFF, STIFF_BALANCE = 1.0e-13, 5.0e-3
 AGREEMENT = 2.0e-2           # hook load against the uppermost axial force, which stands half an element lower
 WEIGHT = 1.0e-5              # weight against that of the echo, which has seven digits, over the weight in air
 SIDE_FORCES = 1.0e-4         # sum of side forces against normal_force

@@ -36,7 +36,7 @@ module dg_deck_keys
    real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
    real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
    real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
-   real(wp), parameter :: stiffest = 1.0e10_wp    ! kN/m2; a wall of solid steel has 2e8, and round-off of places rules beyond
+   real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; a wall of solid steel has 2e8, and beyond this forces do not balance
    real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
    real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
    real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller
