@@ -45,6 +45,9 @@ module dg_mesh
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
    !> end at the same depth but for round-off, and a sliver of an element would only spoil the conditioning.
    real(wp), parameter :: merge_share = 1.0e-3_wp
+   !> However long elements may be, depths further apart are two nodes [m], for the ends of components are: stabilisers are cut into
+   !> pieces of some decimetres, and with elements of 1000 m their ends were lost, and weight with them.
+   real(wp), parameter :: longest_merge = 0.06_wp
 
 contains
 
@@ -153,7 +156,7 @@ contains
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)
-      gap = merge_share*element_length
+      gap = min(merge_share*element_length, longest_merge)
       allocate (kept(size(breaks) + 2))
       kept(1) = top
       n = 1

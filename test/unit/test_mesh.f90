@@ -30,6 +30,7 @@ contains
       suite = TestSuite('mesh')
       call suite%addTest(TestMethod('nodes_at_every_change', test_nodes_at_every_change))
       call suite%addTest(TestMethod('no_sliver', test_no_sliver))
+      call suite%addTest(TestMethod('ends_of_components', test_ends_of_components))
       call suite%addTest(TestMethod('subdivided', test_subdivided))
       call suite%addTest(TestMethod('graded', test_graded))
       call suite%addTest(TestMethod('sag', test_sag))
@@ -92,6 +93,22 @@ contains
       allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
       call assertEqual(1, count(abs(md - 291.0_wp) < 1.0_wp), message='nor at the bit')
    end subroutine test_no_sliver
+
+   !> Elements as long as a deck may have them: a stabiliser, cut into pieces, under pipe has nodes at its ends.
+   subroutine test_ends_of_components()
+      type(model_type) :: model
+      type(component_type) :: blades
+      real(wp), allocatable :: md(:)
+      real(wp), parameter :: wanted(2) = [249.2_wp, 251.0_wp], longest = 1000.0_wp
+      integer :: i
+      call build(model)
+      blades = component_type('blades', 'stabilizer', 1.8_wp, 0.16_wp, 0.07_wp, 150.0_wp, joint_od=0.2_wp)
+      model%strings(1)%components = [model%strings(1)%components(1), blades, model%strings(1)%components(2)]
+      allocate (md, source=node_depths(model, model%cases(1), longest))
+      do i = 1, size(wanted)
+         call assertEqual(1, count(abs(md - wanted(i)) < 1.0e-9_wp), message='a node at every end, once')
+      end do
+   end subroutine test_ends_of_components
 
    subroutine test_subdivided()
       call assertEqual([0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.5_wp, 6.0_wp], &
