@@ -136,6 +136,9 @@ contains
       call refuse("element_length = 10.0", "gap_location = 'node'", 20, "did you mean 'nodes'?")
       call refuse("element_length = 10.0", "fidelity = 'referense'", 20, "did you mean 'reference'?")
       call refuse("element_length = 10.0", "gk_contact = 10.0, gk_max = 5.0", 20, 'gk_max must be at least gk_contact')
+      call refuse("element_length = 10.0", "r_n0 = 50.0", 20, 'r_n0 = 50.0 is out of range; needs a number, 0 to 1 kN')
+      call refuse("element_length = 10.0", "gk_max = 1e13", 20, 'gk_max = 1e13 is out of range; needs a number, > 0 and <= 1e12')
+      call refuse("element_length = 10.0", "step_limit = 1e-9", 20, 'step_limit = 1e-9 is out of range; needs a number, 0.1 to')
    end subroutine test_values
 
    subroutine test_later()

@@ -40,7 +40,6 @@ contains
    end subroutine test_blades
 
    subroutine test_thresholds()
-      call note('element_length = 10.0', 'element_length = 10.0, r_n0 = 50.0', 'does not count as touching')
       call note('element_length = 10.0', 'element_length = 10.0, eps_n0 = 0.015', 'does not count as touching')
    end subroutine test_thresholds
 
