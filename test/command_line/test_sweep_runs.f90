@@ -206,7 +206,7 @@ contains
       logical :: there
       deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge'")
       deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 3 /')
-      deck = deck//"&sweep name = 'b', frictions = 0.2, 0.3, bit_depth_step = 50 /"//newline
+      deck = deck//"&sweep name = 'b', frictions = 0.2, 0.3, bit_depth_step = 10 /"//newline
       run = run_deck_text(deck, '--threads 1')
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (whole(0))
