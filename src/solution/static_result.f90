@@ -145,18 +145,17 @@ contains
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
       stiff = tolerance_at(numerics, gaps, force_scale) > numerics%tolerance
       left = 'forces are '//to_text(result%equilibrium_force/kilonewton, shown)//' kN out of balance'
-      if (part > most_out_of_balance) then
+      if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
          result%status = result_not_converged
+         if (part <= most_out_of_balance) left = 'walls pull the string with '//to_text(pulling/kilonewton, shown)//' kN in all'
          if (stiff) then
             result%message = left//': a wall this stiff presses with the round-off of places; give a smaller wall_stiffness, '// &
                              'gk_contact and gk_max (the wall of 1e6 kN/m2 is as good as rigid)'
-         else
+         else if (part > most_out_of_balance) then
             result%message = left//': residuals add up; give a smaller tolerance'
+         else
+            result%message = left//': gaps open where they pull with more than r_n0; give a smaller one (its default is 1e-6 kN)'
          end if
-      else if (pulling > max(most_pulled, part)*force_scale) then
-         result%status = result_not_converged
-         result%message = 'walls pull the string with '//to_text(pulling/kilonewton, shown)//' kN in all, since gaps open only '// &
-                          'where they pull with more than r_n0; give a smaller r_n0 (its default is 1e-6 kN)'
       else if (part > rough_balance) then
          call add_message(result, left//', as the wall is too stiff for more: contact force may be off by a percent')
       end if

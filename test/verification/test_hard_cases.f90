@@ -88,7 +88,7 @@ contains
       model%cases(1)%operation = operation_trip_out
       call solve_static_analysis(model, 1, result, error)
       call assertEqual(result_not_converged, result%status, message='status')
-      call assertGreaterThan(index(result%message, 'smaller r_n0'), 0, message=result%message)
+      call assertGreaterThan(index(result%message, 'more than r_n0'), 0, message=result%message)
    end subroutine test_walls_that_pull
 
    !> Going in through 80 deg at 300 deg/30 m, a radius of 45 diameters: bending presses the string on the wall with forces whose
