@@ -147,6 +147,15 @@ contains
       end do
    end subroutine split_fields
 
+   !> Whether a text begins with a quotation mark that is closed in it. The mark of feet or inches, alone in its field, is none.
+   pure function opens_quotes(text, separator) result(opens)
+      character(*), intent(in) :: text       !< not empty
+      character, intent(in) :: separator
+      logical :: opens
+      opens = (text(1:1) == '"' .or. text(1:1) == '''') .and. len(text) > 1
+      if (opens) opens = text(2:2) /= separator .and. index(text(2:), text(1:1)) > 0
+   end function opens_quotes
+
    !> Fields of a row, as they stand there; blanks and tabs together are one separator. A field in quotes may hold the separator.
    pure subroutine split_row(text, separator, row)
       character(*), intent(in) :: text
@@ -172,7 +181,7 @@ contains
          letter = text(i:i)
          if (quote > 0 .and. iachar(letter) == quote) then
             quote = 0
-         else if (quote == 0 .and. blank .and. (letter == '"' .or. letter == '''')) then
+         else if (quote == 0 .and. blank .and. opens_quotes(text(i:), separator)) then
             quote = iachar(letter)
             was_quoted = .true.
          else if (quote == 0 .and. (letter == separator .or. (iachar(separator) == blank_code .and. letter == tab))) then

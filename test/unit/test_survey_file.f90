@@ -192,6 +192,8 @@ contains
          call refuse('above: '//wrong_rows(i), trim(wrong_rows(i))//'|'//head//metres, '; convert it')
          call refuse('below: '//wrong_rows(i), head//trim(wrong_rows(i))//'|'//metres, '; convert it')
       end do
+      call refuse('the mark of feet', "',deg,deg|"//head//metres, '; convert it')
+      call refuse('marks of feet', "',deg,deg,'|MD,Inc,Azi,TVD|0,0,90,0|500,10,90.25,495|1234.5,45.5,100,1100", '; convert it')
       call accept('above, with titles', 'Well A, 2024||ft,deg,deg||MD,Inc,Azi|'//feet)
       call accept('above, by blanks', 'ft deg deg|MD Inc Azi|0 0 90|1640.419947507 10 90.25|4050.1968504 45.5 100')
       call accept('a datum alone', 'RKB,deg,deg|'//head//metres)
