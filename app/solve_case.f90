@@ -35,7 +35,7 @@ contains
       case (nothing)
          result%message = 'not begun'
       case (model_mcge)
-         call solve_static_analysis(model, case_index, result, error)
+         call solve_static_analysis(model, case_index, result, error, totals_only)
       case (model_soft)
          call solve_soft_string(model, case_index, result, error, totals_only)
       case (model_rigid)

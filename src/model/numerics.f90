@@ -36,6 +36,8 @@ module dg_numerics
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
+      logical :: moments = .false.             !< moments along the string are found on elements short enough for them
+      logical :: halve_moments = .false.       !< and halved until moments stay, which proves them
       logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 600          !< in all load steps of a case together
@@ -84,6 +86,8 @@ contains
          numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity == 'fast')
          numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity == 'fast')
          numerics%in_plane = fidelity == 'auto' .or. fidelity == 'fast'
+         numerics%moments = fidelity /= 'fast'
+         numerics%halve_moments = fidelity == 'reference'
       end do
    end subroutine set_fidelity
 end module dg_numerics

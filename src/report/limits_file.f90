@@ -3,10 +3,13 @@ module dg_limits_file
    use dg_buckling_limits, only: buckling_name
    use dg_case_result, only: case_result_type, result_status_name
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_angle, quantity_force, &
-                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_text, quantity_turns
+                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_stress, &
+                        quantity_text, quantity_turns
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
+   use dg_kinds, only: wp
+   use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_text, only: text_type
    use dg_whole_string, only: whole_string_type
@@ -15,7 +18,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(36) = [ &
+   type(column_type), parameter :: limits_columns(41) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -58,7 +61,13 @@ module dg_limits_file
          'elements at the bit, where the bit is centred'), &
       column_type('bit_side_clock', quantity_angle, 'where to, as clock in the profiles'), &
       column_type('bit_tilt', quantity_angle, 'between bit and hole axis; the same models'), &
-      column_type('bit_tilt_clock', quantity_angle, 'where the bit points')]
+      column_type('bit_tilt_clock', quantity_angle, 'where the bit points'), &
+      column_type('largest_bending', quantity_moment, 'moment along the string'), &
+      column_type('largest_bending_md', quantity_length, 'where'), &
+      column_type('bending_error', quantity_percent, 'how far moments may be off, of the largest: what two recoveries or two '// &
+         'meshes differ by; empty where they were not looked at closely'), &
+      column_type('largest_von_mises', quantity_stress, 'equivalent stress along the string'), &
+      column_type('von_mises_error', quantity_percent, 'how far it may be off for that')]
 
 contains
 
@@ -135,5 +144,18 @@ contains
       call put(row, whole%bit_side_clock)
       call put(row, whole%bit_tilt)
       call put(row, whole%bit_tilt_clock)
+      call put(row, whole%bending)
+      call put(row, whole%bending_md)
+      call put(row, in_percent(whole%bending_error))
+      call put(row, whole%von_mises)
+      call put(row, in_percent(whole%von_mises_error))
    end subroutine limits_fields
+
+   !> A share [-] in per cent.
+   pure function in_percent(share) result(percent)
+      type(optional_real), intent(in) :: share
+      type(optional_real) :: percent
+      percent = share
+      percent%value = 100.0_wp*share%value
+   end function in_percent
 end module dg_limits_file

@@ -3,6 +3,7 @@ module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
+   use dg_bending_profile, only: bend_profile
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
    use dg_damped_newton, only: iterate_damped
@@ -13,7 +14,7 @@ module dg_static_analysis
    use dg_load_case, only: load_case_type, rotates
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case, shortest
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_newton, only: end_iterations, iterate, make_room, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
@@ -73,6 +74,8 @@ module dg_static_analysis
    !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
    !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
    real(wp), parameter :: most_work = 1.0e7_wp
+   !> Error of moments over the largest one from which the result speaks of it [-].
+   real(wp), parameter :: doubtful = 0.05_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
 
@@ -81,27 +84,31 @@ contains
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
    !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no rest a finer one
    !> has what is left of the iterations.
-   subroutine solve_static_analysis(model, case_index, result, error)
+   subroutine solve_static_analysis(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      logical, intent(in), optional :: totals_only   !< .true.: moments along the string are not looked at closely
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: ticks, start, rate
       integer :: most, first, given_up
+      logical :: moments
       real(wp) :: length
       call system_clock(start, rate)
       most = model%numerics%max_iterations
+      moments = model%numerics%moments
+      if (present(totals_only)) moments = moments .and. .not. totals_only
       allocate (history(0))
       first = most
       if (finer*model%numerics%element_length > shortest) first = min(most, max(enough, most/2))
-      call solve_on_mesh(model, case_index, model%numerics%element_length, first, history, result)
+      call solve_on_mesh(model, case_index, model%numerics%element_length, first, moments, history, result)
       length = finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. work_is_done(result) .and. .not. is_interrupted()) then
          history = result%history
          given_up = result%iterations
-         call solve_on_mesh(model, case_index, length, most, history, result)
+         call solve_on_mesh(model, case_index, length, most, moments, history, result)
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
             to_text(length, shown)//' m: longer ones found no rest in '//to_text(given_up)//' iterations')
       end if
@@ -117,11 +124,12 @@ contains
    end function work_is_done
 
    !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, allowed, history, result)
+   subroutine solve_on_mesh(model, case_index, element_length, allowed, moments, history, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
       integer, intent(in) :: allowed               !< iterations, those in `history` included
+      logical, intent(in) :: moments               !< whether they are found on elements short enough for them
       type(iteration_type), intent(in) :: history(:)
       type(case_result_type), intent(out) :: result
       type(mesh_type) :: mesh
@@ -214,6 +222,7 @@ contains
          result%message = to_text(newton%iterations)//' iterations with '//to_text(mesh%elements)//' elements are the most '// &
          'work that is done for a case, and found no rest; give a larger element_length'
       result%stability_margin = margin
+      if (outcome == newton_converged .and. moments) call find_moments(model, mesh, gaps, work, result)
       result%way = way
       if (way == way_left) call add_message(result, 'solved in space: '//to_text(in_plane)//' iterations in the plane of the '// &
          'hole, which are not counted, found no rest that lasts')
@@ -224,6 +233,24 @@ contains
                           numerics%gap_location == gap_at_nodes))//', as with those at the place asked for it found no rest: '// &
                           'hook load, torque and contact force may be off by a percent, '//touched)
    end subroutine solve_on_mesh
+
+   !> Moments along the string on elements short enough for them, and a word where they are not as good as they should be.
+   subroutine find_moments(model, mesh, gaps, work, result)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(case_result_type), intent(inout) :: result
+      call bend_profile(model, mesh, gaps, work, result%profile, result%moment_error)
+      if (is_missing(result%moment_error)) then
+         call add_message(result, 'moments and stresses along the string are those of elements of up to '// &
+                          to_text(maxval(mesh%length), shown)//' m, and may be off by tens of per cent: the string was not '// &
+                          'found to rest on shorter ones; a smaller element_length narrows that down')
+      else if (result%moment_error > doubtful) then
+         call add_message(result, 'moments along the string are known within '// &
+                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one')
+      end if
+   end subroutine find_moments
 
    !> Solves the case in the plane of its hole by Newton, with the gaps where they are asked for or at the other place. The string
    !> stays there when it finds rest within the hole, and when that is rest in space too: with every force out of the plane within

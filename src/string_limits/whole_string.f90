@@ -32,6 +32,11 @@ module dg_whole_string
       integer :: buckling = buckling_none           !< worst state along the string
       real(wp) :: sinusoidal_length = 0.0_wp        !< of string beyond the sinusoidal, not the helical limit [m]
       real(wp) :: helical_length = 0.0_wp           !< of string beyond the helical limit [m]
+      real(wp) :: bending = 0.0_wp                  !< largest moment [N.m]
+      real(wp) :: bending_md = 0.0_wp               !< where [m]
+      type(optional_real) :: bending_error          !< how far that moment may be off, over it [-]
+      real(wp) :: von_mises = 0.0_wp                !< largest stress [Pa]
+      type(optional_real) :: von_mises_error        !< how far that stress may be off for the moment's error, over it [-]
       real(wp) :: side_force = 0.0_wp               !< largest [N/m]
       real(wp) :: side_force_md = 0.0_wp            !< where [m]
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
@@ -89,6 +94,14 @@ contains
                if (state > buckling_sinusoidal) whole%helical_length = whole%helical_length + length
             end associate
          end do
+         i = maxloc(profile%bending, dim=1)
+         whole%bending = profile%bending(i)
+         whole%bending_md = profile%md(i)
+         call take(result%moment_error, whole%bending_error)
+         i = maxloc(along%von_mises, dim=1)
+         whole%von_mises = along%von_mises(i)
+         if (whole%bending_error%present .and. whole%von_mises > 0.0_wp) whole%von_mises_error = &
+            given(whole%bending_error%value*maxval(along%bending_stress)/whole%von_mises)
          i = maxloc(profile%side_force, dim=1)
          whole%side_force = profile%side_force(i)
          whole%side_force_md = profile%md(i)

@@ -1,0 +1,147 @@
+!> Nodes of a bending beam: graded from the places where the moment changes quickly, halved where a solution shows that they are too
+!> far apart.
+module dg_bending_nodes
+   use dg_kinds, only: wp
+   use dg_hermite, only: hermite_slope, hermite_value
+   implicit none
+   private
+   public :: graded_nodes, halved_nodes, shape_at, rows_needed
+
+   !> Growth of the elements' length with the distance from a place that asks for short ones [-].
+   real(wp), parameter :: growth = 0.25_wp
+   !> Halvings of one interval at most: the shortest part is a billionth of it.
+   integer, parameter :: deepest = 30
+
+contains
+
+   !> Depths of nodes: all of `breaks`, and between them parts no longer than `longest` asks for at the breaks and the growth
+   !> allows at a distance from them.
+   pure function graded_nodes(breaks, longest) result(nodes)
+      real(wp), intent(in) :: breaks(:)     !< increasing [m]
+      real(wp), intent(in) :: longest(:)    !< at each break [m]; huge where it asks for nothing
+      real(wp), allocatable :: nodes(:)
+      real(wp) :: bound(size(breaks))
+      integer :: i, n, filled
+      bound = longest
+      n = size(breaks)
+      do i = 1, n - 1
+         bound(i + 1) = min(bound(i + 1), bound(i) + growth*(breaks(i + 1) - breaks(i)))
+      end do
+      do i = n - 1, 1, -1
+         bound(i) = min(bound(i), bound(i + 1) + growth*(breaks(i + 1) - breaks(i)))
+      end do
+      allocate (nodes(2*n + deepest))
+      nodes(1) = breaks(1)
+      filled = 1
+      do i = 1, n - 1
+         call cut(breaks(i:i + 1), bound(i:i + 1), nodes, filled)
+      end do
+      nodes = nodes(:filled)
+   end function graded_nodes
+
+   !> Cuts an interval by halves until its parts keep their bounds, and appends its nodes but the first. The parts that are still
+   !> to be looked at lie on a stack, the uppermost on top.
+   pure subroutine cut(ends, bounds, nodes, filled)
+      real(wp), intent(in) :: ends(2), bounds(2)
+      real(wp), allocatable, intent(inout) :: nodes(:)
+      integer, intent(inout) :: filled
+      real(wp) :: at, bound, length, middle, stack(deepest), limits(deepest)
+      real(wp), allocatable :: longer(:)
+      integer :: top
+      at = ends(1)
+      bound = bounds(1)
+      stack(1) = ends(2)
+      limits(1) = bounds(2)
+      top = 1
+      do while (top > 0)
+         length = stack(top) - at
+         middle = min(bound, limits(top)) + 0.5_wp*growth*length
+         if (length <= middle .or. top == deepest) then
+            if (filled == size(nodes)) then
+               allocate (longer(2*size(nodes)))
+               longer(:filled) = nodes
+               call move_alloc(longer, nodes)
+            end if
+            filled = filled + 1
+            nodes(filled) = stack(top)
+            at = stack(top)
+            bound = limits(top)
+            top = top - 1
+         else
+            stack(top + 1) = at + 0.5_wp*length
+            limits(top + 1) = middle
+            top = top + 1
+         end if
+      end do
+   end subroutine cut
+
+   !> Nodes with a new one in the middle of each element that is marked.
+   pure function halved_nodes(nodes, marked) result(finer)
+      real(wp), intent(in) :: nodes(:)
+      logical, intent(in) :: marked(:)
+      real(wp), allocatable :: finer(:)
+      integer :: e, n
+      allocate (finer(size(nodes) + count(marked)))
+      n = 1
+      finer(1) = nodes(1)
+      do e = 1, size(marked)
+         if (marked(e)) then
+            n = n + 1
+            finer(n) = 0.5_wp*(nodes(e) + nodes(e + 1))
+         end if
+         n = n + 1
+         finer(n) = nodes(e + 1)
+      end do
+   end function halved_nodes
+
+   !> Unknowns (y_1, y_2, y_1', y_2') of a beam's cubic shape at other nodes, both increasing and with the same ends.
+   pure function shape_at(nodes, y, others) result(shape)
+      real(wp), intent(in) :: nodes(:), y(:, :), others(:)
+      real(wp) :: shape(4, size(others))
+      real(wp) :: xi, length, value(4), slope(4)
+      integer :: e, n
+      e = 1
+      do n = 1, size(others)
+         do while (e < size(nodes) - 1 .and. nodes(e + 1) < others(n))
+            e = e + 1
+         end do
+         length = nodes(e + 1) - nodes(e)
+         xi = (others(n) - nodes(e))/length
+         value = hermite_value(xi, length)
+         slope = hermite_slope(xi, length)
+         shape(1:2, n) = value(1)*y(1:2, e) + value(2)*y(3:4, e) + value(3)*y(1:2, e + 1) + value(4)*y(3:4, e + 1)
+         shape(3:4, n) = slope(1)*y(1:2, e) + slope(2)*y(3:4, e) + slope(3)*y(1:2, e + 1) + slope(4)*y(3:4, e + 1)
+      end do
+   end function shape_at
+
+   !> Which rows a table of values needs so that straight lines between them miss none of the values by more than a bound: greedily,
+   !> from the first on. Rows that must stay are marked on entry.
+   pure subroutine rows_needed(md, values, bound, kept)
+      real(wp), intent(in) :: md(:), values(:)
+      real(wp), intent(in) :: bound
+      logical, intent(inout) :: kept(:)
+      real(wp) :: low, high, slope, reach
+      integer :: first, i
+      first = 1
+      low = -huge(low)
+      high = huge(high)
+      do i = 2, size(md)
+         reach = md(i) - md(first)
+         slope = (values(i) - values(first))/reach
+         if (slope < low .or. slope > high) then    ! no line from `first` to here passes the values between
+            kept(i - 1) = .true.
+            first = i - 1
+            low = -huge(low)
+            high = huge(high)
+            reach = md(i) - md(first)
+         end if
+         low = max(low, (values(i) - bound - values(first))/reach)
+         high = min(high, (values(i) + bound - values(first))/reach)
+         if (kept(i)) then
+            first = i
+            low = -huge(low)
+            high = huge(high)
+         end if
+      end do
+   end subroutine rows_needed
+end module dg_bending_nodes

@@ -1,0 +1,250 @@
+!> Where the string of an analysis lies, and the beam that bends it again (dg_bending_profile): its nodes, its loads, its walls.
+module dg_bending_layout
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, node_unknowns
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_profile, only: profile_type
+   use dg_soft_string_loads, only: coiling_load
+   use dg_trajectory, only: arc_at, closest_point, frame_on_arc, trajectory_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: lying_type, find_lying, find_breaks, new_beam
+
+   !> Elements at a place where the moment changes quickly, over the bending length there [-].
+   real(wp), parameter :: layer_share = 0.6_wp
+   !> Changes of EI k that count, over the largest EI k of the hole [-].
+   real(wp), parameter :: jump_share = 0.02_wp
+   !> Compression over the coiling load from which a string is held while it settles [-]: Dawson and Paslay's load is 0.71 of it.
+   real(wp), parameter :: compressed_share = 0.5_wp
+   !> Slope against the hole up to which a string is bent again [-]: squares of slopes are left out.
+   real(wp), parameter :: steepest = 0.05_wp
+   !> Changes of stiffness or clearance that count [-].
+   real(wp), parameter :: change = 0.01_wp
+   !> Nodes closer than this are one [m].
+   real(wp), parameter :: sliver = 0.02_wp
+   !> Least force by which a bending length goes [N].
+   real(wp), parameter :: least_force = 1.0_wp
+
+   !> The string of the analysis as it lies: by node of its mesh, in the frame of the hole where the node now is.
+   type :: lying_type
+      real(wp), allocatable :: slide(:)      !< along the hole [m]
+      real(wp), allocatable :: y(:, :)       !< offset and slope (4,n) [m, -]
+      real(wp), allocatable :: axial(:)      !< [N]
+      real(wp), allocatable :: load(:)       !< contact force per metre about an element, by element [N/m]
+      logical, allocatable :: buckles(:)     !< elements that are compressed near buckling
+      logical, allocatable :: bends(:)       !< elements that are bent again
+   end type lying_type
+
+contains
+
+   !> Offsets and slopes of the mesh's nodes where they now are, and which elements are bent again.
+   pure subroutine find_lying(model, mesh, work, profile, lying)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(profile_type), intent(in) :: profile
+      type(lying_type), intent(out) :: lying
+      real(wp) :: point(3), gap(3), t(3), n_1(3), n_2(3), unused(3), offset, slope, low, length
+      integer :: n, e, arc, first, last
+      allocate (lying%slide(mesh%nodes), lying%y(node_unknowns, mesh%nodes), lying%load(mesh%elements), &
+                lying%buckles(mesh%elements), lying%bends(mesh%elements))
+      lying%axial = profile%axial
+      do n = 1, mesh%nodes
+         arc = mesh%arc(n)
+         point = mesh%base(:, n) + work%shift(:, n)
+         call closest_point(model%trajectory, arc, point, offset, gap, t, unused)
+         lying%slide(n) = model%trajectory%arcs(arc)%md + offset - mesh%md(n)
+         call frame_on_arc(model%trajectory%arcs(arc), offset, t, n_1, n_2)
+         lying%y(1:2, n) = [dot_product(gap, n_1), dot_product(gap, n_2)]
+         slope = max(dot_product(work%d(:, n), t), steepest)
+         lying%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
+      end do
+      do e = 1, mesh%elements
+         first = max(e - 1, 1)
+         last = min(e + 1, mesh%elements)
+         length = sum(mesh%length(first:last))
+         lying%load(e) = max(sum(work%normal(first:last)), 0.0_wp)/length
+         low = -min(profile%axial(e), profile%axial(e + 1))
+         lying%bends(e) = max(norm2(lying%y(3:4, e)), norm2(lying%y(3:4, e + 1))) < steepest
+         lying%buckles(e) = .false.
+         if (low > 0.0_wp) lying%buckles(e) = &
+            low > compressed_share*coiling_load(mesh%ei(e), lying%load(e), mesh%weight(e), mesh%clearance(e))
+      end do
+   end subroutine find_lying
+
+   !> Places where nodes must stand, in order: the mesh's nodes, and where bends begin and end, as the string has slid past them; and
+   !> the longest element that each asks for.
+   pure subroutine find_breaks(model, mesh, gaps, lying, breaks, longest)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(lying_type), intent(in) :: lying
+      real(wp), allocatable, intent(out) :: breaks(:), longest(:)
+      real(wp) :: scale, largest, jump, place, share, bends(2, size(model%trajectory%arcs))
+      integer :: e, n, arc, count, k
+      associate (arcs => model%trajectory%arcs)
+         largest = tiny(1.0_wp)
+         do arc = 1, size(arcs)
+            bends(:, arc) = curvature_in_frame(model%trajectory, arc)
+         end do
+         n = mesh%nodes + size(arcs) + mesh%elements
+         allocate (breaks(n), longest(n))
+         do e = 1, mesh%elements
+            largest = max(largest, mesh%ei(e)*arcs(mesh%arc(e))%curvature)
+         end do
+         count = 0
+         arc = 1
+         do n = 1, mesh%nodes
+            count = count + 1
+            breaks(count) = mesh%md(n)
+            longest(count) = huge(1.0_wp)
+            e = min(n, mesh%elements)
+            k = max(n - 1, 1)
+            if (n == 1 .or. n == mesh%nodes) then
+               longest(count) = layer_share*bending_length(mesh%ei(e), lying%axial(n), mesh%clearance(e), &
+                                                           max(lying%load(e), mesh%weight(e)))
+            else if (differ(mesh%ei(e), mesh%ei(k)) .or. differ(mesh%clearance(e), mesh%clearance(k))) then
+               longest(count) = layer_share*min( &
+                  bending_length(mesh%ei(e), lying%axial(n), mesh%clearance(e), max(lying%load(e), mesh%weight(e))), &
+                  bending_length(mesh%ei(k), lying%axial(n), mesh%clearance(k), max(lying%load(k), mesh%weight(k))))
+            end if
+            if (n == mesh%nodes) exit
+            if (is_point(mesh, gaps, n)) then
+               count = count + 1
+               breaks(count) = mesh%md(n) + gaps%xi(n)*mesh%length(n)
+               longest(count) = huge(1.0_wp)
+               cycle
+            end if
+            ! arcs that begin within this element, as it lies
+            do while (arc < size(arcs))
+               place = arcs(arc + 1)%md
+               if (place > mesh%md(n + 1) + lying%slide(n + 1)) exit
+               arc = arc + 1
+               if (place < mesh%md(n) + lying%slide(n)) cycle
+               jump = mesh%ei(n)*norm2(bends(:, arc) - bends(:, arc - 1))
+               share = (place - mesh%md(n) - lying%slide(n))/(mesh%length(n) + lying%slide(n + 1) - lying%slide(n))
+               place = mesh%md(n) + share*mesh%length(n)
+               scale = huge(1.0_wp)
+               if (jump > jump_share*largest) scale = layer_share*min( &
+                  sqrt(mesh%ei(n)/max(abs(lying%axial(n)), abs(lying%axial(n + 1)), least_force)), &
+                  sqrt(mesh%clearance(n)*mesh%ei(n)/jump))
+               if (place - breaks(count) < sliver) then
+                  longest(count) = min(longest(count), scale)
+               else if (mesh%md(n + 1) - place < sliver) then
+                  breaks(count + 1) = mesh%md(n + 1)      ! the next node has it
+                  longest(count) = min(longest(count), scale + mesh%length(n))
+               else
+                  count = count + 1
+                  breaks(count) = place
+                  longest(count) = scale
+               end if
+            end do
+         end do
+         breaks = breaks(:count)
+         longest = longest(:count)
+      end associate
+   end subroutine find_breaks
+
+   !> Whether an element's contact is that of a tool joint, at one place between its ends.
+   pure function is_point(mesh, gaps, e) result(is)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      logical :: is
+      is = mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp .and. &
+           gaps%xi(e)*mesh%length(e) > sliver .and. (1.0_wp - gaps%xi(e))*mesh%length(e) > sliver
+   end function is_point
+
+   pure function differ(a, b) result(yes)
+      real(wp), intent(in) :: a, b
+      logical :: yes
+      yes = abs(a - b) > change*max(abs(a), abs(b))
+   end function differ
+
+   !> Over which the moment fades: by tension, or where a string leaves or meets the wall under its load.
+   pure function bending_length(ei, axial, clearance, load) result(length)
+      real(wp), intent(in) :: ei, axial, clearance, load   !< [N.m2, N, m, N/m]
+      real(wp) :: length
+      length = min(sqrt(ei/max(abs(axial), least_force)), (ei*clearance/max(load, tiny(1.0_wp)))**0.25_wp)
+   end function bending_length
+
+   !> Curvature of an arc in the frame that goes along it (2) [1/m].
+   pure function curvature_in_frame(trajectory, arc) result(k)
+      type(trajectory_type), intent(in) :: trajectory
+      integer, intent(in) :: arc
+      real(wp) :: k(2)
+      associate (a => trajectory%arcs(arc))
+         k = a%curvature*[dot_product(a%normal, a%lateral_1), dot_product(a%normal, a%lateral_2)]
+      end associate
+   end function curvature_in_frame
+
+   !> The beam on given nodes, the mesh's among them.
+   pure subroutine new_beam(model, mesh, gaps, work, lying, nodes, beam)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      real(wp), intent(in) :: nodes(:)
+      type(bending_beam_type), intent(out) :: beam
+      real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      real(wp) :: share, place, t(3), n_1(3), n_2(3), middle
+      integer :: n, e, o, arc
+      n = size(nodes)
+      beam%md = nodes
+      allocate (beam%place(n), beam%axial(n), beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
+                beam%ei(n - 1), beam%law(n - 1), beam%radius(n - 1), beam%along(n - 1), beam%around(n - 1))
+      allocate (beam%held(n), beam%centred(n), source=.false.)
+      allocate (beam%viscous(n), source=0.0_wp)
+      allocate (beam%point(0), beam%point_owner(0))
+      o = 1
+      arc = 1
+      do e = 1, n
+         do while (o < mesh%elements .and. mesh%md(o + 1) <= nodes(min(e, n - 1)))
+            o = o + 1
+         end do
+         share = (nodes(e) - mesh%md(o))/mesh%length(o)
+         beam%axial(e) = (1.0_wp - share)*lying%axial(o) + share*lying%axial(o + 1)
+         place = nodes(e) + (1.0_wp - share)*lying%slide(o) + share*lying%slide(o + 1)
+         beam%place(e) = place
+         arc = arc_at(model%trajectory, place, near=arc)
+         call frame_on_arc(model%trajectory%arcs(arc), place - model%trajectory%arcs(arc)%md, t, n_1, n_2)
+         beam%weight(:, e) = mesh%weight(o)*[dot_product(down, n_1), dot_product(down, n_2)]
+         if (.not. lying%bends(o)) beam%held(e) = .true.
+         if (e > 1) beam%held(e) = beam%held(e) .or. .not. lying%bends(beam%owner(e - 1))
+         if (e == n) exit
+         beam%owner(e) = o
+         beam%torque(e) = -work%torque(o)
+         if (lying%buckles(o)) beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
+            + min(lying%axial(o), lying%axial(o + 1))**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
+         beam%ei(e) = mesh%ei(o)
+         beam%law(e) = gaps%law(o)
+         beam%law(e)%contact = gaps%law(o)%contact/mesh%length(o)
+         beam%law(e)%maximum = gaps%law(o)%maximum/mesh%length(o)
+         if (is_point(mesh, gaps, o)) then
+            beam%law(e)%clearance = huge(1.0_wp)
+            if (e > 1) then
+               if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < 0.5_wp*sliver) then
+                  beam%point = [beam%point, e]
+                  beam%point_owner = [beam%point_owner, o]
+               end if
+            end if
+         end if
+         beam%radius(e) = mesh%radius(o)
+         beam%along(e) = mesh%axial(o)
+         beam%around(e) = mesh%rotary(o)*work%climb(o)
+      end do
+      arc = 1
+      do e = 1, n - 1
+         middle = 0.5_wp*(beam%place(e) + beam%place(e + 1))
+         arc = arc_at(model%trajectory, middle, near=arc)
+         beam%curvature(:, e) = curvature_in_frame(model%trajectory, arc)
+      end do
+      allocate (beam%point_law, source=gaps%law(beam%point_owner))
+      beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)
+      beam%centred(n) = model%boundary%bit_centred .and. nodes(n) >= mesh%md(mesh%nodes)
+   end subroutine new_beam
+end module dg_bending_layout

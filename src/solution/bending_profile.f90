@@ -1,0 +1,260 @@
+!> The bending moment along a string that an analysis has solved, on elements short enough for it.
+!>
+!> Elements of an analysis touch the wall at one point each. Longer than the bending length sqrt(EI/T) they bridge between these
+!> points, so that the moment at their nodes is low in bends, by x/sinh(x) with x = L/2 sqrt(T/EI), and boundary layers at ends of bends
+!> fall between nodes. Hook load, torque and the sum of contact do not suffer. Here the string is bent again under the axial force
+!> that was found, as a beam (dg_bending_beam) on nodes that are graded towards every place where the moment changes quickly: ends,
+!> changes of the hole's curvature, of stiffness, of clearance; then halved where the solution asks for it. Bending, shear, side
+!> force, offset and clock of the profile are those of that beam; where it found a peak between two rows, rows are added.
+!>
+!> What stays as the analysis has it: parts that are compressed near buckling, whose elements are an eighth of a wave, parts that lean
+!> at more than a twentieth against the hole; and nodal moments that differ by less than a part of the largest moment.
+module dg_bending_profile
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, element_forces, moment_within
+   use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam
+   use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
+   use dg_bending_rows, only: merge_rows
+   use dg_bending_solution, only: solve_bending
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: model_type
+   use dg_profile, only: profile_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: bend_profile
+
+   !> Difference of two recoveries of the moment, over the largest moment, at which elements are halved [-].
+   real(wp), parameter :: rough = 0.03_wp
+   integer, parameter :: most_rounds = 6
+   !> Change of moments by halving all elements, over the largest moment, that proves a mesh [-], and halvings at most.
+   real(wp), parameter :: proven = 0.005_wp
+   integer, parameter :: most_proofs = 3
+   !> Elements on each side of those that are halved which bend with them.
+   integer, parameter :: margin = 8
+   !> Change of a moment by a last step, over the largest moment: of the last mesh, and of those before [-].
+   real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
+   !> Moment over what a contact force, felt at one place of an element instead of another, and half the element's length make [-].
+   real(wp), parameter :: edge_share = 1.0_wp/32.0_wp
+   !> Of how much a largest moment between two nodes counts more than a difference of recoveries [-].
+   real(wp), parameter :: peak_share = 5.0_wp
+   !> Change of offset over the clearance up to which the beam is the string of the analysis [-]: next to an instability of its own,
+   !> as of a free end under a large load, it might go elsewhere.
+   real(wp), parameter :: farthest = 0.8_wp
+   !> No element shorter than this is halved [m].
+   real(wp), parameter :: shortest = 0.04_wp
+
+contains
+
+   !> Puts the moments of the finer beam into a profile, in place, and tells how far the largest may still be off. Where that beam
+   !> finds no equilibrium the profile stays as it is, and `error` is missing.
+   subroutine bend_profile(model, mesh, gaps, work, profile, error)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work       !< assembled at the solution
+      type(profile_type), intent(inout) :: profile   !< at the nodes of the mesh
+      real(wp), intent(out) :: error                 !< of moments, over the largest [-]
+      type(lying_type) :: lying
+      type(bending_beam_type) :: beam
+      real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :), moments(:), differences(:)
+      logical, allocatable :: marked(:)
+      logical :: found
+      real(wp) :: largest
+      integer :: round
+      error = missing
+      call find_lying(model, mesh, work, profile, lying)
+      if (.not. any(lying%bends)) return
+      call find_breaks(model, mesh, gaps, lying, breaks, longest)
+      nodes = graded_nodes(breaks, longest)
+      y = shape_at(mesh%md, lying%y, nodes)
+      call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+      call solve_bending(beam, y, roughly, found)
+      if (.not. found) return
+      call recover_moments(beam, y, moments, differences)
+      largest = max(maxval(moments), maxval(profile%bending), tiny(1.0_wp))
+      do round = 1, most_rounds
+         marked = to_be_halved(nodes, differences, largest)
+         if (.not. any(marked)) exit
+         call halve(model, mesh, gaps, work, lying, marked, nodes, y)
+         call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+         call recover_moments(beam, y, moments, differences)
+      end do
+      call solve_bending(beam, y, settled, found)
+      if (.not. found) return
+      call recover_moments(beam, y, moments, differences)
+      if (departure(mesh, lying%y, nodes, y) > farthest) return
+      error = maxval(differences)/largest
+      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
+      if (is_missing(error)) return
+      call merge_rows(model%trajectory, mesh, work, lying, beam, y, profile)
+   end subroutine bend_profile
+
+   !> Halves all elements, until that changes no moment by more than `proven` of the largest; `error` is the last change, and missing
+   !> where no equilibrium was found.
+   subroutine prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      real(wp), allocatable, intent(inout) :: nodes(:), y(:, :), moments(:)
+      type(bending_beam_type), intent(inout) :: beam
+      real(wp), intent(out) :: error
+      real(wp), allocatable :: finer(:), shape(:, :), before(:), differences(:)
+      logical :: found
+      integer :: round
+      error = missing
+      do round = 1, most_proofs
+         allocate (finer, source=halved_nodes(nodes, spread(.true., 1, size(nodes) - 1)))
+         allocate (shape, source=shape_at(nodes, y, finer))
+         call move_alloc(finer, nodes)
+         call move_alloc(shape, y)
+         call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+         call solve_bending(beam, y, settled, found)
+         if (.not. found) return
+         call move_alloc(moments, before)
+         call recover_moments(beam, y, moments, differences)
+         error = maxval(abs(moments(::2) - before))/max(maxval(moments), tiny(1.0_wp))
+         if (error <= proven) return
+      end do
+   end subroutine prove
+
+   !> Largest change of the offset at the mesh's nodes, over the clearance there [-].
+   pure function departure(mesh, before, nodes, y) result(share)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: before(:, :)          !< at the mesh's nodes (4,mesh%nodes)
+      real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them
+      real(wp) :: share
+      integer :: m, n, e
+      share = 0.0_wp
+      m = 1
+      do n = 1, size(nodes)
+         if (nodes(n) < mesh%md(m)) cycle
+         e = min(m, mesh%elements)
+         share = max(share, norm2(y(1:2, n) - before(1:2, m))/maxval(mesh%clearance(max(m - 1, 1):e)))
+         m = min(m + 1, mesh%nodes)
+      end do
+   end function departure
+
+   !> Halves elements and solves each neighbourhood of such by itself, between nodes that are held.
+   subroutine halve(model, mesh, gaps, work, lying, marked, nodes, y)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      logical, intent(in) :: marked(:)                  !< elements
+      real(wp), allocatable, intent(inout) :: nodes(:)
+      real(wp), allocatable, intent(inout) :: y(:, :)   !< (4,n)
+      type(bending_beam_type) :: part
+      real(wp), allocatable :: finer(:), shape(:, :), own(:, :)
+      integer, allocatable :: place(:)
+      integer :: e, n, first, last, top, bottom
+      logical :: found
+      allocate (finer, source=halved_nodes(nodes, marked))
+      allocate (shape, source=shape_at(nodes, y, finer))
+      allocate (place(size(nodes)))          ! of the nodes among the finer ones
+      n = 1
+      do e = 1, size(nodes)
+         place(e) = n
+         if (e < size(nodes)) n = n + merge(2, 1, marked(e))
+      end do
+      last = 0
+      do
+         first = last + findloc(marked(last + 1:), .true., dim=1)
+         if (first == last) exit
+         last = first
+         do e = first + 1, size(marked)
+            if (e - last > 2*margin) exit
+            if (marked(e)) last = e
+         end do
+         top = place(max(first - margin, 1))
+         bottom = place(min(last + 1 + margin, size(nodes)))
+         call new_beam(model, mesh, gaps, work, lying, finer(top:bottom), part)
+         part%held(1) = part%held(1) .or. top > 1
+         part%held(size(part%held)) = part%held(size(part%held)) .or. bottom < size(finer)
+         own = shape(:, top:bottom)
+         call solve_bending(part, own, settled, found)
+         if (found) shape(:, top:bottom) = own
+         if (last == size(marked)) exit
+      end do
+      call move_alloc(finer, nodes)
+      call move_alloc(shape, y)
+   end subroutine halve
+
+   !> Elements at whose ends two recoveries of the moment differ: they are too long.
+   pure function to_be_halved(nodes, differences, largest) result(marked)
+      real(wp), intent(in) :: nodes(:), differences(:)
+      real(wp), intent(in) :: largest                  !< moment [N.m]
+      logical :: marked(size(nodes) - 1)
+      integer :: n
+      do n = 1, size(marked)
+         marked(n) = max(differences(n), differences(n + 1)) > rough*largest .and. nodes(n + 1) - nodes(n) > 2.0_wp*shortest
+      end do
+   end function to_be_halved
+
+   !> Moments at the nodes [N.m] from the equilibrium of the elements, and how far those of the elements' own shape are from them: the
+   !> first are of higher order, and good where the difference is small.
+   pure subroutine recover_moments(beam, y, moments, differences)
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      real(wp), allocatable, intent(out) :: moments(:), differences(:)
+      real(wp) :: forces(4, size(y, 2))
+      integer :: n
+      forces = element_forces(beam, y)
+      allocate (moments(size(y, 2)), differences(size(y, 2)), source=0.0_wp)
+      do n = 1, size(y, 2)
+         if (beam%held(n)) cycle
+         moments(n) = norm2(forces(3:4, n))
+         if (n == 1 .or. n == size(y, 2)) cycle
+         differences(n) = norm2(0.5_wp*(moment_within(beam, y, n, 1) + moment_within(beam, y, n - 1, 2)) + forces(3:4, n))
+      end do
+      call add_edges(beam, y, differences)
+      call add_peaks(beam, y, forces, moments, differences)
+   end subroutine recover_moments
+
+   !> Raises the differences where the largest moment lies between two nodes, by a cubic through moments and their slopes: it needs a
+   !> node there.
+   pure subroutine add_peaks(beam, y, forces, moments, differences)
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :), forces(:, :), moments(:)
+      real(wp), intent(inout) :: differences(:)
+      real(wp) :: slope(2), next(2), middle(2), largest
+      integer :: e
+      next = 0.0_wp
+      largest = maxval(moments)
+      do e = 1, size(moments)
+         slope = next
+         next = forces(1:2, e) + beam%axial(e)*y(3:4, e)      ! of the moment along the string
+         if (e == 1) cycle
+         if (beam%held(e) .or. beam%held(e - 1)) cycle
+         middle = -0.5_wp*(forces(3:4, e - 1) + forces(3:4, e)) + 0.125_wp*(beam%md(e) - beam%md(e - 1))*(slope - next)
+         differences(e) = max(differences(e), peak_share*(norm2(middle) - largest))
+      end do
+   end subroutine add_peaks
+
+   !> Raises the differences where contact ends, or is pressed hardest, within an element: a force that is felt a part of an element
+   !> off its place makes a moment.
+   pure subroutine add_edges(beam, y, differences)
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      real(wp), intent(inout) :: differences(:)
+      real(wp) :: pressed(contact_places, size(y, 2) - 1), length(size(y, 2) - 1), moment
+      integer :: e
+      length = beam%md(2:) - beam%md(:size(length))
+      pressed = contact_forces(beam, y)
+      do e = 1, size(length)
+         pressed(:, e) = pressed(:, e)*contact_places/length(e)      ! per metre
+         moment = abs(pressed(2, e) - pressed(1, e))*length(e)**2*edge_share
+         differences(e:e + 1) = max(differences(e:e + 1), moment)
+      end do
+      do e = 1, size(length) - 1
+         moment = abs(pressed(1, e + 1) - pressed(2, e))*maxval(length(e:e + 1))**2*edge_share
+         differences(e + 1) = max(differences(e + 1), moment)
+      end do
+   end subroutine add_edges
+
+end module dg_bending_profile

@@ -1,0 +1,228 @@
+!> Rows of a profile from a string that has been bent again (dg_bending_profile).
+module dg_bending_rows
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, contact_xi, element_forces, point_forces
+   use dg_bending_layout, only: lying_type
+   use dg_bending_nodes, only: rows_needed
+   use dg_mesh, only: mesh_type
+   use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid
+   use dg_trajectory, only: arc_at, azimuth_of, clock_angle, frame_on_arc, inclination_of, point_on_arc, trajectory_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: merge_rows
+
+   !> Difference of moments, over the largest one, up to which the analysis' own stand [-].
+   real(wp), parameter :: alike = 0.005_wp
+
+contains
+
+   !> Rows of the beam into the profile: those of the mesh's nodes, and as many between as the moment needs.
+   pure subroutine merge_rows(trajectory, mesh, work, lying, beam, y, profile)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      type(profile_type), intent(inout) :: profile    !< of the analysis; on return of the beam
+      type(profile_type) :: own
+      real(wp) :: forces(4, size(y, 2)), moment(size(y, 2)), share, side_force(size(y, 2))
+      logical :: kept(size(y, 2))
+      integer, allocatable :: rows(:)
+      integer :: n, o, row
+      forces = element_forces(beam, y)
+      call choose_moments(mesh, beam, forces, profile%bending, moment, kept)
+      rows = pack([(n, n=1, size(y, 2))], kept)
+      side_force = side_forces(mesh, work, lying, beam, y, rows)
+      own = profile
+      profile = new_profile(size(rows))
+      do row = 1, size(rows)
+         n = rows(row)
+         o = beam%owner(min(n, size(y, 2) - 1))
+         share = (beam%md(n) - mesh%md(o))/mesh%length(o)
+         profile%md(row) = beam%md(n)
+         call put_place(trajectory, mesh%arc(o), row, profile)
+         profile%axial(row) = beam%axial(n)
+         profile%torque(row) = (1.0_wp - share)*own%torque(o) + share*own%torque(o + 1)
+         profile%bending(row) = moment(n)
+         profile%side_force(row) = side_force(n)
+         if (beam%held(n)) then       ! a node of the mesh
+            if (share > 0.5_wp) o = o + 1
+            profile%displacement(row) = own%displacement(o)
+            profile%clock(row) = own%clock(o)
+            profile%shear(row) = own%shear(o)
+            profile%gap_state(row) = own%gap_state(o)
+         else
+            profile%displacement(row) = norm2(y(1:2, n))
+            profile%clock(row) = clock_in_hole(trajectory, mesh%arc(o), beam%place(n), y(1:2, n))
+            profile%shear(row) = norm2(forces(1:2, n) + beam%axial(n)*y(3:4, n))
+            if (side_force(n) > 0.0_wp) profile%gap_state(row) = merge(state_rigid, state_elastic, profile%displacement(row) > &
+               (1.0_wp + minval(mesh%eps_nmax(max(o - 1, 1):o)))*minval(mesh%clearance(max(o - 1, 1):o)))
+         end if
+      end do
+   end subroutine merge_rows
+
+   !> Moments at the beam's nodes [N.m], and which of them the profile needs. The analysis' own stand in elements where the beam's
+   !> are like them.
+   pure subroutine choose_moments(mesh, beam, forces, bending, moment, kept)
+      type(mesh_type), intent(in) :: mesh
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: forces(:, :)       !< of the beam's elements on their upper nodes (4,n)
+      real(wp), intent(in) :: bending(:)         !< of the analysis, at the mesh's nodes [N.m]
+      real(wp), intent(out) :: moment(:)
+      logical, intent(out) :: kept(:)
+      real(wp) :: coarse(size(moment)), share, largest
+      logical :: better(mesh%elements)
+      integer :: n, o, e
+      better = .false.
+      largest = 0.0_wp
+      do n = 1, size(moment)
+         o = beam%owner(min(n, size(beam%owner)))
+         share = (beam%md(n) - mesh%md(o))/mesh%length(o)
+         coarse(n) = (1.0_wp - share)*bending(o) + share*bending(o + 1)
+         moment(n) = norm2(forces(3:4, n))
+         if (beam%held(n)) moment(n) = coarse(n)
+         largest = max(largest, moment(n))
+      end do
+      do n = 1, size(moment)
+         if (abs(moment(n) - coarse(n)) <= alike*largest) cycle
+         better(beam%owner(min(n, size(beam%owner)))) = .true.
+         better(beam%owner(max(n - 1, 1))) = .true.
+      end do
+      kept = .false.
+      e = 1
+      do n = 1, size(moment)
+         kept(n) = .not. beam%md(n) < mesh%md(e)
+         o = beam%owner(min(n, size(beam%owner)))
+         if (kept(n)) then
+            if (.not. any(better(max(e - 1, 1):min(e, mesh%elements)))) moment(n) = bending(e)
+            e = min(e + 1, mesh%nodes)
+         else if (.not. better(o)) then
+            moment(n) = coarse(n)
+         end if
+      end do
+      call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
+   end subroutine choose_moments
+
+   !> Contact force per metre at the nodes that are rows [N/m], so that straight lines between rows have the analysis' sum of contact.
+   pure function side_forces(mesh, work, lying, beam, y, rows) result(per_metre)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      integer, intent(in) :: rows(:)          !< among the beam's nodes, the first and the last among them
+      real(wp) :: per_metre(size(y, 2))
+      real(wp) :: forces(size(y, 2)), share
+      integer :: n, row, upper, lower
+      forces = nodal_contact(mesh, work, lying, beam, y)
+      per_metre = 0.0_wp
+      row = 1
+      do n = 1, size(forces)
+         if (n > rows(row + 1)) row = row + 1
+         upper = rows(row)
+         lower = rows(row + 1)
+         share = (beam%md(n) - beam%md(upper))/(beam%md(lower) - beam%md(upper))
+         per_metre(upper) = per_metre(upper) + (1.0_wp - share)*forces(n)
+         per_metre(lower) = per_metre(lower) + share*forces(n)
+      end do
+      do row = 1, size(rows)
+         upper = rows(max(row - 1, 1))
+         lower = rows(min(row + 1, size(rows)))
+         per_metre(rows(row)) = 2.0_wp*per_metre(rows(row))/(beam%md(lower) - beam%md(upper))
+      end do
+   end function side_forces
+
+   !> Contact forces lumped at the beam's nodes [N]: distributed as the beam has them, with the analysis' sum; those of joints along
+   !> the joint; where the string is not bent again those of the analysis.
+   pure function nodal_contact(mesh, work, lying, beam, y) result(forces)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      real(wp) :: forces(size(y, 2))
+      real(wp) :: pressed(contact_places, size(y, 2) - 1), points(size(beam%point)), found(mesh%elements), scale(mesh%elements)
+      integer :: e, o, p
+      pressed = contact_forces(beam, y)
+      points = point_forces(beam, y)
+      found = 0.0_wp
+      do e = 1, size(pressed, 2)
+         found(beam%owner(e)) = found(beam%owner(e)) + sum(pressed(:, e))
+      end do
+      do p = 1, size(points)
+         found(beam%point_owner(p)) = found(beam%point_owner(p)) + points(p)
+      end do
+      scale = sum_over_sum(lying%bends, max(work%normal, 0.0_wp), found)
+      forces = 0.0_wp
+      p = 1
+      do e = 1, size(pressed, 2)
+         o = beam%owner(e)
+         associate (share => 0.5_wp*(beam%md(e + 1) - beam%md(e))/mesh%length(o))
+            if (scale(o) > 0.0_wp) then
+               forces(e) = forces(e) + scale(o)*sum((1.0_wp - contact_xi)*pressed(:, e))
+               forces(e + 1) = forces(e + 1) + scale(o)*sum(contact_xi*pressed(:, e))
+               do while (p < size(points))
+                  if (beam%point_owner(p) >= o) exit
+                  p = p + 1
+               end do
+               if (size(points) == 0) cycle
+               if (beam%point_owner(p) == o) forces(e:e + 1) = forces(e:e + 1) + scale(o)*share*points(p)
+            else
+               forces(e:e + 1) = forces(e:e + 1) + share*max(work%normal(o), 0.0_wp)
+            end if
+         end associate
+      end do
+   end function nodal_contact
+
+   !> For each run of elements that are bent again the ratio of two sums; 0 where they are not, or where the second sum is.
+   pure function sum_over_sum(bends, forces, found) result(scale)
+      logical, intent(in) :: bends(:)
+      real(wp), intent(in) :: forces(:), found(:)
+      real(wp) :: scale(size(bends))
+      integer :: first, last
+      scale = 0.0_wp
+      last = 0
+      do while (last < size(bends))
+         first = last + 1
+         last = first
+         do while (last < size(bends))
+            if (bends(last + 1) .neqv. bends(first)) exit
+            last = last + 1
+         end do
+         if (bends(first) .and. sum(found(first:last)) > 0.0_wp) scale(first:last) = sum(forces(first:last))/sum(found(first:last))
+      end do
+   end function sum_over_sum
+
+   !> Position and direction of the hole axis at a row.
+   pure subroutine put_place(trajectory, near, row, profile)
+      type(trajectory_type), intent(in) :: trajectory
+      integer, intent(in) :: near, row
+      type(profile_type), intent(inout) :: profile
+      real(wp) :: position(3), tangent(3), curvature(3)
+      integer :: arc
+      arc = arc_at(trajectory, profile%md(row), near=near)
+      call point_on_arc(trajectory%arcs(arc), profile%md(row) - trajectory%arcs(arc)%md, position, tangent, curvature)
+      position = trajectory%arcs(arc)%origin + position
+      profile%north(row) = position(1)
+      profile%east(row) = position(2)
+      profile%tvd(row) = position(3)
+      profile%inclination(row) = inclination_of(tangent)
+      profile%azimuth(row) = azimuth_of(tangent)
+   end subroutine put_place
+
+   !> Clock angle [rad] of an offset in the frame of the hole.
+   pure function clock_in_hole(trajectory, near, md, offset) result(clock)
+      type(trajectory_type), intent(in) :: trajectory
+      integer, intent(in) :: near
+      real(wp), intent(in) :: md          !< [m]
+      real(wp), intent(in) :: offset(2)   !< [m]
+      real(wp) :: clock
+      real(wp) :: t(3), n_1(3), n_2(3)
+      integer :: arc
+      arc = arc_at(trajectory, md, near=near)
+      call frame_on_arc(trajectory%arcs(arc), md - trajectory%arcs(arc)%md, t, n_1, n_2)
+      clock = clock_angle(t, offset(1)*n_1 + offset(2)*n_2)
+   end function clock_in_hole
+end module dg_bending_rows
