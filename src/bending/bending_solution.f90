@@ -22,11 +22,12 @@ module dg_bending_solution
 contains
 
    !> Iterates from y(4,n) to equilibrium. `found` tells whether it was reached.
-   pure subroutine solve_bending(beam, y, settled, found)
+   pure subroutine solve_bending(beam, y, settled, found, anchor)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(inout) :: y(:, :)
       real(wp), intent(in) :: settled      !< a full step that changes no moment by more than this part of the largest ends it [-]
       logical, intent(out) :: found
+      real(wp), intent(in), optional :: anchor(:, :)   !< shape to which springs as stiff as the resistance pull compressed parts
       type(block_matrix_type) :: linear, matrix
       real(wp), dimension(node_unknowns, size(y, 2)) :: load, residual, step, trial
       real(wp) :: scale, work, share, lower, upper, work_lower, work_trial, largest, changed
@@ -40,7 +41,7 @@ contains
       scale = max(maxval(abs(load(1:2, :))), tiny(1.0_wp))
       matrix = linear
       found = .false.
-      call assemble(beam, linear, load, fixed, y, residual, matrix)
+      call assemble(beam, linear, load, fixed, y, residual, matrix, anchor)
       do iteration = 0, most_iterations
          if (maxval(abs(residual)) <= tolerance*scale) then
             found = .true.
@@ -50,7 +51,7 @@ contains
          step = -residual
          call eliminate(matrix, step, regular, definite)
          if (.not. (regular .and. definite)) then
-            call assemble(beam, linear, load, fixed, y, residual, matrix)
+            call assemble(beam, linear, load, fixed, y, residual, matrix, anchor)
             do n = 1, size(y, 2)
                matrix%diagonal(1, 1, n) = matrix%diagonal(1, 1, n) + beam%viscous(n)
                matrix%diagonal(2, 2, n) = matrix%diagonal(2, 2, n) + beam%viscous(n)
@@ -67,7 +68,7 @@ contains
          share = 1.0_wp
          do try = 1, most_trials
             trial = y + share*step
-            call assemble(beam, linear, load, fixed, trial, residual, matrix)
+            call assemble(beam, linear, load, fixed, trial, residual, matrix, anchor)
             work_trial = sum(residual*step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
@@ -91,7 +92,7 @@ contains
    end subroutine solve_bending
 
    !> Residual and matrix at a shape.
-   pure subroutine assemble(beam, linear, load, fixed, shape, residual, matrix)
+   pure subroutine assemble(beam, linear, load, fixed, shape, residual, matrix, anchor)
       type(bending_beam_type), intent(in) :: beam
       type(block_matrix_type), intent(in) :: linear     !< of all but contact
       real(wp), intent(in) :: load(:, :)                !< its load
@@ -99,9 +100,19 @@ contains
       real(wp), intent(in) :: shape(:, :)
       real(wp), intent(out) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
+      real(wp), intent(in), optional :: anchor(:, :)
+      integer :: n, i
       call copy_matrix(linear, matrix)
       call linear_residual(linear, load, shape, residual)
       call add_contact(beam, shape, residual, matrix)
+      if (present(anchor)) then
+         do n = 1, size(shape, 2)
+            do i = 1, 2
+               residual(i, n) = residual(i, n) + beam%viscous(n)*(shape(i, n) - anchor(i, n))
+               matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + beam%viscous(n)
+            end do
+         end do
+      end if
       where (fixed) residual = 0.0_wp
    end subroutine assemble
 

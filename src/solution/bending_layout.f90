@@ -6,7 +6,6 @@ module dg_bending_layout
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_profile, only: profile_type
-   use dg_soft_string_loads, only: coiling_load
    use dg_trajectory, only: arc_at, closest_point, frame_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -17,8 +16,6 @@ module dg_bending_layout
    real(wp), parameter :: layer_share = 0.6_wp
    !> Changes of EI k that count, over the largest EI k of the hole [-].
    real(wp), parameter :: jump_share = 0.02_wp
-   !> Compression over the coiling load from which a string is held while it settles [-]: Dawson and Paslay's load is 0.71 of it.
-   real(wp), parameter :: compressed_share = 0.5_wp
    !> Slope against the hole up to which a string is bent again [-]: squares of slopes are left out.
    real(wp), parameter :: steepest = 0.05_wp
    !> Changes of stiffness or clearance that count [-].
@@ -34,8 +31,8 @@ module dg_bending_layout
       real(wp), allocatable :: y(:, :)       !< offset and slope (4,n) [m, -]
       real(wp), allocatable :: axial(:)      !< [N]
       real(wp), allocatable :: load(:)       !< contact force per metre about an element, by element [N/m]
-      logical, allocatable :: buckles(:)     !< elements that are compressed near buckling
       logical, allocatable :: bends(:)       !< elements that are bent again
+      logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
    end type lying_type
 
 contains
@@ -47,10 +44,10 @@ contains
       type(workspace_type), intent(in) :: work
       type(profile_type), intent(in) :: profile
       type(lying_type), intent(out) :: lying
-      real(wp) :: point(3), gap(3), t(3), n_1(3), n_2(3), unused(3), offset, slope, low, length
+      real(wp) :: point(3), gap(3), t(3), n_1(3), n_2(3), unused(3), offset, slope, length
       integer :: n, e, arc, first, last
       allocate (lying%slide(mesh%nodes), lying%y(node_unknowns, mesh%nodes), lying%load(mesh%elements), &
-                lying%buckles(mesh%elements), lying%bends(mesh%elements))
+                lying%bends(mesh%elements))
       lying%axial = profile%axial
       do n = 1, mesh%nodes
          arc = mesh%arc(n)
@@ -67,11 +64,7 @@ contains
          last = min(e + 1, mesh%elements)
          length = sum(mesh%length(first:last))
          lying%load(e) = max(sum(work%normal(first:last)), 0.0_wp)/length
-         low = -min(profile%axial(e), profile%axial(e + 1))
          lying%bends(e) = max(norm2(lying%y(3:4, e)), norm2(lying%y(3:4, e + 1))) < steepest
-         lying%buckles(e) = .false.
-         if (low > 0.0_wp) lying%buckles(e) = &
-            low > compressed_share*coiling_load(mesh%ei(e), lying%load(e), mesh%weight(e), mesh%clearance(e))
       end do
    end subroutine find_lying
 
@@ -218,8 +211,8 @@ contains
          if (e == n) exit
          beam%owner(e) = o
          beam%torque(e) = -work%torque(o)
-         if (lying%buckles(o)) beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
-            + min(lying%axial(o), lying%axial(o + 1))**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
+         beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
+            + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
          beam%ei(e) = mesh%ei(o)
          beam%law(e) = gaps%law(o)
          beam%law(e)%contact = gaps%law(o)%contact/mesh%length(o)

@@ -18,7 +18,7 @@ module dg_bending_profile
    use dg_bending_solution, only: solve_bending
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_profile, only: profile_type
    use dg_workspace, only: workspace_type
@@ -59,22 +59,47 @@ contains
       real(wp), intent(out) :: error                 !< of moments, over the largest [-]
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
-      real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :), moments(:), differences(:)
-      logical, allocatable :: marked(:)
+      real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :)
       logical :: found
-      real(wp) :: largest
-      integer :: round
+      integer :: attempt
       error = missing
       call find_lying(model, mesh, work, profile, lying)
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
-      nodes = graded_nodes(breaks, longest)
-      y = shape_at(mesh%md, lying%y, nodes)
+      do attempt = 1, 2
+         lying%anchored = attempt == 2
+         nodes = graded_nodes(breaks, longest)
+         call bend_again(model, mesh, gaps, work, lying, nodes, y, beam, error, found)
+         if (found) exit
+      end do
+      if (.not. found) return
+      call merge_rows(model%trajectory, mesh, work, lying, beam, y, profile)
+   end subroutine bend_profile
+
+   !> Equilibrium of the beam on nodes that are added until its moments are good. `found` is false where there is none, or one that
+   !> is not the analysis' string.
+   subroutine bend_again(model, mesh, gaps, work, lying, nodes, y, beam, error, found)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      real(wp), allocatable, intent(inout) :: nodes(:)          !< on entry those to begin with [m]
+      real(wp), allocatable, intent(out) :: y(:, :)             !< (4,n)
+      type(bending_beam_type), intent(out) :: beam
+      real(wp), intent(out) :: error                            !< of moments, over the largest [-]; missing where not found
+      logical, intent(out) :: found
+      real(wp), allocatable :: moments(:), differences(:)
+      logical, allocatable :: marked(:)
+      real(wp) :: largest
+      integer :: round
+      error = missing
+      allocate (y, source=shape_at(mesh%md, lying%y, nodes))
       call new_beam(model, mesh, gaps, work, lying, nodes, beam)
-      call solve_bending(beam, y, roughly, found)
+      call solve_anchored(mesh, lying, beam, y, roughly, found)
       if (.not. found) return
       call recover_moments(beam, y, moments, differences)
-      largest = max(maxval(moments), maxval(profile%bending), tiny(1.0_wp))
+      largest = max(maxval(moments), tiny(1.0_wp))
       do round = 1, most_rounds
          marked = to_be_halved(nodes, differences, largest)
          if (.not. any(marked)) exit
@@ -82,15 +107,28 @@ contains
          call new_beam(model, mesh, gaps, work, lying, nodes, beam)
          call recover_moments(beam, y, moments, differences)
       end do
-      call solve_bending(beam, y, settled, found)
+      call solve_anchored(mesh, lying, beam, y, settled, found)
       if (.not. found) return
       call recover_moments(beam, y, moments, differences)
-      if (departure(mesh, lying%y, nodes, y) > farthest) return
-      error = maxval(differences)/largest
-      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
-      if (is_missing(error)) return
-      call merge_rows(model%trajectory, mesh, work, lying, beam, y, profile)
-   end subroutine bend_profile
+      found = departure(mesh, lying%y, nodes, y) <= farthest
+      if (found) error = maxval(differences)/largest
+      if (found .and. model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
+   end subroutine bend_again
+
+   !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string.
+   subroutine solve_anchored(mesh, lying, beam, y, settled, found)
+      type(mesh_type), intent(in) :: mesh
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(inout) :: y(:, :)
+      real(wp), intent(in) :: settled
+      logical, intent(out) :: found
+      if (lying%anchored) then
+         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, lying%y, beam%md))
+      else
+         call solve_bending(beam, y, settled, found)
+      end if
+   end subroutine solve_anchored
 
    !> Halves all elements, until that changes no moment by more than `proven` of the largest; `error` is the last change, and missing
    !> where no equilibrium was found.
@@ -113,7 +151,7 @@ contains
          call move_alloc(finer, nodes)
          call move_alloc(shape, y)
          call new_beam(model, mesh, gaps, work, lying, nodes, beam)
-         call solve_bending(beam, y, settled, found)
+         call solve_anchored(mesh, lying, beam, y, settled, found)
          if (.not. found) return
          call move_alloc(moments, before)
          call recover_moments(beam, y, moments, differences)
@@ -177,7 +215,7 @@ contains
          part%held(1) = part%held(1) .or. top > 1
          part%held(size(part%held)) = part%held(size(part%held)) .or. bottom < size(finer)
          own = shape(:, top:bottom)
-         call solve_bending(part, own, settled, found)
+         call solve_anchored(mesh, lying, part, own, settled, found)
          if (found) shape(:, top:bottom) = own
          if (last == size(marked)) exit
       end do
