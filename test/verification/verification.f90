@@ -29,6 +29,7 @@ contains
       use dg_test_assemblies, only: assemblies_suite
       use dg_test_hard_cases, only: hard_cases_suite
       use dg_test_whirling, only: whirling_suite
+      use dg_test_moments, only: moments_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -52,5 +53,6 @@ contains
       call suite%addTest(assemblies_suite())
       call suite%addTest(hard_cases_suite())
       call suite%addTest(whirling_suite())
+      call suite%addTest(moments_suite())
    end function load_tests
 end program verification
