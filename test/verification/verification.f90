@@ -30,6 +30,8 @@ contains
       use dg_test_hard_cases, only: hard_cases_suite
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
+      use dg_test_columns, only: columns_suite
+      use dg_test_boundary_layers, only: boundary_layers_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -54,5 +56,7 @@ contains
       call suite%addTest(hard_cases_suite())
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())
+      call suite%addTest(columns_suite())
+      call suite%addTest(boundary_layers_suite())
    end function load_tests
 end program verification

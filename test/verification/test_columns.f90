@@ -1,0 +1,249 @@
+!> Columns of a profile and figures of limits.csv at the default settings against closed forms: a rotating string in straight hole,
+!> a string that hangs in an arc, a string pushed beyond buckling. Moments, shear and clock of curved holes: dg_test_moments.
+module dg_test_columns
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_buckling_limits, only: buckling_none, buckling_sinusoidal
+   use dg_case_result, only: case_result_type
+   use dg_component, only: component_type
+   use dg_constants, only: degree, pi
+   use dg_job, only: model_mcge
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_rotary_drilling, operation_static
+   use dg_model, only: model_type
+   use dg_numerics, only: settings_of
+   use dg_test_wells, only: new_well, note, part, solve
+   use dg_whole_string, only: find_whole_string, whole_string_type
+   implicit none
+   private
+   public :: columns_suite
+
+   !> Drill pipe, mud, gravity.
+   real(wp), parameter :: od = 0.127_wp, id = 0.1086_wp, joint = 0.1619_wp, mass = 31.9_wp, yield = 931.0e6_wp
+   real(wp), parameter :: mud = 1200.0_wp, gravity = 10.0_wp, hole = 0.2159_wp, steel = 7850.0_wp
+   real(wp), parameter :: youngs = 206.0e9_wp, poisson = 0.3_wp, makeup = 40.0e3_wp, rig = 2.0e6_wp, wall = 1.0e8_wp
+   real(wp), parameter :: area = 0.25_wp*pi*(od**2 - id**2), inertia = pi/64.0_wp*(od**4 - id**4)
+   real(wp), parameter :: weight = mass*gravity*(1.0_wp - mud/steel)   !< in mud [N/m]
+   !> Forces over the largest, and what follows from them; what contact makes over its own size: the string's ends hang free of the
+   !> wall over some metres.
+   real(wp), parameter :: force_within = 1.0e-3_wp, contact_within = 5.0e-3_wp
+   !> Sum of contact in an arc: the centred ends hang off the wall over some metres of 600 m.
+   real(wp), parameter :: ends_within = 0.03_wp
+   !> Rows nearer than this to an end of the string or of a bend are not compared [m].
+   real(wp), parameter :: end_part = 40.0_wp
+   !> What the tables of the trajectory give [m, rad].
+   real(wp), parameter :: rounding = 1.0e-9_wp
+
+contains
+
+   function columns_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('columns')
+      call suite%addTest(TestMethod('rotating_in_straight_hole', test_straight))
+      call suite%addTest(TestMethod('hanging_in_an_arc', test_arc))
+      call suite%addTest(TestMethod('pushed_beyond_buckling', test_pushed))
+   end function columns_suite
+
+   subroutine build(model, md, inclination, azimuth, friction)
+      type(model_type), intent(out) :: model
+      real(wp), intent(in) :: md(:), inclination(:), azimuth(:)   !< [m, deg, deg]
+      real(wp), intent(in) :: friction
+      type(component_type) :: component
+      component = part('drillpipe', 0.0_wp, od, id, mass, joint)
+      component%yield = yield
+      component%makeup_torque = makeup
+      call new_well(model, md, inclination, azimuth, hole, friction, component)
+      model%numerics = settings_of('auto')
+      model%mud_density = mud
+      model%gravity = gravity
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+   end subroutine build
+
+   subroutine solve_all(model, operation, wob, tob, result, along, whole)
+      type(model_type), intent(inout) :: model
+      integer, intent(in) :: operation
+      real(wp), intent(in) :: wob, tob
+      type(case_result_type), intent(out) :: result
+      type(along_string_type), intent(out) :: along
+      type(whole_string_type), intent(out) :: whole
+      call solve(model, operation, wob, tob, result, 'columns')
+      result%model = model_mcge
+      result%case_index = 1
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, given(rig), whole)
+   end subroutine solve_all
+
+   !> 1000 m at 40 deg, rotating on bottom, friction m: contact w sin/sqrt(1 + m^2) at 180 deg - atan m, torque r m times that,
+   !> axial force w cos (L - s) - wob.
+   subroutine test_straight()
+      real(wp), parameter :: depth = 1000.0_wp, theta = 40.0_wp*degree, azimuth = 30.0_wp*degree, m = 0.25_wp, wob = 40.0e3_wp
+      real(wp), parameter :: tob = 4.0e3_wp, clearance = 0.5_wp*(hole - joint)
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: axial, torque, contact, pressure, shear_stress, stress, sine, top, turns
+      integer :: i
+      call build(model, [0.0_wp, depth], [40.0_wp, 40.0_wp], [30.0_wp, 30.0_wp], m)
+      call solve_all(model, operation_rotary_drilling, wob, tob, result, along, whole)
+      contact = weight*sin(theta)/sqrt(1.0_wp + m**2)
+      sine = 2.0_wp*sqrt(youngs*inertia*weight*sin(theta)/clearance)
+      top = weight*cos(theta)*depth - wob
+      do i = 1, size(result%profile%md)
+         associate (p => result%profile, s => result%profile%md(i))
+            call assertEqual(s*cos(theta), p%tvd(i), rounding*depth, message='tvd')
+            call assertEqual(s*sin(theta)*cos(azimuth), p%north(i), rounding*depth, message='north')
+            call assertEqual(s*sin(theta)*sin(azimuth), p%east(i), rounding*depth, message='east')
+            call assertEqual(theta, p%inclination(i), rounding, message='inclination')
+            call assertEqual(azimuth, p%azimuth(i), rounding, message='azimuth')
+            axial = weight*cos(theta)*(depth - s) - wob
+            torque = tob + 0.5_wp*joint*m*contact*(depth - s)
+            pressure = mud*gravity*s*cos(theta)
+            shear_stress = torque*0.25_wp*od/inertia
+            call assertEqual(axial, p%axial(i), force_within*top, message='axial')
+            call assertRelativelyEqual(torque, p%torque(i), contact_within, message='torque')
+            call assertEqual(pressure, along%pressure(i), rounding*pressure + 1.0e-3_wp, message='pressure')
+            call assertEqual(axial - pressure*area, along%true_axial(i), force_within*top, message='true axial')
+            call assertEqual(axial/area - pressure, along%axial_stress(i), force_within*top/area, message='axial stress')
+            call assertRelativelyEqual(shear_stress, along%torsional_stress(i), contact_within, message='torsional stress')
+            call assertEqual(-pressure, along%hoop_stress(i), rounding*pressure + 1.0e-3_wp, message='hoop stress')
+            call assertRelativelyEqual(sine, along%sinusoidal(i), rounding, message='sinusoidal load')
+            call assertRelativelyEqual(sqrt(2.0_wp)*sine, along%helical(i), rounding, message='helical load')
+            call assertRelativelyEqual((2.0_wp*sqrt(2.0_wp) - 1.0_wp)*sine, along%helical_upper(i), rounding, message='upper')
+            call assertEqual(sine + axial, along%buckling_margin(i), force_within*top, message='buckling margin')
+            call assertEqual(buckling_none, along%buckling(i), message='buckling')
+            call assertEqual(1.0_wp - sqrt((axial/(area*yield))**2 + 3.0_wp*(shear_stress/yield)**2), along%envelope_margin(i), &
+                             force_within, message='envelope margin')
+            call assertEqual(0.0_wp, along%curvature(i), rounding, message='dogleg')
+            call assertEqual(od, along%od(i), rounding, message='od')
+            call assertEqual(hole, along%hole_diameter(i), rounding, message='hole')
+            if (min(s, depth - s) < end_part) cycle
+            ! the mud presses on all sides: what yields is the effective axial stress
+            stress = hypot(axial/area, sqrt(3.0_wp)*shear_stress)
+            call assertRelativelyEqual(stress, along%von_mises(i), contact_within, message='von Mises')
+            call assertRelativelyEqual(yield/stress, along%safety_factor(i), contact_within, message='safety factor')
+            call assertRelativelyEqual(contact, p%side_force(i), contact_within, message='side force')
+            call assertEqual(pi - atan(m), p%clock(i), 0.2_wp*degree, message='clock')
+            call assertRelativelyEqual(clearance + contact/wall, p%displacement(i), 1.0e-5_wp, message='displacement')
+            call assertGreaterThan(p%gap_state(i), 0, message='gap state')
+            call assertLessThan(p%shear(i), contact_within*weight*depth, message='shear')
+            call assertEqual(2.0_wp*along%bending_stress(i), along%bending_range(i), 1.0_wp, message='bending range')
+            call assertLessThan(along%bending_stress(i), 1.0e-3_wp*youngs*0.5_wp*od/300.0_wp, message='bending stress')
+         end associate
+      end do
+      call assertRelativelyEqual((0.5_wp*weight*cos(theta)*depth - wob)*depth/(youngs*area), whole%stretch, contact_within, &
+                                 message='stretch')
+      call assertRelativelyEqual(-(1.0_wp - 2.0_wp*poisson)*0.5_wp*mud*gravity*cos(theta)*depth**2/youngs, whole%pressure_stretch, &
+                                 1.0e-6_wp, message='pressure stretch')
+      turns = (tob + 0.25_wp*joint*m*contact*depth)*depth*(1.0_wp + poisson)/(youngs*inertia)
+      call note('windup over the closed form', whole%windup/turns - 1.0_wp)
+      call assertRelativelyEqual(turns, whole%windup, contact_within, message='windup')
+      call assertEqual(1, size(whole%neutral_points), message='one neutral point')
+      call assertEqual(depth - wob/(weight*cos(theta)), whole%neutral_points(1), 0.1_wp, message='neutral point')
+      torque = tob + 0.5_wp*joint*m*contact*depth
+      shear_stress = torque*0.25_wp*od/inertia
+      ! at the top, or some metres below, where it comes to the wall: bending there adds to it
+      call assertEqual(minval(along%safety_factor), whole%least_safety%value, rounding, message='least safety factor')
+      call assertLessThan(whole%least_safety_md%value, end_part, message='where')
+      call assertLessThan(whole%least_safety%value, (1.0_wp + force_within)*yield/hypot(top/area, sqrt(3.0_wp)*shear_stress), &
+                          message='least safety factor at most that of the top')
+      call assertRelativelyEqual(result%normal_force, whole_contact(result), rounding, message='side force adds up')
+      call assertRelativelyEqual(1.0_wp - hypot(top/(area*yield), sqrt(3.0_wp)*shear_stress/yield), &
+                                 whole%least_envelope_margin%value, contact_within, message='least envelope margin')
+      call assertRelativelyEqual(area*sqrt(yield**2 - 3.0_wp*shear_stress**2) - top, whole%overpull_margin%value, contact_within, &
+                                 message='overpull margin')
+      call assertEqual(buckling_none, whole%buckling, message='no buckling')
+      call assertEqual(sine - wob, whole%buckling_margin%value, force_within*top, message='least buckling margin')
+      call assertEqual(depth, whole%buckling_margin_md%value, rounding*depth, message='where')
+      call assertRelativelyEqual(sine, whole%wob_buckling%value, 1.0e-6_wp, message='weight on bit to buckle')
+      call assertRelativelyEqual(top + wob, whole%wob_no_hookload%value, 1.0e-6_wp, message='weight on bit without hook load')
+      call assertEqual(buckling_none, whole%shape, message='shape')
+      call assertEqual(rig - result%hookload, whole%rig_margin%value, 1.0_wp, message='rig margin')
+      call assertRelativelyEqual(makeup - torque, whole%makeup_margin%value, contact_within, message='makeup margin')
+      call assertEqual(0.0_wp, whole%makeup_margin_md%value, rounding, message='where')
+   end subroutine test_straight
+
+   !> 600 m from the vertical to 60 deg, without friction, 300 kN pulled at the bit: T = pull + w times the depth below, M = EI/R on
+   !> the inside, von Mises' stress at the outer surface of the tensile side.
+   subroutine test_arc()
+      real(wp), parameter :: depth = 600.0_wp, turn = 60.0_wp*degree, radius = depth/turn, azimuth = 30.0_wp*degree
+      real(wp), parameter :: pull = 300.0e3_wp, clearance = 0.5_wp*(hole - joint), bent = youngs*0.5_wp*od/radius
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: axial, contact, theta, stress
+      integer :: i, rows
+      call build(model, [0.0_wp, depth], [0.0_wp, 60.0_wp], [30.0_wp, 30.0_wp], 0.0_wp)
+      call solve_all(model, operation_static, -pull, 0.0_wp, result, along, whole)
+      rows = 0
+      do i = 1, size(result%profile%md)
+         associate (p => result%profile, s => result%profile%md(i))
+            theta = s/radius
+            call assertEqual(radius*sin(theta), p%tvd(i), rounding*depth, message='tvd')
+            call assertEqual(radius*(1.0_wp - cos(theta))*cos(azimuth), p%north(i), rounding*depth, message='north')
+            call assertEqual(radius*(1.0_wp - cos(theta))*sin(azimuth), p%east(i), rounding*depth, message='east')
+            call assertEqual(theta, p%inclination(i), rounding, message='inclination')
+            call assertRelativelyEqual(1.0_wp/radius, along%curvature(i), rounding, message='dogleg')
+            axial = pull + weight*radius*(sin(turn) - sin(theta))
+            call assertEqual(axial, p%axial(i), force_within*axial, message='axial')
+            if (min(s, depth - s) < end_part) cycle
+            rows = rows + 1
+            contact = axial/radius - weight*sin(theta)
+            stress = axial/area + bent
+            call assertRelativelyEqual(youngs*inertia/radius, p%bending(i), 0.01_wp, message='bending')
+            call assertRelativelyEqual(bent, along%bending_stress(i), 0.01_wp, message='bending stress')
+            call assertEqual(0.0_wp, along%bending_range(i), rounding, message='bending range: it does not turn')
+            call assertRelativelyEqual(contact, p%side_force(i), contact_within, message='side force')
+            call assertRelativelyEqual(stress, along%von_mises(i), contact_within, message='von Mises')
+            call assertRelativelyEqual(yield/stress, along%safety_factor(i), contact_within, message='safety factor')
+            call assertEqual(1.0_wp, cos(p%clock(i)), 1.0e-6_wp, message='clock: the high side is inside')
+            call assertRelativelyEqual(clearance + contact/wall, p%displacement(i), 1.0e-5_wp, message='displacement')
+         end associate
+      end do
+      call assertGreaterThan(rows, 5, message='rows')
+      contact = pull*turn + weight*radius*(sin(turn)*turn - 2.0_wp*(1.0_wp - cos(turn)))
+      call note('sum of contact over the closed form', result%normal_force/contact - 1.0_wp)
+      call assertRelativelyEqual(contact, result%normal_force, ends_within, message='sum of contact')
+      call assertRelativelyEqual(result%normal_force, whole_contact(result), rounding, message='side force adds up')
+      call assertEqual(maxval(result%profile%side_force), whole%side_force, rounding*contact, message='largest side force')
+      ! Where the string comes to the wall it presses with some sqrt(EI T)/R at one place, over some half metre of yielding wall.
+      call assertLessThan(whole%side_force, 10.0_wp*contact/depth, message='no spikes')
+   end subroutine test_arc
+
+   !> Side force along the string, summed up by trapezoids [N].
+   pure function whole_contact(result) result(contact)
+      type(case_result_type), intent(in) :: result
+      real(wp) :: contact
+      integer :: n
+      n = size(result%profile%md)
+      associate (md => result%profile%md, force => result%profile%side_force)
+         contact = 0.5_wp*sum((md(2:) - md(:n - 1))*(force(2:) + force(:n - 1)))
+      end associate
+   end function whole_contact
+
+   !> At 60 deg, pushed with 1.2 times Dawson and Paslay's load without friction: beyond it below where weight has taken the rest.
+   subroutine test_pushed()
+      real(wp), parameter :: depth = 1500.0_wp, theta = 60.0_wp*degree, clearance = 0.5_wp*(hole - joint)
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: sine, wob
+      call build(model, [0.0_wp, depth], [60.0_wp, 60.0_wp], [30.0_wp, 30.0_wp], 0.0_wp)
+      sine = 2.0_wp*sqrt(youngs*inertia*weight*sin(theta)/clearance)
+      wob = 1.2_wp*sine
+      call solve_all(model, operation_static, wob, 0.0_wp, result, along, whole)
+      call note('length beyond the sinusoidal load', whole%sinusoidal_length)
+      call note('length found to snake', whole%snaking_length)
+      call assertEqual(buckling_sinusoidal, whole%buckling, message='buckled')
+      call assertEqual(buckling_sinusoidal, whole%shape, message='found to snake')
+      call assertEqual(sine - wob, whole%buckling_margin%value, 1.0e-3_wp*wob, message='margin')
+      call assertEqual((wob - sine)/(weight*cos(theta)), whole%sinusoidal_length, 30.0_wp, message='length')
+      call assertEqual(0.0_wp, whole%helical_length, rounding, message='no coil')
+      call assertEqual(0.0_wp, whole%coiled_length, rounding, message='none found')
+      call assertTrue(whole%snaking_length > 0.0_wp, message='snakes')
+      call assertRelativelyEqual(wob, whole%wob_buckling%value*1.2_wp, 1.0e-6_wp, message='weight on bit to buckle')
+   end subroutine test_pushed
+end module dg_test_columns
