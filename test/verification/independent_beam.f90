@@ -273,7 +273,8 @@ contains
       type(independent_beam_type), intent(inout) :: beam
       real(wp), intent(out) :: residual(:, 0:)
       real(wp), intent(out), optional :: band(:, :)
-      real(wp), dimension(2) :: n, tau, through, couple(2, 0:beam%n)
+      real(wp), dimension(2) :: n, tau, through
+      real(wp) :: couple(2, 0:beam%n)
       real(wp) :: distance, h, spin(2, 2), normal(2, 2), swing(2, 2), unit(2, 2), lever, force, sign
       integer :: i, j, k, side
       h = beam%h

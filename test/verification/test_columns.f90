@@ -27,6 +27,8 @@ module dg_test_columns
    !> Forces over the largest, and what follows from them; what contact makes over its own size: the string's ends hang free of the
    !> wall over some metres.
    real(wp), parameter :: force_within = 1.0e-3_wp, contact_within = 5.0e-3_wp
+   !> Torque over its own size, at the bit too: 6 m of string that hang there are worth 0.5 % of the bit's torque.
+   real(wp), parameter :: torque_within = 0.01_wp
    !> Sum of contact in an arc: the centred ends hang off the wall over some metres of 600 m.
    real(wp), parameter :: ends_within = 0.03_wp
    !> Rows nearer than this to an end of the string or of a bend are not compared [m].
@@ -102,11 +104,11 @@ contains
             pressure = mud*gravity*s*cos(theta)
             shear_stress = torque*0.25_wp*od/inertia
             call assertEqual(axial, p%axial(i), force_within*top, message='axial')
-            call assertRelativelyEqual(torque, p%torque(i), contact_within, message='torque')
+            call assertRelativelyEqual(torque, p%torque(i), torque_within, message='torque')
             call assertEqual(pressure, along%pressure(i), rounding*pressure + 1.0e-3_wp, message='pressure')
             call assertEqual(axial - pressure*area, along%true_axial(i), force_within*top, message='true axial')
             call assertEqual(axial/area - pressure, along%axial_stress(i), force_within*top/area, message='axial stress')
-            call assertRelativelyEqual(shear_stress, along%torsional_stress(i), contact_within, message='torsional stress')
+            call assertRelativelyEqual(shear_stress, along%torsional_stress(i), torque_within, message='torsional stress')
             call assertEqual(-pressure, along%hoop_stress(i), rounding*pressure + 1.0e-3_wp, message='hoop stress')
             call assertRelativelyEqual(sine, along%sinusoidal(i), rounding, message='sinusoidal load')
             call assertRelativelyEqual(sqrt(2.0_wp)*sine, along%helical(i), rounding, message='helical load')
@@ -124,7 +126,7 @@ contains
             call assertRelativelyEqual(stress, along%von_mises(i), contact_within, message='von Mises')
             call assertRelativelyEqual(yield/stress, along%safety_factor(i), contact_within, message='safety factor')
             call assertRelativelyEqual(contact, p%side_force(i), contact_within, message='side force')
-            call assertEqual(pi - atan(m), p%clock(i), 0.2_wp*degree, message='clock')
+            call assertEqual(pi - atan(m), p%clock(i), 0.05_wp*degree, message='clock')
             call assertRelativelyEqual(clearance + contact/wall, p%displacement(i), 1.0e-5_wp, message='displacement')
             call assertGreaterThan(p%gap_state(i), 0, message='gap state')
             call assertLessThan(p%shear(i), contact_within*weight*depth, message='shear')
