@@ -9,6 +9,7 @@ module dg_test_moments
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
+   use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_profile, only: profile_type
@@ -51,7 +52,7 @@ contains
       call suite%addTest(TestMethod('dogleg', test_dogleg))
       call suite%addTest(TestMethod('casing', test_casing))
       call suite%addTest(TestMethod('couple', test_couple))
-      call suite%addTest(TestMethod('rigid', test_rigid))
+      call suite%addTest(TestMethod('rigid_and_mixed', test_rigid))
    end function moments_suite
 
    !> Drill pipe in the hole that builds and turns.
@@ -372,27 +373,32 @@ contains
       end associate
    end subroutine compare_columns
 
-   !> The stiff string that follows the hole has the hole's own moment: in long bends, away from their ends, that of the others.
+   !> Strings that follow the hole, stiff all along or in places, have the hole's own moment: in long bends, away from their ends,
+   !> that of the others.
    subroutine test_rigid()
+      character(5), parameter :: name(2) = ['rigid', 'mixed']
       type(independent_well_type) :: well
       type(independent_beam_type) :: beam
       type(model_type) :: model
       type(case_result_type) :: result
       type(error_type), allocatable :: error
-      integer :: i
+      integer :: i, which
       well = casing_in_bend()
       call bend_stretched(well, beam, 'rigid')
       call build(well, model)
       model%cases(1)%operation = operation_trip_in
-      call solve_rigid_string(model, 1, result, error)
-      call assertTrue(.not. allocated(error), message='rigid')
-      call note('rigid: hook load over the other', result%hookload/beam%axial(0) - 1.0_wp)
-      call assertRelativelyEqual(beam%axial(0), result%hookload, rigid_within, message='rigid: hook load')
-      do i = 1, size(result%profile%md)
-         if (minval(abs(result%profile%md(i) - well%md(3:4))) < 40.0_wp) cycle
-         if (result%profile%md(i) < well%md(3) .or. result%profile%md(i) > well%md(4)) cycle
-         call assertRelativelyEqual(value_at(beam, norm2(beam%moment, dim=1), result%profile%md(i)), result%profile%bending(i), &
-                                    largest_within, message='rigid: moment')
+      do which = 1, 2
+         if (which == 1) call solve_rigid_string(model, 1, result, error)
+         if (which == 2) call solve_mixed_string(model, 1, result, error)
+         call assertTrue(.not. allocated(error), message=name(which))
+         call note(name(which)//': hook load over the other', result%hookload/beam%axial(0) - 1.0_wp)
+         call assertRelativelyEqual(beam%axial(0), result%hookload, rigid_within, message=name(which)//': hook load')
+         do i = 1, size(result%profile%md)
+            if (minval(abs(result%profile%md(i) - well%md(3:4))) < 40.0_wp) cycle
+            if (result%profile%md(i) < well%md(3) .or. result%profile%md(i) > well%md(4)) cycle
+            call assertRelativelyEqual(value_at(beam, norm2(beam%moment, dim=1), result%profile%md(i)), &
+                                       result%profile%bending(i), largest_within, message=name(which)//': moment')
+         end do
       end do
    end subroutine test_rigid
 end module dg_test_moments
