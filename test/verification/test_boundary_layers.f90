@@ -234,6 +234,8 @@ contains
       component%joint_spacing = 9.5_wp
       call new_well(model, [0.0_wp, depth], [0.0_wp, depth/600.0_wp/degree], [0.0_wp, 0.0_wp], hole, 0.0_wp, component)
       model%numerics = settings_of('auto')
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
       model%cases(1)%wob = -bending_stiffness(component)*(kl/4.75_wp)**2
    end subroutine jointed
 
