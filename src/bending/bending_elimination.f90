@@ -28,6 +28,7 @@ contains
          pivot = matrix%diagonal(:, :, n)
          right(:, b + 1) = x(:, n)
          if (n > 1) call take_off_above(matrix%lower(:, :, n - 1), matrix%upper(:, :, n - 1), x(:, n - 1), pivot, right(:, b + 1))
+         right(:, :b) = 0.0_wp
          if (n < nodes) right(:, :b) = matrix%upper(:, :, n)
          call solve_block(pivot, right, regular, definite)
          if (.not. regular) return

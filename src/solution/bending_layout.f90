@@ -22,8 +22,10 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Least force by which a bending length goes [N].
-   real(wp), parameter :: least_force = 1.0_wp
+   !> Clearance of an element whose contact is that of a point alone [m].
+   real(wp), parameter :: out_of_reach = 1.0e6_wp
+   !> Least force [N] and least load [N/m] by which a bending length goes.
+   real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
 
    !> The string of the analysis as it lies: by node of its mesh, in the frame of the hole where the node now is.
    type :: lying_type
@@ -161,7 +163,7 @@ contains
    pure function bending_length(ei, axial, clearance, load) result(length)
       real(wp), intent(in) :: ei, axial, clearance, load   !< [N.m2, N, m, N/m]
       real(wp) :: length
-      length = min(sqrt(ei/max(abs(axial), least_force)), (ei*clearance/max(load, tiny(1.0_wp)))**0.25_wp)
+      length = min(sqrt(ei/max(abs(axial), least_force)), (ei*max(clearance, 0.0_wp)/max(load, least_load))**0.25_wp)
    end function bending_length
 
    !> Curvature of an arc in the frame that goes along it (2) [1/m].
@@ -218,7 +220,7 @@ contains
          beam%law(e)%contact = gaps%law(o)%contact/mesh%length(o)
          beam%law(e)%maximum = gaps%law(o)%maximum/mesh%length(o)
          if (is_point(mesh, gaps, o)) then
-            beam%law(e)%clearance = huge(1.0_wp)
+            beam%law(e)%clearance = out_of_reach
             if (e > 1) then
                if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < 0.5_wp*sliver) then
                   beam%point = [beam%point, e]
@@ -236,7 +238,8 @@ contains
          arc = arc_at(model%trajectory, middle, near=arc)
          beam%curvature(:, e) = curvature_in_frame(model%trajectory, arc)
       end do
-      allocate (beam%point_law, source=gaps%law(beam%point_owner))
+      allocate (beam%point_law(size(beam%point)))
+      beam%point_law = gaps%law(beam%point_owner)
       beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)
       beam%centred(n) = model%boundary%bit_centred .and. nodes(n) >= mesh%md(mesh%nodes)
    end subroutine new_beam

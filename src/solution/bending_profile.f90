@@ -44,7 +44,7 @@ module dg_bending_profile
    !> as of a free end under a large load, it might go elsewhere.
    real(wp), parameter :: farthest = 0.8_wp
    !> No element shorter than this is halved [m].
-   real(wp), parameter :: shortest = 0.04_wp
+   real(wp), parameter :: shortest = 0.01_wp
 
 contains
 
