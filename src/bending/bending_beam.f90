@@ -1,17 +1,23 @@
-!> A string in its hole as a slender beam across the hole axis, under an axial force and a torque that are known.
+!> A string in its hole as a slender beam, bent under an axial force and a torque that are known.
 !>
-!> The analysis of a case finds axial force, torque and contact to a ten-thousandth with elements that are long against the bending
-!> length sqrt(EI/T); the bending moment between their contact points it does not. Here that moment is found on shorter elements. The
-!> unknowns of a node are the offset y = (y_1, y_2) of the string off the hole axis, along n_1 and n_2 of the frame that is carried
-!> along without spin (convention 3), and its slope y' by measured depth. With the hole's curvature k, the axial force T (tension
-!> positive) and the torque M_t (convention 9), the string of stiffness EI is in equilibrium when for every small displacement v
+!> The analysis of a case has elements that are longer than the bending length sqrt(EI/T). It finds axial force, torque and the sum
+!> of contact to a ten-thousandth, but not the bending moment between the places where its elements touch. This beam finds that
+!> moment, on shorter elements. The unknowns of a node are the offset y = (y_1, y_2) of the string off the hole axis, along n_1 and
+!> n_2 of the frame of the hole (convention 3), and its slope y' by measured depth. The string is in equilibrium when for every
+!> small displacement v across the hole
 !>
-!>   integral of  EI (k + y'').v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w).v + R n.v + R m (t x n).v + r a R n.v'  = 0.
+!>   integral of  EI (k + y'').v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w).v + R n.v + m R (t x n).v + r a R n.v'  = 0.
 !>
-!> w is the buoyed weight across the hole, R the contact force per metre at |y| > c, n = y/|y|; m and a are the coefficients of
-!> friction around and along the hole (convention 13), r the radius of contact. Slopes are small against one.
-!> These are the equations of a beam-column in the frame of the hole (Liu, Ding & Zhang 2002, Eqs. 4 to 6 and 9 to 12, linear in y
-!> but for the contact).
+!>   EI  bending stiffness [N.m2]                       R    contact force on the string per metre, where |y| > c [N/m]
+!>   k   curvature of the hole axis [1/m]               n    y/|y|: outwards
+!>   T   axial force, tension positive [N]              m    coefficient of friction around the hole (convention 13) [-]
+!>   M_t torque (convention 9) [N.m]                    a    coefficient of friction along the hole (convention 13) [-]
+!>   w   buoyed weight across the hole [N/m]            r    radius of contact [m]
+!>
+!> An end that is not held carries neither moment nor force across the hole. Slopes y', and |k| c, are small against one. The small
+!> force around the hole that belongs to the friction of a sliding string (F_tau of dg_gap_contact) is left out.
+!> These are the equations of a beam-column in the frame of the hole: contact after Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the
+!> rest after their Eqs. 9 to 12 with squares of y left out.
 module dg_bending_beam
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
@@ -24,41 +30,42 @@ module dg_bending_beam
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
-   !> Places of an element at which the wall is felt: as many as a node has constraints to give, so that a string that lies on the
-   !> wall can bend along it.
+   !> Places of an element at which the wall is felt. A node has two unknowns in a plane, offset and slope; more places than two
+   !> would leave a string that lies on the wall no freedom to bend along it.
    integer, parameter :: contact_places = 2
    real(wp), parameter :: third = 1.0_wp/sqrt(3.0_wp)
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]
-   !> Gauss points and weights of the other integrals, exact to the fifth power.
+   !> Gauss points and weights of the other integrals: exact for polynomials up to the fifth degree.
    real(wp), parameter :: outer = sqrt(0.6_wp)
    real(wp), parameter :: gauss_xi(3) = [0.5_wp*(1.0_wp - outer), 0.5_wp, 0.5_wp*(1.0_wp + outer)]
    real(wp), parameter :: gauss_weight(3) = [5.0_wp, 8.0_wp, 5.0_wp]/18.0_wp
 
+   !> The beam: n nodes from the top down, element e between nodes e and e + 1.
    type :: bending_beam_type
-      real(wp), allocatable :: md(:)            !< of the nodes, measured along the string before loading [m]
-      real(wp), allocatable :: place(:)         !< measured depth in the hole where the node now is [m]
+      real(wp), allocatable :: md(:)            !< depth of the nodes along the string, before loading [m]
+      real(wp), allocatable :: place(:)         !< measured depth of the hole where a node now is [m]
       real(wp), allocatable :: axial(:)         !< T at the nodes [N]
       real(wp), allocatable :: weight(:, :)     !< buoyed weight across the hole, per length, at the nodes (2,n) [N/m]
-      real(wp), allocatable :: viscous(:)       !< at the nodes: resistance that holds a compressed string while it settles [N/m]
+      real(wp), allocatable :: viscous(:)       !< stiffness that holds a compressed string during the iteration, at the nodes [N/m]
       logical, allocatable :: held(:)           !< nodes whose offset and slope stay as they are
       logical, allocatable :: centred(:)        !< nodes whose offset stays as it is
-      integer, allocatable :: owner(:)          !< element of the analysis in which an element lies
+      integer, allocatable :: owner(:)          !< element of the analysis in which an element of the beam lies
       real(wp), allocatable :: curvature(:, :)  !< k of the hole, by element (2,e) [1/m]
       real(wp), allocatable :: torque(:)        !< M_t by element [N.m]
       real(wp), allocatable :: ei(:)            !< [N.m2]
-      type(gap_law_type), allocatable :: law(:) !< of a metre of wall (stiffnesses in N/m2), by element
-      real(wp), allocatable :: radius(:)        !< of contact r, by element [m]
+      type(gap_law_type), allocatable :: law(:) !< of a metre of wall, by element (stiffnesses in N/m2)
+      real(wp), allocatable :: radius(:)        !< radius of contact r, by element [m]
       real(wp), allocatable :: along(:)         !< friction coefficient a, by element [-]
       real(wp), allocatable :: around(:)        !< friction coefficient m, by element [-]
-      ! contacts at one node, of tool joints: by contact, from the top down
+      ! contacts of tool joints, each at one node, from the top down
       integer, allocatable :: point(:)             !< node
-      integer, allocatable :: point_owner(:)       !< element of the analysis to which it belongs
+      integer, allocatable :: point_owner(:)       !< element of the analysis in which it lies
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
    end type bending_beam_type
 
 contains
 
-   !> Matrix and load (residual = matrix y - load) of all but contact. Both are overwritten.
+   !> Matrix and load of everything but contact: residual = matrix y - load.
    pure subroutine set_linear_part(beam, matrix, load)
       type(bending_beam_type), intent(in) :: beam
       type(block_matrix_type), intent(out) :: matrix     !< 4 unknowns a node
@@ -79,7 +86,8 @@ contains
       end do
    end subroutine set_linear_part
 
-   !> Those of one element, in the order (y_1, y_2, y_1', y_2') of its upper, then its lower node.
+   !> Matrix k and load f of one element but for contact, in the order (y_1, y_2, y_1', y_2') of its upper, then its lower node
+   !> [N/m, N, N.m].
    pure subroutine linear_element(beam, e, k, f)
       type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: e
@@ -124,9 +132,9 @@ contains
       end do
    end subroutine linear_element
 
-   !> Second derivatives of the shape functions [1/m2, 1/m, ...].
+   !> Second derivatives of the shape functions by depth: those of the offsets [1/m2], those of the slopes [1/m].
    pure function hermite_bend(xi, length) result(n)
-      real(wp), intent(in) :: xi, length
+      real(wp), intent(in) :: xi, length   !< place in the element, 0 to 1 [-]; its length [m]
       real(wp) :: n(4)
       n(1) = (12.0_wp*xi - 6.0_wp)/length**2
       n(2) = (6.0_wp*xi - 4.0_wp)/length
@@ -134,10 +142,10 @@ contains
       n(4) = (6.0_wp*xi - 2.0_wp)/length
    end function hermite_bend
 
-   !> Adds contact to a residual and its matrix.
+   !> Adds what contact makes at the shape y to a residual and its matrix.
    pure subroutine add_contact(beam, y, residual, matrix)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)                    !< (4,n)
+      real(wp), intent(in) :: y(:, :)                    !< (4,n) [m, -]
       real(wp), intent(inout) :: residual(:, :)          !< (4,n) [N, N.m]
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: f(8), k(8, 8), force, by_across(2, 2), by_couple(2, 2)
@@ -167,7 +175,8 @@ contains
       end do
    end subroutine add_contact
 
-   !> Force of the wall at one place of an element on its eight unknowns, and its stiffness where that is asked for.
+   !> What contact at one place of an element adds to the residual of its eight unknowns [N, N.m], and the derivative of that where
+   !> it is asked for. Where `touches` is false neither is set.
    pure subroutine contact_element(beam, e, p, y, f, touches, k)
       type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: e, p
@@ -200,11 +209,11 @@ contains
       end do
    end subroutine contact_element
 
-   !> What the wall adds to the residual where the string touches: R n + R m t x n on the offset, r a R n on the slope, and their
-   !> derivatives by the offset.
+   !> What the wall adds to the residual where the string touches: R (n + m t x n) on the offset, r a R n on the slope. With their
+   !> derivatives by the offset. A law for a metre of wall gives them per metre.
    pure subroutine wall_action(law, offset, lever, around, force, across, couple, by_across, by_couple)
       type(gap_law_type), intent(in) :: law
-      real(wp), intent(in) :: offset(2)   !< [m]
+      real(wp), intent(in) :: offset(2)   !< not zero [m]
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
       real(wp), intent(out) :: force      !< R [N/m, or N]
@@ -226,11 +235,13 @@ contains
       by_couple = lever*by_n
    end subroutine wall_action
 
-   !> Forces that each element exerts on its upper node, and the last one on its lower node, all loads of the element taken off
-   !> (4,n): the bending moment at a node is minus its third and fourth, from below, the force across its first and second.
+   !> Forces and moments at the nodes (4,n) [N, N.m], from the equilibrium of the element below each node, its loads and contact
+   !> taken into account; at the last node from the element above it. Minus the first and second are the force across the hole that
+   !> the string below the node exerts on the string above it, along n_1 and n_2. Minus the third and fourth are the bending moment
+   !> EI (k + y'') there.
    pure function element_forces(beam, y) result(forces)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
+      real(wp), intent(in) :: y(:, :)      !< (4,n) [m, -]
       real(wp) :: forces(4, size(y, 2))
       real(wp) :: k(8, 8), f(8), all(8), local(8)
       logical :: touches
@@ -249,7 +260,7 @@ contains
       end do
    end function element_forces
 
-   !> Contact forces [N] at the places of the elements (contact_places,e), which lie at `contact_xi` of their lengths.
+   !> Contact forces R at the places of the elements, which lie at `contact_xi` of their lengths (contact_places,n-1) [N].
    pure function contact_forces(beam, y) result(forces)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
@@ -269,7 +280,7 @@ contains
       end do
    end function contact_forces
 
-   !> Contact forces at single nodes [N], in the order of beam%point.
+   !> Contact forces of the tool joints, in the order of beam%point [N].
    pure function point_forces(beam, y) result(forces)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
@@ -285,8 +296,8 @@ contains
       end do
    end function point_forces
 
-   !> Moment EI (k + y'') of an element's own shape at its upper (side 1) or lower end (2) [N.m]. Where it jumps from one element to
-   !> the next, elements are too long.
+   !> Bending moment EI (k + y'') by the shape of one element, at its upper (side 1) or lower end (side 2), along n_1 and n_2 [N.m].
+   !> Where it jumps from one element to the next, the elements are too long.
    pure function moment_within(beam, y, e, side) result(moment)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
@@ -295,7 +306,7 @@ contains
       moment = beam%ei(e)*beam%curvature(:, e) + moment_of_offsets(beam, y, e, side)
    end function moment_within
 
-   !> The part EI y'' of it, which offsets, or a change of them, make.
+   !> The part EI y'' of that moment: what offsets, or a change of offsets, make [N.m].
    pure function moment_of_offsets(beam, y, e, side) result(moment)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)

@@ -1,8 +1,8 @@
 !> Elimination of a bending beam's matrix, node by node.
 !>
-!> Blocks of 4 x 4 are eliminated without exchange of rows: under tension the matrix is that of a convex potential but for friction,
-!> whose part is small. What a step is worth is judged by the residual after it. LAPACK's band solver takes ten times the
-!> instructions for blocks as small as these.
+!> Blocks of 4 x 4 are eliminated without exchange of rows. Under tension the matrix is positive definite but for friction and
+!> torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it leaves. LAPACK's band
+!> solver takes ten times the instructions for blocks as small as these.
 module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: b => node_unknowns
@@ -13,12 +13,12 @@ module dg_bending_elimination
 
 contains
 
-   !> Solves matrix x = rhs in place, x(4,n). The matrix is used up. `regular` is false where a pivot vanishes, `definite` where one
-   !> is negative.
+   !> Solves matrix x = right-hand side. The matrix is used up.
    pure subroutine eliminate(matrix, x, regular, definite)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp), intent(inout) :: x(:, :)
-      logical, intent(out) :: regular, definite
+      real(wp), intent(inout) :: x(:, :)    !< right-hand side (4,n) on entry, solution on return
+      logical, intent(out) :: regular       !< .false. where a pivot vanishes: x is then no solution
+      logical, intent(out) :: definite      !< .false. where a pivot is negative
       real(wp) :: pivot(b, b), right(b, b + 1)
       integer :: n, nodes, j
       nodes = size(x, 2)

@@ -1,5 +1,5 @@
-!> Nodes of a bending beam: graded from the places where the moment changes quickly, halved where a solution shows that they are too
-!> far apart.
+!> Nodes of a bending beam. They are dense where the moment changes quickly, and their distance grows from there. Where a solution
+!> shows that they are too far apart, elements are halved.
 module dg_bending_nodes
    use dg_kinds, only: wp
    use dg_hermite, only: hermite_slope, hermite_value
@@ -7,18 +7,18 @@ module dg_bending_nodes
    private
    public :: graded_nodes, halved_nodes, shape_at, rows_needed
 
-   !> Growth of the elements' length with the distance from a place that asks for short ones [-].
+   !> Growth of the length of elements per metre of distance from a place that asks for short ones [-].
    real(wp), parameter :: growth = 0.25_wp
-   !> Halvings of one interval at most: the shortest part is a billionth of it.
+   !> Most halvings of one interval: its shortest part is then a billionth of it.
    integer, parameter :: deepest = 30
 
 contains
 
-   !> Depths of nodes: all of `breaks`, and between them parts no longer than `longest` asks for at the breaks and the growth
-   !> allows at a distance from them.
+   !> Depths of nodes, increasing [m]. All `breaks` are nodes. Between them no element is longer than `longest` asks for at the
+   !> breaks, plus what the growth allows at a distance from them.
    pure function graded_nodes(breaks, longest) result(nodes)
-      real(wp), intent(in) :: breaks(:)     !< increasing [m]
-      real(wp), intent(in) :: longest(:)    !< at each break [m]; huge where it asks for nothing
+      real(wp), intent(in) :: breaks(:)     !< increasing, at least two [m]
+      real(wp), intent(in) :: longest(:)    !< longest element at each break; huge where a break asks for nothing [m]
       real(wp), allocatable :: nodes(:)
       real(wp) :: bound(size(breaks))
       integer :: i, n, filled
@@ -39,10 +39,10 @@ contains
       nodes = nodes(:filled)
    end function graded_nodes
 
-   !> Cuts an interval by halves until its parts keep their bounds, and appends its nodes but the first. The parts that are still
-   !> to be looked at lie on a stack, the uppermost on top.
+   !> Halves an interval until its parts keep their bounds, and appends its nodes but the first. Parts still to be looked at lie on
+   !> a stack, the uppermost on top.
    pure subroutine cut(ends, bounds, nodes, filled)
-      real(wp), intent(in) :: ends(2), bounds(2)
+      real(wp), intent(in) :: ends(2), bounds(2)     !< depths, and longest elements there [m]
       real(wp), allocatable, intent(inout) :: nodes(:)
       integer, intent(inout) :: filled
       real(wp) :: at, bound, length, middle, stack(deepest), limits(deepest)
@@ -75,10 +75,10 @@ contains
       end do
    end subroutine cut
 
-   !> Nodes with a new one in the middle of each element that is marked.
+   !> The nodes, with a new one in the middle of each marked element [m].
    pure function halved_nodes(nodes, marked) result(finer)
-      real(wp), intent(in) :: nodes(:)
-      logical, intent(in) :: marked(:)
+      real(wp), intent(in) :: nodes(:)      !< increasing [m]
+      logical, intent(in) :: marked(:)      !< elements, one fewer
       real(wp), allocatable :: finer(:)
       integer :: e, n
       allocate (finer(size(nodes) + count(marked)))
@@ -94,9 +94,11 @@ contains
       end do
    end function halved_nodes
 
-   !> Unknowns (y_1, y_2, y_1', y_2') of a beam's cubic shape at other nodes, both increasing and with the same ends.
+   !> Offsets and slopes (y_1, y_2, y_1', y_2') of a beam's cubic shape at other nodes (4,m) [m, -].
    pure function shape_at(nodes, y, others) result(shape)
-      real(wp), intent(in) :: nodes(:), y(:, :), others(:)
+      real(wp), intent(in) :: nodes(:)      !< of the beam, increasing (n) [m]
+      real(wp), intent(in) :: y(:, :)       !< there (4,n) [m, -]
+      real(wp), intent(in) :: others(:)     !< increasing, with the same ends (m) [m]
       real(wp) :: shape(4, size(others))
       real(wp) :: xi, length, value(4), slope(4)
       integer :: e, n
@@ -114,12 +116,13 @@ contains
       end do
    end function shape_at
 
-   !> Which rows a table of values needs so that straight lines between them miss none of the values by more than a bound: greedily,
-   !> from the first on. Rows that must stay are marked on entry.
+   !> Chooses rows of a table. Straight lines between the rows that are kept miss no value of the others by more than `bound`.
+   !> From the first row on each line is made as long as that allows.
    pure subroutine rows_needed(md, values, bound, kept)
-      real(wp), intent(in) :: md(:), values(:)
-      real(wp), intent(in) :: bound
-      logical, intent(inout) :: kept(:)
+      real(wp), intent(in) :: md(:)         !< increasing [m]
+      real(wp), intent(in) :: values(:)     !< in any unit
+      real(wp), intent(in) :: bound         !< in the same unit
+      logical, intent(inout) :: kept(:)     !< on entry: rows that must be kept, the first and the last among them
       real(wp) :: low, high, slope, reach
       integer :: first, i
       first = 1

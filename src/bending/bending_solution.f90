@@ -1,8 +1,11 @@
-!> Equilibrium of a bending beam by Newton's method: full tangent, contact judged anew in each iteration, steps shortened where the
-!> work of the residual along them does not fall.
+!> Equilibrium of a bending beam by Newton's method with the full tangent. Contact is judged anew at each shape.
 !>
-!> Under tension the beam's potential is convex (bending, tension, and a wall that pushes back the more the deeper it is entered),
-!> friction aside, so that there is one equilibrium, and the work of the residual along a step rises from a negative value to zero.
+!> The beam's potential is the sum of bending, tension and wall. The wall pushes back the more the deeper the string is in it.
+!> Without friction and compression, and with a torque below 2 sqrt(EI T), this potential is convex: there is one equilibrium. The
+!> work of the residual along a Newton step then rises from a negative value to zero. A step after which that work is still large
+!> is shortened (see `falls`).
+!> A compressed beam's matrix may be indefinite. It is then solved again with an additional stiffness at the nodes
+!> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
    use dg_bending_beam, only: add_contact, bending_beam_type, moment_of_offsets, moment_within, node_unknowns, set_linear_part
@@ -12,22 +15,25 @@ module dg_bending_solution
    private
    public :: solve_bending
 
-   !> Largest residual over the largest nodal load at equilibrium [-]. Moments are then good to a hundred-thousandth.
+   !> Largest residual at equilibrium, over the largest nodal load [-]: moments are then right to a hundred-thousandth.
    real(wp), parameter :: tolerance = 1.0e-6_wp
    integer, parameter :: most_iterations = 60
-   !> A step is taken as it is where the residual's work along it falls to this part [-]; else it is shortened.
+   !> A step is taken as it is when the work of the residual along it falls to this part of what it was [-]. Else it is shortened.
    real(wp), parameter :: falls = 0.7_wp
    integer, parameter :: most_trials = 8
 
 contains
 
-   !> Iterates from y(4,n) to equilibrium. `found` tells whether it was reached.
+   !> Iterates from a shape to equilibrium. Where none is found within `most_iterations`, or the matrix is singular, y is the last
+   !> shape.
    pure subroutine solve_bending(beam, y, settled, found, anchor)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(inout) :: y(:, :)
-      real(wp), intent(in) :: settled      !< a full step that changes no moment by more than this part of the largest ends it [-]
-      logical, intent(out) :: found
-      real(wp), intent(in), optional :: anchor(:, :)   !< shape to which springs as stiff as the resistance pull compressed parts
+      real(wp), intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
+      real(wp), intent(in) :: settled      !< the iteration ends with a full step that changes moments by less than this part of
+                                           !< the largest one [-]
+      logical, intent(out) :: found        !< equilibrium
+      !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
+      real(wp), intent(in), optional :: anchor(:, :)
       type(block_matrix_type) :: linear, matrix
       real(wp), dimension(node_unknowns, size(y, 2)) :: load, residual, step, trial
       real(wp) :: scale, work, share, lower, upper, work_lower, work_trial, largest, changed
@@ -91,11 +97,11 @@ contains
       end do
    end subroutine solve_bending
 
-   !> Residual and matrix at a shape.
+   !> Residual and matrix at a shape, contact included [N, N.m].
    pure subroutine assemble(beam, linear, load, fixed, shape, residual, matrix, anchor)
       type(bending_beam_type), intent(in) :: beam
       type(block_matrix_type), intent(in) :: linear     !< of all but contact
-      real(wp), intent(in) :: load(:, :)                !< its load
+      real(wp), intent(in) :: load(:, :)                !< of all but contact
       logical, intent(in) :: fixed(:, :)                !< unknowns that stay as they are
       real(wp), intent(in) :: shape(:, :)
       real(wp), intent(out) :: residual(:, :)
@@ -116,7 +122,7 @@ contains
       where (fixed) residual = 0.0_wp
    end subroutine assemble
 
-   !> Largest moment within the elements, and the largest that a step adds [N.m].
+   !> Largest moment at the ends of the elements, and the largest that a step adds there [N.m].
    pure subroutine moment_change(beam, y, step, largest, changed)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :), step(:, :)
@@ -132,7 +138,7 @@ contains
       end do
    end subroutine moment_change
 
-   !> Matrix y - load, written out for blocks of four.
+   !> Matrix times y less load.
    pure subroutine linear_residual(matrix, load, y, residual)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: load(:, :), y(:, :)
@@ -152,7 +158,7 @@ contains
       end do
    end subroutine linear_residual
 
-   !> Rows and columns of unknowns that stay as they are: ones on the diagonal.
+   !> Takes unknowns that stay as they are out of the matrix: zero rows and columns, with ones on the diagonal.
    pure subroutine fix_unknowns(fixed, matrix)
       logical, intent(in) :: fixed(:, :)
       type(block_matrix_type), intent(inout) :: matrix
