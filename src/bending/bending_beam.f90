@@ -296,8 +296,8 @@ contains
       end do
    end function point_forces
 
-   !> Bending moment EI (k + y'') by the shape of one element, at its upper (side 1) or lower end (side 2), along n_1 and n_2 [N.m].
-   !> Where it jumps from one element to the next, the elements are too long.
+   !> Bending moment EI (k + y'') by the shape of one element, at its upper (side 1) or lower end (side 2), along n_1 and n_2
+   !> [N.m]. Where it jumps from one element to the next, the elements are too long.
    pure function moment_within(beam, y, e, side) result(moment)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)

@@ -1,8 +1,8 @@
 !> Elimination of a bending beam's matrix, node by node.
 !>
 !> Blocks of 4 x 4 are eliminated without exchange of rows. Under tension the matrix is positive definite but for friction and
-!> torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it leaves. LAPACK's band
-!> solver takes ten times the instructions for blocks as small as these.
+!> torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it leaves.
+!> LAPACK's band solver takes ten times the instructions for blocks as small as these.
 module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: b => node_unknowns

@@ -19,6 +19,7 @@ module dg_numerics
    integer, parameter :: fidelity_count = 4
    !> Names in decks. auto lets elements be as long as the local scale bears and solves in their plane strings that stay in one;
    !> fast the same with fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere, and for space.
+   !> All but fast find moments on elements short enough for them; reference proves these by halving the elements.
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
    real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
@@ -37,7 +38,7 @@ module dg_numerics
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
       logical :: moments = .false.             !< moments along the string are found on elements short enough for them
-      logical :: halve_moments = .false.       !< and halved until moments stay, which proves them
+      logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
       logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 600          !< in all load steps of a case together

@@ -70,7 +70,7 @@ contains
       call append_least(lines, units, names, 'Largest bending moment', quantity_moment, 2, numbers, depths, .true.)
       numbers = wholes%bending_error
       numbers%value = -100.0_wp*numbers%value
-      call append_least(lines, units, names, 'Moments known within, %', quantity_none, 1, numbers, nowhere, .true.)
+      call append_least(lines, units, names, 'Moments may be off by, %', quantity_none, 1, numbers, nowhere, .true.)
       numbers = wholes%least_safety
       depths = wholes%least_safety_md
       call append_least(lines, units, names, 'Least safety against yield', quantity_none, 2, numbers, depths, .false.)

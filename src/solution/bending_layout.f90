@@ -1,4 +1,4 @@
-!> Where the string of an analysis lies, and the beam that bends it again (dg_bending_profile): its nodes, its loads, its walls.
+!> Where the string of an analysis lies, and the beam by which it is bent again (dg_bending_profile): its nodes, loads and walls.
 module dg_bending_layout
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns
@@ -12,13 +12,13 @@ module dg_bending_layout
    private
    public :: lying_type, find_lying, find_breaks, new_beam
 
-   !> Elements at a place where the moment changes quickly, over the bending length there [-].
+   !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
-   !> Changes of EI k that count, over the largest EI k of the hole [-].
+   !> A change of EI k from bend to bend counts from this part of the largest EI k in the hole on [-].
    real(wp), parameter :: jump_share = 0.02_wp
-   !> Slope against the hole up to which a string is bent again [-]: squares of slopes are left out.
+   !> Slope against the hole up to which a string is bent again [-]: the beam leaves squares of slopes out.
    real(wp), parameter :: steepest = 0.05_wp
-   !> Changes of stiffness or clearance that count [-].
+   !> Relative change of stiffness or clearance that counts [-].
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
@@ -27,19 +27,19 @@ module dg_bending_layout
    !> Least force [N] and least load [N/m] by which a bending length goes.
    real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
 
-   !> The string of the analysis as it lies: by node of its mesh, in the frame of the hole where the node now is.
+   !> The string of the analysis as it lies: at the nodes of its mesh, in the frame of the hole where a node now is.
    type :: lying_type
-      real(wp), allocatable :: slide(:)      !< along the hole [m]
-      real(wp), allocatable :: y(:, :)       !< offset and slope (4,n) [m, -]
-      real(wp), allocatable :: axial(:)      !< [N]
-      real(wp), allocatable :: load(:)       !< contact force per metre about an element, by element [N/m]
-      logical, allocatable :: bends(:)       !< elements that are bent again
+      real(wp), allocatable :: slide(:)      !< how far a node has moved down the hole (n) [m]
+      real(wp), allocatable :: y(:, :)       !< offset and slope against the hole axis (4,n) [m, -]
+      real(wp), allocatable :: axial(:)      !< tension positive (n) [N]
+      real(wp), allocatable :: load(:)       !< contact force per metre of an element and its neighbours (e) [N/m]
+      logical, allocatable :: bends(:)       !< whether an element is bent again (e)
       logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
    end type lying_type
 
 contains
 
-   !> Offsets and slopes of the mesh's nodes where they now are, and which elements are bent again.
+   !> Reads off an analysis where its string lies, and which of its elements are bent again.
    pure subroutine find_lying(model, mesh, work, profile, lying)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -70,14 +70,15 @@ contains
       end do
    end subroutine find_lying
 
-   !> Places where nodes must stand, in order: the mesh's nodes, and where bends begin and end, as the string has slid past them; and
-   !> the longest element that each asks for.
+   !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, and
+   !> where a bend begins or ends beside the string as it has slid. With the longest element that each of them asks for.
    pure subroutine find_breaks(model, mesh, gaps, lying, breaks, longest)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(lying_type), intent(in) :: lying
-      real(wp), allocatable, intent(out) :: breaks(:), longest(:)
+      real(wp), allocatable, intent(out) :: breaks(:)    !< increasing [m]
+      real(wp), allocatable, intent(out) :: longest(:)   !< huge where a break asks for nothing [m]
       real(wp) :: scale, largest, jump, place, share, bends(2, size(model%trajectory%arcs))
       integer :: e, n, arc, count, k
       associate (arcs => model%trajectory%arcs)
@@ -113,7 +114,7 @@ contains
                longest(count) = huge(1.0_wp)
                cycle
             end if
-            ! arcs that begin within this element, as it lies
+            ! bends that begin beside this element as it lies
             do while (arc < size(arcs))
                place = arcs(arc + 1)%md
                if (place > mesh%md(n + 1) + lying%slide(n + 1)) exit
@@ -129,7 +130,7 @@ contains
                if (place - breaks(count) < sliver) then
                   longest(count) = min(longest(count), scale)
                else if (mesh%md(n + 1) - place < sliver) then
-                  breaks(count + 1) = mesh%md(n + 1)      ! the next node has it
+                  breaks(count + 1) = mesh%md(n + 1)      ! the next node stands for it
                   longest(count) = min(longest(count), scale + mesh%length(n))
                else
                   count = count + 1
@@ -143,7 +144,7 @@ contains
       end associate
    end subroutine find_breaks
 
-   !> Whether an element's contact is that of a tool joint, at one place between its ends.
+   !> Whether the contact of an element is that of one tool joint, at one place between its ends.
    pure function is_point(mesh, gaps, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -153,20 +154,22 @@ contains
            gaps%xi(e)*mesh%length(e) > sliver .and. (1.0_wp - gaps%xi(e))*mesh%length(e) > sliver
    end function is_point
 
+   !> Whether two positive numbers differ by a change that counts.
    pure function differ(a, b) result(yes)
       real(wp), intent(in) :: a, b
       logical :: yes
       yes = abs(a - b) > change*max(abs(a), abs(b))
    end function differ
 
-   !> Over which the moment fades: by tension, or where a string leaves or meets the wall under its load.
+   !> Length over which a moment fades [m]: sqrt(EI/|T|) by axial force, (EI c/q)**(1/4) where a string comes to its wall, or
+   !> leaves it, under a load q per metre. The shorter of both.
    pure function bending_length(ei, axial, clearance, load) result(length)
       real(wp), intent(in) :: ei, axial, clearance, load   !< [N.m2, N, m, N/m]
       real(wp) :: length
       length = min(sqrt(ei/max(abs(axial), least_force)), (ei*max(clearance, 0.0_wp)/max(load, least_load))**0.25_wp)
    end function bending_length
 
-   !> Curvature of an arc in the frame that goes along it (2) [1/m].
+   !> Curvature of an arc along n_1 and n_2 of its frame [1/m].
    pure function curvature_in_frame(trajectory, arc) result(k)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(in) :: arc
@@ -176,14 +179,14 @@ contains
       end associate
    end function curvature_in_frame
 
-   !> The beam on given nodes, the mesh's among them.
+   !> The beam on given nodes. All breaks (find_breaks) between the first and the last of them must be among them.
    pure subroutine new_beam(model, mesh, gaps, work, lying, nodes, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
-      real(wp), intent(in) :: nodes(:)
+      real(wp), intent(in) :: nodes(:)     !< depths along the string, increasing [m]
       type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       real(wp) :: share, place, t(3), n_1(3), n_2(3), middle

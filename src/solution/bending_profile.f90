@@ -1,14 +1,15 @@
-!> The bending moment along a string that an analysis has solved, on elements short enough for it.
+!> The bending moment along a string that an analysis has solved, on elements that are short enough for it.
 !>
-!> Elements of an analysis touch the wall at one point each. Longer than the bending length sqrt(EI/T) they bridge between these
-!> points, so that the moment at their nodes is low in bends, by x/sinh(x) with x = L/2 sqrt(T/EI), and boundary layers at ends of bends
-!> fall between nodes. Hook load, torque and the sum of contact do not suffer. Here the string is bent again under the axial force
-!> that was found, as a beam (dg_bending_beam) on nodes that are graded towards every place where the moment changes quickly: ends,
-!> changes of the hole's curvature, of stiffness, of clearance; then halved where the solution asks for it. Bending, shear, side
-!> force, offset and clock of the profile are those of that beam; where it found a peak between two rows, rows are added.
+!> An element of the analysis touches the wall at one point. Where elements are longer than the bending length sqrt(EI/T), the
+!> string hangs like a bridge between these points. In a bend under tension the moment at the nodes is then too low: it is EI/R
+!> times x/sinh(x) with x = L/2 sqrt(T/EI). Peaks at the ends of bends fall between nodes. Hook load, torque and the sum of contact
+!> are right all the same. Here the string is bent again as a beam (dg_bending_beam), under the axial force and the torque that
+!> were found. Elements are short at its ends and where the curvature of the hole, the stiffness or the clearance changes, and grow
+!> from there. Then those are halved whose moment is not yet right. Bending, shear, side force, offset and clock of the profile are
+!> those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
 !>
-!> What stays as the analysis has it: parts that are compressed near buckling, whose elements are an eighth of a wave, parts that lean
-!> at more than a twentieth against the hole; and nodal moments that differ by less than a part of the largest moment.
+!> Two things stay as the analysis has them: parts that slope against the hole by more than a twentieth, and moments in elements
+!> where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, element_forces, moment_within
@@ -26,37 +27,39 @@ module dg_bending_profile
    private
    public :: bend_profile
 
-   !> Difference of two recoveries of the moment, over the largest moment, at which elements are halved [-].
+   !> Elements are halved where two recoveries of the moment differ by more than this part of the largest moment [-]; so often at
+   !> most.
    real(wp), parameter :: rough = 0.03_wp
    integer, parameter :: most_rounds = 6
-   !> Change of moments by halving all elements, over the largest moment, that proves a mesh [-], and halvings at most.
+   !> A mesh is proven when halving all its elements changes no moment by more than this part of the largest [-]; tried so often.
    real(wp), parameter :: proven = 0.005_wp
    integer, parameter :: most_proofs = 3
-   !> Elements on each side of those that are halved which bend with them.
+   !> Number of elements on each side of halved ones that are solved again with them.
    integer, parameter :: margin = 8
-   !> Change of a moment by a last step, over the largest moment: of the last mesh, and of those before [-].
+   !> Change of moments by the last step of an iteration, over the largest moment [-]: when halved or last, and on the first mesh.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
-   !> Moment over what a contact force, felt at one place of an element instead of another, and half the element's length make [-].
+   !> Moment by which a contact force is missed that is felt at the wrong place of an element, over the change of the force per
+   !> metre times the square of the element's length [-].
    real(wp), parameter :: edge_share = 1.0_wp/32.0_wp
-   !> Of how much a largest moment between two nodes counts more than a difference of recoveries [-].
+   !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp
-   !> Change of offset over the clearance up to which the beam is the string of the analysis [-]: next to an instability of its own,
-   !> as of a free end under a large load, it might go elsewhere.
+   !> Largest distance of the beam from the string of the analysis, over the clearance [-]. Next to an instability, as of a free
+   !> end under a large load, the beam may find another equilibrium; that is not taken.
    real(wp), parameter :: farthest = 0.8_wp
-   !> No element shorter than this is halved [m].
+   !> No element becomes shorter than this by halving, except to prove a mesh [m].
    real(wp), parameter :: shortest = 0.01_wp
 
 contains
 
-   !> Puts the moments of the finer beam into a profile, in place, and tells how far the largest may still be off. Where that beam
-   !> finds no equilibrium the profile stays as it is, and `error` is missing.
+   !> Replaces a profile by that of the beam, and tells how far its moments may still be off. Where the beam finds no equilibrium
+   !> near that of the analysis, the profile stays as it is, and `error` is missing.
    subroutine bend_profile(model, mesh, gaps, work, profile, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work       !< assembled at the solution
-      type(profile_type), intent(inout) :: profile   !< at the nodes of the mesh
-      real(wp), intent(out) :: error                 !< of moments, over the largest [-]
+      type(profile_type), intent(inout) :: profile   !< on entry at the nodes of the mesh; on return with more rows
+      real(wp), intent(out) :: error                 !< how far moments may be off, over the largest moment; or missing [-]
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
       real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :)
@@ -130,8 +133,8 @@ contains
       end if
    end subroutine solve_anchored
 
-   !> Halves all elements, until that changes no moment by more than `proven` of the largest; `error` is the last change, and missing
-   !> where no equilibrium was found.
+   !> Halves all elements, until that changes no moment by more than `proven` of the largest, or `most_proofs` times. `error` is
+   !> the last change; it is missing where no equilibrium was found.
    subroutine prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -160,11 +163,11 @@ contains
       end do
    end subroutine prove
 
-   !> Largest change of the offset at the mesh's nodes, over the clearance there [-].
+   !> Largest distance of the beam from the string of the analysis at the nodes of the mesh, over the clearance there [-].
    pure function departure(mesh, before, nodes, y) result(share)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: before(:, :)          !< at the mesh's nodes (4,mesh%nodes)
-      real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them
+      real(wp), intent(in) :: before(:, :)          !< by the analysis (4,mesh%nodes) [m, -]
+      real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them (n), (4,n) [m, -]
       real(wp) :: share
       integer :: m, n, e
       share = 0.0_wp
@@ -177,16 +180,17 @@ contains
       end do
    end function departure
 
-   !> Halves elements and solves each neighbourhood of such by itself, between nodes that are held.
+   !> Halves elements, and solves the beam again about them: each neighbourhood by itself, between nodes that are held. Where one
+   !> finds no equilibrium, the shape there stays that of the longer elements.
    subroutine halve(model, mesh, gaps, work, lying, marked, nodes, y)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
-      logical, intent(in) :: marked(:)                  !< elements
-      real(wp), allocatable, intent(inout) :: nodes(:)
-      real(wp), allocatable, intent(inout) :: y(:, :)   !< (4,n)
+      logical, intent(in) :: marked(:)                  !< elements to be halved
+      real(wp), allocatable, intent(inout) :: nodes(:)  !< [m]
+      real(wp), allocatable, intent(inout) :: y(:, :)   !< (4,n) [m, -]
       type(bending_beam_type) :: part
       real(wp), allocatable :: finer(:), shape(:, :), own(:, :)
       integer, allocatable :: place(:)
@@ -194,7 +198,7 @@ contains
       logical :: found
       allocate (finer, source=halved_nodes(nodes, marked))
       allocate (shape, source=shape_at(nodes, y, finer))
-      allocate (place(size(nodes)))          ! of the nodes among the finer ones
+      allocate (place(size(nodes)))          ! number of each node among the finer ones
       n = 1
       do e = 1, size(nodes)
          place(e) = n
@@ -223,9 +227,10 @@ contains
       call move_alloc(shape, y)
    end subroutine halve
 
-   !> Elements at whose ends two recoveries of the moment differ: they are too long.
+   !> Marks elements that are too long: two recoveries of the moment differ at one of their ends.
    pure function to_be_halved(nodes, differences, largest) result(marked)
-      real(wp), intent(in) :: nodes(:), differences(:)
+      real(wp), intent(in) :: nodes(:)                 !< [m]
+      real(wp), intent(in) :: differences(:)           !< of two recoveries, at the nodes [N.m]
       real(wp), intent(in) :: largest                  !< moment [N.m]
       logical :: marked(size(nodes) - 1)
       integer :: n
@@ -234,12 +239,12 @@ contains
       end do
    end function to_be_halved
 
-   !> Moments at the nodes [N.m] from the equilibrium of the elements, and how far those of the elements' own shape are from them: the
-   !> first are of higher order, and good where the difference is small.
+   !> Moments at the nodes from the equilibrium of the elements, and how far the moments by the shape of the elements are from
+   !> them. The first are of higher order in the length of the elements. They are right where the difference is small.
    pure subroutine recover_moments(beam, y, moments, differences)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
-      real(wp), allocatable, intent(out) :: moments(:), differences(:)
+      real(wp), allocatable, intent(out) :: moments(:), differences(:)     !< 0 where the beam is held (n) [N.m]
       real(wp) :: forces(4, size(y, 2))
       integer :: n
       forces = element_forces(beam, y)
@@ -254,8 +259,8 @@ contains
       call add_peaks(beam, y, forces, moments, differences)
    end subroutine recover_moments
 
-   !> Raises the differences where the largest moment lies between two nodes, by a cubic through moments and their slopes: it needs a
-   !> node there.
+   !> Raises the differences where the largest moment of the string lies between two nodes, by a cubic through moments and their
+   !> slopes at both: a node is wanted there.
    pure subroutine add_peaks(beam, y, forces, moments, differences)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :), forces(:, :), moments(:)
@@ -266,7 +271,7 @@ contains
       largest = maxval(moments)
       do e = 1, size(moments)
          slope = next
-         next = forces(1:2, e) + beam%axial(e)*y(3:4, e)      ! of the moment along the string
+         next = forces(1:2, e) + beam%axial(e)*y(3:4, e)      ! derivative of the moment along the string
          if (e == 1) cycle
          if (beam%held(e) .or. beam%held(e - 1)) cycle
          middle = -0.5_wp*(forces(3:4, e - 1) + forces(3:4, e)) + 0.125_wp*(beam%md(e) - beam%md(e - 1))*(slope - next)
@@ -274,8 +279,8 @@ contains
       end do
    end subroutine add_peaks
 
-   !> Raises the differences where contact ends, or is pressed hardest, within an element: a force that is felt a part of an element
-   !> off its place makes a moment.
+   !> Raises the differences where contact begins, ends or has its peak within an element. A force that is felt a part of an
+   !> element away from its place makes a moment.
    pure subroutine add_edges(beam, y, differences)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)

@@ -1,4 +1,4 @@
-!> Rows of a profile from a string that has been bent again (dg_bending_profile).
+!> Rows of the profile of a string that has been bent again (dg_bending_profile).
 module dg_bending_rows
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, contact_xi, element_forces, point_forces
@@ -12,20 +12,21 @@ module dg_bending_rows
    private
    public :: merge_rows
 
-   !> Difference of moments, over the largest one, up to which the analysis' own stand [-].
+   !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
 
 contains
 
-   !> Rows of the beam into the profile: those of the mesh's nodes, and as many between as the moment needs.
+   !> Makes the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
+   !> Straight lines between the rows are then within a quarter of a per cent of the largest moment.
    pure subroutine merge_rows(trajectory, mesh, work, lying, beam, y, profile)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      type(profile_type), intent(inout) :: profile    !< of the analysis; on return of the beam
+      real(wp), intent(in) :: y(:, :)                 !< of the beam (4,n) [m, -]
+      type(profile_type), intent(inout) :: profile    !< on entry of the analysis, on return of the beam
       type(profile_type) :: own
       real(wp) :: forces(4, size(y, 2)), moment(size(y, 2)), share, side_force(size(y, 2))
       logical :: kept(size(y, 2))
@@ -63,15 +64,15 @@ contains
       end do
    end subroutine merge_rows
 
-   !> Moments at the beam's nodes [N.m], and which of them the profile needs. The analysis' own stand in elements where the beam's
-   !> are like them.
+   !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments are
+   !> alike, those of the analysis stand.
    pure subroutine choose_moments(mesh, beam, forces, bending, moment, kept)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: forces(:, :)       !< of the beam's elements on their upper nodes (4,n)
-      real(wp), intent(in) :: bending(:)         !< of the analysis, at the mesh's nodes [N.m]
-      real(wp), intent(out) :: moment(:)
-      logical, intent(out) :: kept(:)
+      real(wp), intent(in) :: forces(:, :)       !< at the nodes of the beam, see element_forces (4,n) [N, N.m]
+      real(wp), intent(in) :: bending(:)         !< of the analysis, at the nodes of the mesh [N.m]
+      real(wp), intent(out) :: moment(:)         !< (n) [N.m]
+      logical, intent(out) :: kept(:)            !< nodes that become rows (n)
       real(wp) :: coarse(size(moment)), share, largest
       logical :: better(mesh%elements)
       integer :: n, o, e
@@ -105,14 +106,15 @@ contains
       call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
    end subroutine choose_moments
 
-   !> Contact force per metre at the nodes that are rows [N/m], so that straight lines between rows have the analysis' sum of contact.
+   !> Contact force per metre at the rows [N/m], 0 at the other nodes. The area under straight lines between the rows is the sum of
+   !> contact of the analysis.
    pure function side_forces(mesh, work, lying, beam, y, rows) result(per_metre)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
-      integer, intent(in) :: rows(:)          !< among the beam's nodes, the first and the last among them
+      integer, intent(in) :: rows(:)          !< nodes of the beam that are rows, the first and the last among them
       real(wp) :: per_metre(size(y, 2))
       real(wp) :: forces(size(y, 2)), share
       integer :: n, row, upper, lower
@@ -134,8 +136,9 @@ contains
       end do
    end function side_forces
 
-   !> Contact forces lumped at the beam's nodes [N]: distributed as the beam has them, with the analysis' sum; those of joints along
-   !> the joint; where the string is not bent again those of the analysis.
+   !> Contact forces at the nodes of the beam [N]. They are distributed as the beam has them, and scaled to the sum of the
+   !> analysis. The force of a tool joint is spread over its element of the analysis. Where the string is not bent again they are
+   !> those of the analysis.
    pure function nodal_contact(mesh, work, lying, beam, y) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -176,10 +179,11 @@ contains
       end do
    end function nodal_contact
 
-   !> For each run of elements that are bent again the ratio of two sums; 0 where they are not, or where the second sum is.
+   !> Sum of `forces` over sum of `found`, for each run of neighbouring elements that are bent again [-]. 0 for elements that are
+   !> not, and where the second sum is 0.
    pure function sum_over_sum(bends, forces, found) result(scale)
       logical, intent(in) :: bends(:)
-      real(wp), intent(in) :: forces(:), found(:)
+      real(wp), intent(in) :: forces(:), found(:)    !< by element: of the analysis, of the beam [N]
       real(wp) :: scale(size(bends))
       integer :: first, last
       scale = 0.0_wp

@@ -74,7 +74,7 @@ module dg_static_analysis
    !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
    !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
    real(wp), parameter :: most_work = 1.0e7_wp
-   !> Error of moments over the largest one from which the result speaks of it [-].
+   !> The result says how far moments may be off when that is more than this part of the largest moment [-].
    real(wp), parameter :: doubtful = 0.05_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
@@ -89,7 +89,7 @@ contains
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< .true.: moments along the string are not looked at closely
+      logical, intent(in), optional :: totals_only   !< .true.: no moments on shorter elements, which cost time
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: ticks, start, rate
       integer :: most, first, given_up
@@ -129,7 +129,7 @@ contains
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
       integer, intent(in) :: allowed               !< iterations, those in `history` included
-      logical, intent(in) :: moments               !< whether they are found on elements short enough for them
+      logical, intent(in) :: moments               !< whether moments are found on elements short enough for them
       type(iteration_type), intent(in) :: history(:)
       type(case_result_type), intent(out) :: result
       type(mesh_type) :: mesh
@@ -234,7 +234,8 @@ contains
                           'hook load, torque and contact force may be off by a percent, '//touched)
    end subroutine solve_on_mesh
 
-   !> Moments along the string on elements short enough for them, and a word where they are not as good as they should be.
+   !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
+   !> where no equilibrium was found on such elements.
    subroutine find_moments(model, mesh, gaps, work, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -243,12 +244,13 @@ contains
       type(case_result_type), intent(inout) :: result
       call bend_profile(model, mesh, gaps, work, result%profile, result%moment_error)
       if (is_missing(result%moment_error)) then
-         call add_message(result, 'moments and stresses along the string are those of elements of up to '// &
-                          to_text(maxval(mesh%length), shown)//' m, and may be off by tens of per cent: the string was not '// &
-                          'found to rest on shorter ones; a smaller element_length narrows that down')
+         call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
+                          'this one was found on short elements, so they are those of elements of up to '// &
+                          to_text(maxval(mesh%length), shown)//' m; a smaller element_length makes them better')
       else if (result%moment_error > doubtful) then
-         call add_message(result, 'moments along the string are known within '// &
-                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one')
+         call add_message(result, 'moments along the string may be off by '// &
+                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one; a smaller element_length makes '// &
+                          'them better')
       end if
    end subroutine find_moments
 
