@@ -157,7 +157,7 @@ module dg_deck_keys
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
    type(key_rule_type), parameter :: solver_keys(23) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
-         meaning='longest element 30, 60, 10, 1 m; auto and fast solve in_plane; fast has gap_location nodes and tolerance 1e-6'), &
+         meaning='longest element 30, 60, 10, 1 m; auto and fast: in_plane; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &

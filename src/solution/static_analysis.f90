@@ -249,8 +249,9 @@ contains
                           to_text(maxval(mesh%length), shown)//' m; a smaller element_length makes them better')
       else if (result%moment_error > doubtful) then
          call add_message(result, 'moments along the string may be off by '// &
-                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one; a smaller element_length makes '// &
-                          'them better')
+                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one'// &
+                          trim(merge('                                          ', &
+                                     '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
       end if
    end subroutine find_moments
 
