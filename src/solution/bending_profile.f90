@@ -27,16 +27,18 @@ module dg_bending_profile
    private
    public :: bend_profile
 
-   !> Elements are halved where two recoveries of the moment differ by more than this part of the largest moment [-]; so often at
-   !> most.
+   !> Elements are halved where two recoveries of the moment differ by more than this part of the largest moment [-]. At most
+   !> `most_rounds` times.
    real(wp), parameter :: rough = 0.03_wp
    integer, parameter :: most_rounds = 6
-   !> A mesh is proven when halving all its elements changes no moment by more than this part of the largest [-]; tried so often.
+   !> A mesh is proven when halving all its elements changes no moment by more than this part of the largest [-]. That is tried at
+   !> most `most_proofs` times.
    real(wp), parameter :: proven = 0.005_wp
    integer, parameter :: most_proofs = 3
    !> Number of elements on each side of halved ones that are solved again with them.
    integer, parameter :: margin = 8
-   !> Change of moments by the last step of an iteration, over the largest moment [-]: when halved or last, and on the first mesh.
+   !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
+   !> `settled` on all later ones.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
    !> Moment by which a contact force is missed that is felt at the wrong place of an element, over the change of the force per
    !> metre times the square of the element's length [-].
