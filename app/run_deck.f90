@@ -3,6 +3,7 @@ module dg_run_deck
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
@@ -19,7 +20,7 @@ module dg_run_deck
    use dg_printed_text, only: print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
-   use dg_result_name, only: case_file, history_file, profile_file, view_file
+   use dg_result_name, only: case_file, contacts_file, history_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
@@ -285,6 +286,10 @@ contains
          end if
          if (job%plots) then
             call write_paraview(in_folder(job, case_file(view_file, case, number)), job, result, along, error)
+            call note_failure(error, status)
+         end if
+         if (job%profiles .and. allocated(result%contacts)) then
+            call write_contacts(in_folder(job, case_file(contacts_file, case, number)), job, result, error)
             call note_failure(error, status)
          end if
          if (model%numerics%history .and. allocated(result%history)) then

@@ -5,20 +5,20 @@ module dg_result_name
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, history_file, case_file, record_file, result_names, record_names, is_result_name, &
+   public :: profile_file, view_file, contacts_file, history_file, case_file, record_file, result_names, record_names, is_result_name, &
              is_record_name, picture_folder
 
    ! Files of one case.
-   integer, parameter :: profile_file = 1, view_file = 2, history_file = 3
+   integer, parameter :: profile_file = 1, view_file = 2, contacts_file = 3, history_file = 4
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
    character(*), parameter :: fixed_names(7) = [character(20) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
                                                                'study.csv', 'calibration.csv', 'calibration_data.csv']
    !> Beginnings of names with something of the deck in them, and their endings.
-   character(*), parameter :: beginnings(6) = [character(12) :: 'profile_', 'history_', 'view_', 'legacy_', 'sweep_', &
+   character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', 'sweep_', &
                                                               'uncertainty_']
-   character(*), parameter :: endings(6) = [character(7) :: '.csv', '.csv', '.vtkhdf', '.csv', '.csv', '.csv']
+   character(*), parameter :: endings(7) = [character(7) :: '.csv', '.csv', '.csv', '.vtkhdf', '.csv', '.csv', '.csv']
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
    character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
    !> What names may be made of, and how long the system lets them be.
@@ -40,6 +40,8 @@ contains
          name = 'profile'//name//'.csv'
       case (view_file)
          name = 'view'//name//'.vtkhdf'
+      case (contacts_file)
+         name = 'contacts'//name//'.csv'
       case default
          name = 'history'//name//'.csv'
       end select
@@ -104,6 +106,7 @@ contains
          do j = 1, size(job%models)
             do i = 1, size(model%cases)
                call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
+               call add(case_file(contacts_file, model%cases(i)%name, job%models(j)), job%profiles)
                call add(case_file(view_file, model%cases(i)%name, job%models(j)), job%plots)
                call add(case_file(history_file, model%cases(i)%name, job%models(j)), model%numerics%history)
             end do

@@ -9,6 +9,7 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
+   public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_name
 
    integer, parameter :: result_converged = 1
    integer, parameter :: result_not_converged = 2
@@ -28,6 +29,19 @@ module dg_case_result
    integer, parameter :: way_count = 5
    character(*), parameter :: way_name(way_count) = [character(20) :: 'planar', 'the hole turns', 'the string turns', &
       'compressed', 'no rest in the plane']
+
+   !> What presses the wall at one place, and names in files.
+   integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5
+   character(*), parameter :: contact_name(5) = [character(10) :: 'tool joint', 'stabilizer', 'edge', 'bit', 'top']
+
+   !> A contact force that acts over a short length.
+   type :: contact_point_type
+      integer :: kind = 0
+      real(wp) :: md = 0.0_wp                  !< centroid of the force [m]
+      real(wp) :: force = 0.0_wp               !< [N]
+      real(wp) :: length = 0.0_wp              !< over which it acts [m]
+      real(wp) :: clock = 0.0_wp               !< towards where it presses the wall [rad], as in a profile
+   end type contact_point_type
 
    !> One row of the iteration history.
    type :: iteration_type
@@ -90,6 +104,8 @@ module dg_case_result
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp
       type(gap_row_type), allocatable :: gaps(:)     !< from the top down; models with gap elements only
+      !> Concentrated contacts from the top down; not allocated where moments were not looked for on short elements.
+      type(contact_point_type), allocatable :: contacts(:)
       type(iteration_type), allocatable :: history(:)
    end type case_result_type
 end module dg_case_result

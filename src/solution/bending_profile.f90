@@ -17,11 +17,12 @@ module dg_bending_profile
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: merge_rows
    use dg_bending_solution, only: solve_bending
+   use dg_case_result, only: case_result_type
+   use dg_contact_list, only: list_contacts
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
-   use dg_profile, only: profile_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -53,32 +54,32 @@ module dg_bending_profile
 
 contains
 
-   !> Replaces a profile by that of the beam, and tells how far its moments may still be off. Where the beam finds no equilibrium
-   !> near that of the analysis, the profile stays as it is, and `error` is missing.
-   subroutine bend_profile(model, mesh, gaps, work, profile, error)
+   !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still be
+   !> off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
+   subroutine bend_profile(model, mesh, gaps, work, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      type(workspace_type), intent(in) :: work       !< assembled at the solution
-      type(profile_type), intent(inout) :: profile   !< on entry at the nodes of the mesh; on return with more rows
-      real(wp), intent(out) :: error                 !< how far moments may be off, over the largest moment; or missing [-]
+      type(workspace_type), intent(in) :: work          !< assembled at the solution
+      type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
       real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :)
       logical :: found
       integer :: attempt
-      error = missing
-      call find_lying(model, mesh, work, profile, lying)
+      result%moment_error = missing
+      call find_lying(model, mesh, work, result%profile, lying)
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
       do attempt = 1, 2
          lying%anchored = attempt == 2
          nodes = graded_nodes(breaks, longest)
-         call bend_again(model, mesh, gaps, work, lying, nodes, y, beam, error, found)
+         call bend_again(model, mesh, gaps, work, lying, nodes, y, beam, result%moment_error, found)
          if (found) exit
       end do
       if (.not. found) return
-      call merge_rows(model%trajectory, mesh, work, lying, beam, y, profile)
+      call list_contacts(model, mesh, work, lying, beam, y, result)
+      call merge_rows(model%trajectory, mesh, work, lying, beam, y, result%profile)
    end subroutine bend_profile
 
    !> Equilibrium of the beam on nodes that are added until its moments are good. `found` is false where there is none, or one that
@@ -118,6 +119,7 @@ contains
       found = departure(mesh, lying%y, nodes, y) <= farthest
       if (found) error = maxval(differences)/largest
       if (found .and. model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
+      found = found .and. .not. is_missing(error)
    end subroutine bend_again
 
    !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string.

@@ -10,7 +10,7 @@ module dg_bending_rows
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: merge_rows
+   public :: clock_in_hole, contact_scale, merge_rows
 
    !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
@@ -146,18 +146,11 @@ contains
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
       real(wp) :: forces(size(y, 2))
-      real(wp) :: pressed(contact_places, size(y, 2) - 1), points(size(beam%point)), found(mesh%elements), scale(mesh%elements)
+      real(wp) :: pressed(contact_places, size(y, 2) - 1), points(size(beam%point)), scale(mesh%elements)
       integer :: e, o, p
       pressed = contact_forces(beam, y)
       points = point_forces(beam, y)
-      found = 0.0_wp
-      do e = 1, size(pressed, 2)
-         found(beam%owner(e)) = found(beam%owner(e)) + sum(pressed(:, e))
-      end do
-      do p = 1, size(points)
-         found(beam%point_owner(p)) = found(beam%point_owner(p)) + points(p)
-      end do
-      scale = sum_over_sum(lying%bends, max(work%normal, 0.0_wp), found)
+      scale = contact_scale(lying%bends, work%normal, beam, pressed, points)
       forces = 0.0_wp
       p = 1
       do e = 1, size(pressed, 2)
@@ -178,6 +171,27 @@ contains
          end associate
       end do
    end function nodal_contact
+
+   !> By what the beam's contact forces in each element of the analysis are multiplied so that each run of elements that is bent again
+   !> has the analysis' sum [-]; 0 where that has to be taken as it is.
+   pure function contact_scale(bends, normal, beam, pressed, points) result(scale)
+      logical, intent(in) :: bends(:)            !< elements that are bent again
+      real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: pressed(:, :)      !< of the beam, at the places of its elements [N]
+      real(wp), intent(in) :: points(:)          !< at its points [N]
+      real(wp) :: scale(size(bends))
+      real(wp) :: found(size(bends))
+      integer :: e, p
+      found = 0.0_wp
+      do e = 1, size(pressed, 2)
+         found(beam%owner(e)) = found(beam%owner(e)) + sum(pressed(:, e))
+      end do
+      do p = 1, size(points)
+         found(beam%point_owner(p)) = found(beam%point_owner(p)) + points(p)
+      end do
+      scale = sum_over_sum(bends, max(normal, 0.0_wp), found)
+   end function contact_scale
 
    !> Sum of `forces` over sum of `found`, for each run of neighbouring elements that are bent again [-]. 0 for elements that are
    !> not, and where the second sum is 0.

@@ -242,7 +242,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
-      call bend_profile(model, mesh, gaps, work, result%profile, result%moment_error)
+      call bend_profile(model, mesh, gaps, work, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
                           'this one was found on short elements, so they are those of elements of up to '// &

@@ -1,0 +1,70 @@
+!> Places where a string that lies on the wall presses it by more than what lies there: where it lifts off, and where a bend begins
+!> or ends. The wall takes a force there that in the limit of a hard wall has no length, as the shear force jumps.
+module dg_contact_edges
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: contact_edge_type, find_edges, centroid
+
+   !> Contact force per metre over what weight and tension in a bend carry to the wall, from which it belongs to an edge [-]. Contact
+   !> that is spread stays within a few per cent of one; the wall's own yielding spreads an edge over some decimetres of twice to
+   !> ten times of it.
+   real(wp), parameter :: concentrated = 1.5_wp
+   !> Force of an edge beyond what is spread, over the string's sum of contact, under which it is left out [-]: nobody acts on less,
+   !> and the elements' own unevenness makes as much.
+   real(wp), parameter :: least_share = 1.0e-3_wp
+
+   type :: contact_edge_type
+      real(wp) :: md = 0.0_wp       !< centroid of the force [m]
+      real(wp) :: force = 0.0_wp    !< beyond what is spread [N]
+      real(wp) :: length = 0.0_wp   !< over which it acts [m]
+   end type contact_edge_type
+
+contains
+
+   !> Edges from the top down: runs of stretches of string whose force is more than `concentrated` times the spread load.
+   pure subroutine find_edges(md, length, force, spread_load, total, edges)
+      real(wp), intent(in) :: md(:)            !< where the force of each stretch acts, increasing [m]
+      real(wp), intent(in) :: length(:)        !< of each stretch [m]
+      real(wp), intent(in) :: force(:)         !< of contact, 0 where nothing touches or other contacts stand [N]
+      real(wp), intent(in) :: spread_load(:)   !< per length: what weight and bends carry to the wall there [N/m]
+      real(wp), intent(in) :: total            !< sum of contact over the string [N]
+      type(contact_edge_type), allocatable, intent(out) :: edges(:)
+      type(contact_edge_type) :: found(size(md)/2 + 1)
+      real(wp) :: beyond(size(md))
+      logical :: pressed(size(md))
+      integer :: first, last, count
+      pressed = force > concentrated*spread_load*length .and. force > 0.0_wp
+      beyond = max(force - spread_load*length, 0.0_wp)
+      count = 0
+      last = 0
+      do
+         first = last + findloc(pressed(last + 1:), .true., dim=1)
+         if (first == last) exit
+         last = first
+         do while (last < size(md))
+            if (.not. pressed(last + 1)) exit
+            last = last + 1
+         end do
+         if (sum(beyond(first:last)) > least_share*total) then
+            count = count + 1
+            found(count)%force = sum(beyond(first:last))
+            found(count)%length = sum(length(first:last))
+            found(count)%md = centroid(md(first:last), beyond(first:last))
+         end if
+         if (last == size(md)) exit
+      end do
+      edges = found(:count)
+   end subroutine find_edges
+
+   !> Where the sum of forces acts; the middle of their places where there are none.
+   pure function centroid(md, force) result(place)
+      real(wp), intent(in) :: md(:), force(:)   !< [m, N]
+      real(wp) :: place
+      if (sum(force) > 0.0_wp) then
+         place = sum(md*force)/sum(force)
+      else
+         place = 0.5_wp*(md(1) + md(size(md)))
+      end if
+   end function centroid
+end module dg_contact_edges

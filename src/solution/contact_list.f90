@@ -1,0 +1,203 @@
+!> The concentrated contacts of a string that has been bent again (dg_bending_profile): tool joints that stand one by one,
+!> stabilisers, edges of contact, and what holds the ends.
+module dg_contact_list
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, contact_xi, element_forces, point_forces
+   use dg_bending_layout, only: lying_type
+   use dg_bending_rows, only: clock_in_hole, contact_scale
+   use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_edge, contact_joint, contact_point_type, &
+                             contact_top
+   use dg_component, only: has_blades
+   use dg_contact_edges, only: centroid, contact_edge_type, find_edges
+   use dg_drillstring, only: component_at, component_tops
+   use dg_mesh, only: mesh_type
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type, string_index
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: list_contacts
+
+   !> Contact forces of stretches of string, from the top down.
+   type :: stretches_type
+      real(wp), allocatable :: md(:)          !< where the force acts [m]
+      real(wp), allocatable :: length(:)      !< [m]
+      real(wp), allocatable :: force(:)       !< [N]
+      real(wp), allocatable :: load(:)        !< per length, what weight and bends carry to the wall [N/m]
+      integer, allocatable :: owner(:)        !< element of the analysis
+      logical, allocatable :: spread(:)       !< force of the beam on a wall that is felt all along
+   end type stretches_type
+
+contains
+
+   !> Fills result%contacts, from the top down. Edges are looked for where the string was bent again.
+   subroutine list_contacts(model, mesh, work, lying, beam, y, result)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)                    !< of the beam's nodes (4,n)
+      type(case_result_type), intent(inout) :: result
+      type(stretches_type) :: stretches
+      type(contact_edge_type), allocatable :: edges(:)
+      type(contact_point_type) :: point
+      integer :: kind(mesh%elements), i
+      real(wp) :: pushed(2)
+      call find_stretches(mesh, work, lying, beam, y, stretches)
+      kind = kinds_of(model, result%case_index, mesh)
+      if (allocated(result%contacts)) deallocate (result%contacts)
+      allocate (result%contacts(0))
+      call put_groups(kind, stretches, result%contacts)
+      associate (force => merge(stretches%force, 0.0_wp, stretches%spread .and. kind(stretches%owner) == 0))
+         call find_edges(stretches%md, stretches%length, force, stretches%load, result%normal_force, edges)
+      end associate
+      do i = 1, size(edges)
+         call insert(contact_point_type(contact_edge, edges(i)%md, edges(i)%force, edges(i)%length), result%contacts)
+      end do
+      do i = 1, size(result%contacts)
+         result%contacts(i)%clock = clock_near(model, mesh, beam, y, result%contacts(i)%md)
+      end do
+      if (beam%centred(1) .and. .not. beam%held(1)) then
+         associate (forces => element_forces(beam, y))
+            pushed = -forces(1:2, 1)
+         end associate
+         point = contact_point_type(contact_top, beam%md(1), norm2(pushed))
+         point%clock = clock_in_hole(model%trajectory, mesh%arc(1), beam%place(1), pushed)
+         call insert(point, result%contacts)
+      end if
+      if (.not. is_missing(result%bit_side_force)) call insert( &
+         contact_point_type(contact_bit, mesh%md(mesh%nodes), result%bit_side_force, 0.0_wp, result%bit_side_clock), &
+         result%contacts)
+   end subroutine list_contacts
+
+   !> All contact forces of the string with the analysis' sum: two of each element of the beam, those of its points, and of elements
+   !> that were not bent again those of the analysis.
+   pure subroutine find_stretches(mesh, work, lying, beam, y, stretches)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(lying_type), intent(in) :: lying
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      type(stretches_type), intent(out) :: stretches
+      real(wp) :: pressed(contact_places, size(beam%ei)), points(size(beam%point)), scale(mesh%elements), length, across(2)
+      integer :: e, o, p, n, k
+      pressed = contact_forces(beam, y)
+      points = point_forces(beam, y)
+      scale = contact_scale(lying%bends, work%normal, beam, pressed, points)
+      n = contact_places*size(beam%ei) + size(points)
+      allocate (stretches%md(n), stretches%length(n), stretches%force(n), stretches%load(n), stretches%owner(n), &
+                stretches%spread(n))
+      n = 0
+      k = 1
+      do e = 1, size(beam%ei)
+         o = beam%owner(e)
+         if (k <= size(points)) then
+            if (beam%point(k) == e) then
+               call add(beam%md(e), mesh%length(o), merge(scale(o)*points(k), max(work%normal(o), 0.0_wp), scale(o) > 0.0_wp), &
+                        0.0_wp, o, .false., n, stretches)
+               k = k + 1
+            end if
+         end if
+         length = beam%md(e + 1) - beam%md(e)
+         do p = 1, contact_places
+            associate (xi => contact_xi(p))
+               across = (1.0_wp - xi)*(beam%weight(:, e) + beam%axial(e)*beam%curvature(:, e)) &
+                        + xi*(beam%weight(:, e + 1) + beam%axial(e + 1)*beam%curvature(:, e))
+               if (scale(o) > 0.0_wp) then
+                  call add(beam%md(e) + xi*length, length/contact_places, scale(o)*pressed(p, e), norm2(across), o, .true., n, &
+                           stretches)
+               else
+                  call add(beam%md(e) + xi*length, length/contact_places, &
+                           max(work%normal(o), 0.0_wp)*length/(contact_places*mesh%length(o)), norm2(across), o, .false., n, &
+                           stretches)
+                  if (any(beam%point_owner == o)) stretches%force(n) = 0.0_wp     ! it stands at its point
+               end if
+            end associate
+         end do
+      end do
+   end subroutine find_stretches
+
+   pure subroutine add(md, length, force, load, owner, is_spread, n, stretches)
+      real(wp), intent(in) :: md, length, force, load
+      integer, intent(in) :: owner
+      logical, intent(in) :: is_spread
+      integer, intent(inout) :: n          !< stretches so far
+      type(stretches_type), intent(inout) :: stretches
+      n = n + 1
+      stretches%md(n) = md
+      stretches%length(n) = length
+      stretches%force(n) = force
+      stretches%load(n) = load
+      stretches%owner(n) = owner
+      stretches%spread(n) = is_spread
+   end subroutine add
+
+   !> What touches at each element of the analysis: contact_joint where tool joints stand one by one, contact_blades, else 0.
+   pure function kinds_of(model, case_index, mesh) result(kind)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      integer :: kind(mesh%elements)
+      integer :: e, string
+      real(wp) :: height
+      string = string_index(model%strings, model%cases(case_index)%string)
+      associate (components => model%strings(string)%components, bottom => mesh%md(mesh%nodes))
+         do e = 1, mesh%elements
+            kind(e) = 0
+            height = bottom - mesh%md(e) - 0.5_wp*mesh%length(e)
+            if (has_blades(components(component_at(component_tops(model%strings(string), bottom - mesh%md(1)), height)))) then
+               kind(e) = contact_blades
+            else if (mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp) then
+               kind(e) = contact_joint
+            end if
+         end do
+      end associate
+   end function kinds_of
+
+   !> One contact for each run of elements of one kind that touch: a joint, or a stabiliser.
+   pure subroutine put_groups(kind, stretches, contacts)
+      integer, intent(in) :: kind(:)        !< of elements of the analysis
+      type(stretches_type), intent(in) :: stretches
+      type(contact_point_type), allocatable, intent(inout) :: contacts(:)
+      integer :: of(size(stretches%owner)), first, last
+      of = kind(stretches%owner)
+      last = 0
+      do while (last < size(of))
+         first = last + 1
+         last = first
+         do while (last < size(of))
+            if (of(last + 1) /= of(first)) exit
+            last = last + 1
+         end do
+         if (of(first) == 0) cycle
+         associate (force => stretches%force(first:last))
+            if (sum(force) > 0.0_wp) call insert( &
+               contact_point_type(of(first), centroid(stretches%md(first:last), force), sum(force), &
+                                  sum(stretches%length(first:last), mask=force > 0.0_wp)), contacts)
+         end associate
+      end do
+   end subroutine put_groups
+
+   !> Puts a contact where it belongs by depth.
+   pure subroutine insert(point, contacts)
+      type(contact_point_type), intent(in) :: point
+      type(contact_point_type), allocatable, intent(inout) :: contacts(:)
+      integer :: n
+      n = count(contacts%md <= point%md)
+      contacts = [contacts(:n), point, contacts(n + 1:)]
+   end subroutine insert
+
+   !> Clock angle of the beam at its node nearest to a depth.
+   pure function clock_near(model, mesh, beam, y, md) result(clock)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: y(:, :)
+      real(wp), intent(in) :: md      !< [m]
+      real(wp) :: clock
+      integer :: n
+      n = minloc(abs(beam%md - md), dim=1)
+      clock = clock_in_hole(model%trajectory, mesh%arc(beam%owner(min(n, size(beam%owner)))), beam%place(n), y(1:2, n))
+   end function clock_near
+end module dg_contact_list
