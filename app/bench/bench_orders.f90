@@ -12,7 +12,7 @@ module dg_bench_orders
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, gap_location_name
    use dg_static_analysis, only: solve_static_analysis
-   use dg_study_comparison, only: compare_case, error_count, new_record, study_record_type
+   use dg_study_comparison, only: compare_case, error_bending, error_hookload, new_record, study_record_type
    use dg_study_variant, only: variant_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
@@ -64,7 +64,7 @@ contains
       type(study_record_type) :: records(size(lengths))
       type(case_result_type) :: result
       type(error_type), allocatable :: error
-      character(*), parameter :: quantities(error_count) = [character(9) :: 'hook load', 'torque', 'contact', 'moment']
+      character(*), parameter :: quantities(error_bending) = [character(9) :: 'hook load', 'torque', 'contact', 'moment']
       character(9) :: order
       integer :: i, k, n
       n = size(lengths)
@@ -77,7 +77,7 @@ contains
          call new_record(result, result%seconds, 0.0_wp, records(i))
       end do
       call compare_case(variants, records)
-      do k = 1, error_count
+      do k = error_hookload, error_bending
          if (is_missing(records(1)%errors(k))) cycle
          order = '        -'
          if (.not. is_missing(records(n)%orders(k))) write (order, '(f9.2)') records(n)%orders(k)

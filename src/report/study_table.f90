@@ -7,7 +7,7 @@ module dg_study_table
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
-   use dg_study_comparison, only: error_count, error_hookload, error_torque, pareto_set, study_record_type
+   use dg_study_comparison, only: error_bending, error_count, error_hookload, error_torque, pareto_set, study_record_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -119,7 +119,7 @@ contains
          text = text//right_aligned(absent, wide)//right_aligned(absent, wide)//' '//left_aligned(absent, gap_width - 1)// &
             left_aligned(absent, solver_width)
       end if
-      do k = 1, error_count
+      do k = error_hookload, error_bending
          text = text//error_cell(total%errors(k))
       end do
       text = text//right_aligned(to_text(total%iterations), wide)//fixed_cell(total%seconds, wide, 4)
@@ -235,7 +235,7 @@ contains
          else
             text = text//repeat(' ', gap_width + solver_width)
          end if
-         do k = 1, error_count
+         do k = error_hookload, error_bending
             text = text//right_aligned(range_text(pack(records(i, :)%orders(k), .not. is_missing(records(i, :)%orders(k)))), 2*cell)
          end do
          call append_text(lines, text)

@@ -20,11 +20,12 @@ module dg_study_variant
    end type variant_type
 
    !> What makes a variant fine, in so many numbers.
-   integer, parameter :: fineness_levels = 7
+   integer, parameter :: fineness_levels = 8
 
 contains
 
-   !> All variants of a plan, in the order of the lists. Settings that the plan leaves alone are the model's.
+   !> All variants of a plan, in the order of the lists. Settings that the plan leaves alone are the model's. Of several meshes of
+   !> beams the finest, with which others are compared, halves its elements until moments stay.
    pure subroutine study_variants(plan, numerics, variants)
       type(study_plan_type), intent(in) :: plan
       type(numerics_type), intent(in) :: numerics   !< of the deck
@@ -48,6 +49,8 @@ contains
                   with_mesh%fidelity = plan%fidelities(mesh - size(plan%element_lengths))
                   call set_fidelity(with_mesh%numerics, fidelity_name(with_mesh%fidelity))
                end if
+               if (beams .and. meshes > 1) with_mesh%numerics%halve_moments = with_mesh%numerics%moments .and. &
+                  .not. with_mesh%numerics%element_length > shortest_of(plan, numerics)
                do tolerance = 1, merge(max(1, size(plan%tolerances)), 1, beams)
                   with_tolerance = with_mesh
                   if (size(plan%tolerances) > 0) with_tolerance%numerics%tolerance = plan%tolerances(tolerance)
@@ -72,6 +75,21 @@ contains
       end do
    end subroutine study_variants
 
+   !> The shortest element that a plan asks of beams [m].
+   pure function shortest_of(plan, numerics) result(length)
+      type(study_plan_type), intent(in) :: plan
+      type(numerics_type), intent(in) :: numerics
+      real(wp) :: length
+      type(numerics_type) :: other
+      integer :: i
+      length = minval(plan%element_lengths)
+      do i = 1, size(plan%fidelities)
+         other = numerics
+         call set_fidelity(other, fidelity_name(plan%fidelities(i)))
+         length = min(length, other%element_length)
+      end do
+   end function shortest_of
+
    !> Gives a model the settings of a variant. A wall of the study is that of every hole section, and the ratio of the rigid
    !> wall to the elastic one stays as it is.
    pure subroutine set_variant(variant, model)
@@ -93,8 +111,8 @@ contains
       if (.not. wall > 0.0_wp) wall = variant%numerics%gk_contact
    end function wall_of
 
-   !> Whether `one` is a finer model than `other`: by its physics, then by the length of its elements, tolerance, wall
-   !> (the stiffer), place of gaps (the paper's) and linear solver (with exchange of rows); of two alike the fidelity.
+   !> Whether `one` is a finer model than `other`: by its physics, then by the length of its elements, proof of its moments,
+   !> tolerance, wall (the stiffer), place of gaps (the paper's) and linear solver (with exchange of rows); of two alike the fidelity.
    pure function is_finer(one, other) result(finer)
       type(variant_type), intent(in) :: one, other
       logical :: finer
@@ -115,7 +133,7 @@ contains
       real(wp) :: levels(fineness_levels)
       ! soft, rigid, mixed, beams
       levels = [merge(5.0_wp, real(variant%model, wp), variant%model == model_mcge), -variant%numerics%element_length, &
-                -variant%numerics%tolerance, wall_of(variant), &
+                merge(1.0_wp, 0.0_wp, variant%numerics%halve_moments), -variant%numerics%tolerance, wall_of(variant), &
                 merge(1.0_wp, 0.0_wp, variant%numerics%gap_location == gap_at_extremum), &
                 real(variant%numerics%linear_solver, wp), merge(1.0_wp, 0.0_wp, variant%fidelity > 0)]
    end function fineness

@@ -10,8 +10,8 @@ module dg_test_study
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_numerics, only: fidelity_name, gap_at_extremum, gap_at_nodes, numerics_type
-   use dg_study_comparison, only: compare_case, error_bending, error_hookload, error_normal_force, error_torque, pareto_set, &
-                                  study_record_type
+   use dg_study_comparison, only: compare_case, error_bending, error_bending_rms, error_hookload, error_normal_force, &
+                                  error_torque, pareto_set, study_record_type
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_variant, only: is_finer, set_variant, study_variants, variant_type
    implicit none
@@ -32,6 +32,7 @@ contains
       call suite%addTest(TestMethod('order_of_a_power', test_order))
       call suite%addTest(TestMethod('no_order', test_no_order))
       call suite%addTest(TestMethod('errors_and_reference', test_errors))
+      call suite%addTest(TestMethod('profiles_at_all_depths', test_profiles))
       call suite%addTest(TestMethod('finest_without_solution', test_lost_reference))
       call suite%addTest(TestMethod('pareto_set', test_pareto))
    end function study_suite
@@ -66,6 +67,13 @@ contains
          call assertEqual(0.25_wp, variants(i)%numerics%relocation, round_off, message='settings of the deck stay')
          if (is_finer(variants(i), variants(finest))) finest = i
          call assertFalse(is_finer(variants(i), variants(i)), message='finer than itself')
+      end do
+      call assertTrue(variants(finest)%numerics%halve_moments, message='its moments are proven')
+      numerics%moments = .true.
+      call study_variants(plan, numerics, variants)
+      do i = 1, size(variants)
+         call assertTrue(variants(i)%numerics%halve_moments .eqv. (variants(i)%model == model_mcge .and. &
+            variants(i)%numerics%element_length < 1.01_wp), message='only those of the shortest elements')
       end do
       call assertEqual('reference', trim(fidelity_name(variants(finest)%fidelity)))
       call assertEqual(1.0_wp, variants(finest)%numerics%element_length, round_off)
@@ -145,6 +153,7 @@ contains
       call assertEqual(15.0e-3_wp/1.001_wp, records(1)%errors(error_hookload), round_off)
       call assertEqual(3.0_wp, records(1)%errors(error_normal_force), round_off)
       call assertEqual(3.0_wp/5.0_wp, records(1)%errors(error_bending), round_off, message='constant difference of 3 over 5')
+      call assertEqual(3.0_wp/5.0_wp, records(1)%errors(error_bending_rms), round_off, message='and its root mean square')
       call assertTrue(all(is_missing(records%errors(error_torque))), message='no torque, no error')
       call assertEqual(2.0_wp, records(1)%orders(error_hookload), order_step)
       call assertEqual(1.0_wp, records(2)%orders(error_bending), order_step)
@@ -152,6 +161,26 @@ contains
       call assertEqual(0.25_wp, records(2)%cost, round_off)
       call assertTrue(all(records%in_pareto_set))
    end subroutine test_errors
+
+   !> Moments are compared at the rows of both: a peak of one between two rows of the other counts.
+   subroutine test_profiles()
+      type(variant_type) :: variants(3)
+      type(study_record_type) :: records(3)
+      call three_meshes(variants, records)
+      ! a triangle of 2 about 1 m, between two rows of the reference, which has a row of its own at 3 m
+      records(1)%md = [0.0_wp, 0.5_wp, 1.0_wp, 1.5_wp, 4.0_wp]
+      records(1)%moments = [1.0_wp, 1.5_wp, 4.0_wp, 2.5_wp, 5.0_wp]
+      records(3)%md = [0.0_wp, 3.0_wp, 4.0_wp]
+      records(3)%moments = [1.0_wp, 4.0_wp, 5.0_wp]
+      call compare_case(variants, records)
+      call assertEqual(2.0_wp/5.0_wp, records(1)%errors(error_bending), round_off, message='triangle')
+      call assertEqual(sqrt(1.0_wp/3.0_wp)/5.0_wp, records(1)%errors(error_bending_rms), round_off, message='its rms')
+      records(1)%moments(3) = 2.0_wp
+      records(3)%moments(2) = 9.0_wp
+      records(3)%bending = 9.0_wp
+      call compare_case(variants, records)
+      call assertEqual(5.0_wp/9.0_wp, records(1)%errors(error_bending), round_off, message='a peak that the record has not')
+   end subroutine test_profiles
 
    !> Where the finest finds no solution the next is the reference, and what has none has no error.
    subroutine test_lost_reference()
