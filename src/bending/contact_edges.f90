@@ -10,6 +10,8 @@ module dg_contact_edges
    !> that is spread stays within a few per cent of one; the wall's own yielding spreads an edge over some decimetres of twice to
    !> ten times of it.
    real(wp), parameter :: concentrated = 1.5_wp
+   !> And down to which stretches beside it belong to it too [-].
+   real(wp), parameter :: raised = 1.1_wp
    !> Force of an edge beyond what is spread, over the string's sum of contact, under which it is left out [-]: nobody acts on less,
    !> and the elements' own unevenness makes as much.
    real(wp), parameter :: least_share = 1.0e-3_wp
@@ -22,7 +24,8 @@ module dg_contact_edges
 
 contains
 
-   !> Edges from the top down: runs of stretches of string whose force is more than `concentrated` times the spread load.
+   !> Edges from the top down: runs of stretches of string whose force is more than `raised` times the spread load, somewhere
+   !> more than `concentrated` times.
    pure subroutine find_edges(md, length, force, spread_load, total, edges)
       real(wp), intent(in) :: md(:)            !< where the force of each stretch acts, increasing [m]
       real(wp), intent(in) :: length(:)        !< of each stretch [m]
@@ -34,7 +37,7 @@ contains
       real(wp) :: beyond(size(md))
       logical :: pressed(size(md))
       integer :: first, last, count
-      pressed = force > concentrated*spread_load*length .and. force > 0.0_wp
+      pressed = force > raised*spread_load*length .and. force > 0.0_wp
       beyond = max(force - spread_load*length, 0.0_wp)
       count = 0
       last = 0
@@ -46,7 +49,8 @@ contains
             if (.not. pressed(last + 1)) exit
             last = last + 1
          end do
-         if (sum(beyond(first:last)) > least_share*total) then
+         if (sum(beyond(first:last)) > least_share*total .and. &
+             any(force(first:last) > concentrated*spread_load(first:last)*length(first:last))) then
             count = count + 1
             found(count)%force = sum(beyond(first:last))
             found(count)%length = sum(length(first:last))

@@ -12,7 +12,7 @@ module dg_profile_columns
    private
    public :: profile_columns, profile_values, profile_codes, code_names
 
-   type(column_type), parameter :: profile_columns(35) = [ &
+   type(column_type), parameter :: profile_columns(36) = [ &
       column_type('md', quantity_length, 'measured depth, of the point before loading'), &
       column_type('tvd', quantity_length, 'true vertical depth of the hole axis, from the first station'), &
       column_type('north', quantity_length, 'of the hole axis, from the first station'), &
@@ -55,7 +55,9 @@ module dg_profile_columns
          'closed form'), &
       column_type('jointed_bending_stress', quantity_stress, 'joint_magnification times bending_stress, in the body of the pipe'), &
       column_type('joint_von_mises', quantity_stress, 'equivalent stress in a tool joint, if one stands here; empty '// &
-         'without joints')]
+         'without joints'), &
+      column_type('joint_side_force', quantity_force, 'contact force of a tool joint: side_force times the distance of joints; '// &
+         'of joints solved one by one that of the joint that stands here, 0 between; empty without joints')]
 
 contains
 
@@ -100,6 +102,7 @@ contains
       case ('joint_magnification'); values = along%magnification
       case ('jointed_bending_stress'); values = along%jointed_bending
       case ('joint_von_mises'); values = along%joint_von_mises
+      case ('joint_side_force'); values = along%joint_side_force
       case default
       end select
    end subroutine profile_values

@@ -9,9 +9,10 @@ module dg_results_h5
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, contact_name, contact_point_type
    use dg_column, only: column_header, column_type, field_absent, field_integer, field_list_type, field_real, field_text, &
                         quantity_angle, quantity_force, quantity_length, quantity_none, quantity_text, unit_size, unit_text
+   use dg_contacts_file, only: contact_columns
    use dg_error, only: error_type
    use dg_gap_state, only: state_name
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_attribute, write_data
@@ -132,6 +133,7 @@ contains
          end associate
       end do
       if (allocated(result%gaps)) call put_gaps(file, group//'/gaps', units, result)
+      if (allocated(result%contacts)) call put_contacts(file, group//'/contacts', units, result%contacts)
       if (.not. allocated(result%history)) return
       if (size(result%history) > 0) call put_history(file, group//'/history', units, result)
    end subroutine put_result
@@ -158,6 +160,20 @@ contains
       call put_column(file, group, gap_columns(4), units, values(:, 3))
       call put_column(file, group, gap_columns(5), units, values(:, 4))
    end subroutine put_gaps
+
+   !> The concentrated contacts.
+   subroutine put_contacts(file, group, units, contacts)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(contact_point_type), intent(in) :: contacts(:)
+      call make_group(file, group)
+      call put_column(file, group, contact_columns(1), units, contacts%md)
+      call put_column(file, group, contact_columns(2), units, contacts%force)
+      call put_column(file, group, contact_columns(3), units, contacts%length)
+      call put_column(file, group, contact_columns(4), units, contacts%clock)
+      call put_codes(file, group, contact_columns(5), contacts%kind - 1, contact_name)
+   end subroutine put_contacts
 
    !> The course of the iteration.
    subroutine put_history(file, group, units, result)

@@ -103,6 +103,7 @@ contains
             moment(n) = coarse(n)
          end if
       end do
+      kept(beam%point) = .true.       ! tool joints have rows of their own
       call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
    end subroutine choose_moments
 

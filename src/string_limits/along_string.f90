@@ -8,7 +8,7 @@ module dg_along_string
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
                                  lubinski_first, vertical_unit
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, contact_joint
    use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
                            tube_inertia
    use dg_drillstring, only: component_at, component_tops
@@ -42,6 +42,7 @@ module dg_along_string
       real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
+      real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
       real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling [N]
       real(wp), allocatable :: helical(:)           !< at helical buckling, the lower published limit [N]
       real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
@@ -94,6 +95,8 @@ contains
                   call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment, along)
                   call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment, &
                                  curvature_at(model, profile%md(i), arc(side)), apart, along)
+                  if (has_joints(components(part(side))) .and. .not. apart) call keep_most(along%joint_side_force(i), &
+                     profile%side_force(i)*components(part(side))%joint_spacing)
                end if
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1)) &
                   call put_limits(model, i, profile%md(i), components(part(side)), model%holes(hole(side))%diameter, &
@@ -105,7 +108,21 @@ contains
             along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
          end do
       end associate
+      if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
    end subroutine find_along_string
+
+   !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at the other rows that have joints.
+   pure subroutine put_joint_forces(result, along)
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(inout) :: along
+      integer :: i, row
+      where (.not. is_missing(along%magnification)) along%joint_side_force = 0.0_wp
+      do i = 1, size(result%contacts)
+         if (result%contacts(i)%kind /= contact_joint) cycle
+         row = minloc(abs(result%profile%md - result%contacts(i)%md), dim=1)
+         call keep_most(along%joint_side_force(row), result%contacts(i)%force)
+      end do
+   end subroutine put_joint_forces
 
    !> Pressure of the standing mud [Pa] at a true vertical depth below the first station [m]; none above it.
    pure function mud_pressure(model, tvd) result(pressure)
@@ -245,7 +262,7 @@ contains
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
-                along%jointed_bending(n), along%joint_von_mises(n), source=missing)
+                along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), source=missing)
       allocate (along%buckling(n), source=buckling_none)
    end function new_along_string
 end module dg_along_string

@@ -2,8 +2,11 @@ module dg_test_report_files
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type, status_failure
    use dg_file_system, only: delete_file, rename_file, write_text_file
+   use dg_constants, only: pi
+   use dg_contacts_file, only: write_contacts
    use dg_history_file, only: write_history
    use dg_job, only: job_type
+   use dg_kinds, only: wp
    use dg_model, only: model_type
    use dg_along_string, only: new_along_string
    use dg_column, only: csv_header
@@ -11,7 +14,7 @@ module dg_test_report_files
    use dg_summary_file, only: summary_columns, summary_row, write_summary
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, contact_joint, contact_point_type
    use dg_units, only: field_units
    implicit none
    private
@@ -35,6 +38,7 @@ contains
       call suite%addTest(TestMethod('profile', test_profile, tearDown=remove_scratch))
       call suite%addTest(TestMethod('profile_in_field_units', test_profile_in_field_units, tearDown=remove_scratch))
       call suite%addTest(TestMethod('history', test_history, tearDown=remove_scratch))
+      call suite%addTest(TestMethod('contacts', test_contacts, tearDown=remove_scratch))
       call suite%addTest(TestMethod('no_history', test_no_history, tearDown=remove_scratch))
    end function report_files_suite
 
@@ -173,6 +177,23 @@ contains
                        'contacts,flips,moves,hookload_kN', found(1)%text)
       call assertEqual('1,1,0.5000000000,0.000000000,0.000000000,0.000000000,,0,0,0,733.4000000', found(2)%text)
    end subroutine test_history
+
+   !> One that presses the low side, and the header alone where none was looked for.
+   subroutine test_contacts()
+      type(error_type), allocatable :: error
+      type(text_type), allocatable :: found(:)
+      type(case_result_type), allocatable :: results(:)
+      allocate (results, source=sample_results())
+      call write_contacts(path, sample_job(), results(1), error)
+      call read_lines(path, found)
+      call assertEqual(1, size(found))
+      results(1)%contacts = [contact_point_type(contact_joint, 2070.0_wp, 2500.0_wp, 0.5_wp, pi)]
+      call write_contacts(path, sample_job(), results(1), error)
+      call read_lines(path, found)
+      call assertEqual(2, size(found))
+      call assertEqual('md_m,force_kN,length_m,clock_deg,kind', found(1)%text)
+      call assertEqual('2070.000000,2.500000000,0.5000000000,180.0000000,tool joint', found(2)%text)
+   end subroutine test_contacts
 
    subroutine test_no_history()
       type(error_type), allocatable :: error

@@ -3,7 +3,7 @@ module dg_test_string_limits
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
    use dg_buckling_limits, only: buckling_none, buckling_sinusoidal, sinusoidal_limit, vertical_unit
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, contact_joint, contact_point_type, result_converged
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, torsional_stiffness, tube_area, &
                            tube_inertia
    use dg_constants, only: degree
@@ -35,6 +35,7 @@ contains
       call suite%addTest(TestMethod('pressure_and_true_force', test_pressure))
       call suite%addTest(TestMethod('stress_and_safety', test_stress))
       call suite%addTest(TestMethod('weaker_side_of_a_joint', test_joint))
+      call suite%addTest(TestMethod('force_of_a_tool_joint', test_joint_forces))
       call suite%addTest(TestMethod('fatigue_only_when_turning', test_fatigue))
       call suite%addTest(TestMethod('limits_by_inclination', test_inclination))
       call suite%addTest(TestMethod('weightless_has_no_limit', test_weightless))
@@ -144,6 +145,29 @@ contains
       call assertRelativelyEqual(moment*0.08_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
       call assertEqual(0.16_wp, along%od(2), rounding)
    end subroutine test_joint
+
+   !> Smeared joints have their share of the string's contact; those solved one by one stand at the row nearest to them.
+   subroutine test_joint_forces()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp), parameter :: spacing = 9.0_wp
+      call build(model, result, 60.0_wp, operation_trip_out)
+      result%profile%side_force = [100.0_wp, 200.0_wp, 300.0_wp]
+      call find_along_string(model, result, along)
+      call assertTrue(all(is_missing(along%joint_side_force)), message='no joints')
+      model%strings(1)%components(2)%joint_od = 0.16_wp
+      model%strings(1)%components(2)%joint_spacing = spacing
+      call find_along_string(model, result, along)
+      call assertEqual([900.0_wp, 1800.0_wp], along%joint_side_force(:2), 1.0e3_wp*rounding)
+      call assertTrue(is_missing(along%joint_side_force(3)), message='a collar has none')
+      model%numerics%discrete_joints = .true.
+      result%model = model_mcge
+      allocate (result%contacts, source=[contact_point_type(contact_joint, result%profile%md(1) + 1.0_wp, 5.0e3_wp)])
+      call find_along_string(model, result, along)
+      call assertEqual([5.0e3_wp, 0.0_wp], along%joint_side_force(:2), 1.0e3_wp*rounding)
+      call assertTrue(is_missing(along%joint_side_force(3)), message='nor apart')
+   end subroutine test_joint_forces
 
    subroutine test_fatigue()
       type(model_type) :: model

@@ -49,6 +49,7 @@ contains
       use dg_test_pipe_stress, only: pipe_stress_suite
       use dg_test_buckled_shape, only: buckled_shape_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
+      use dg_test_contact_edges, only: contact_edges_suite
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_joint_bending, only: joint_bending_suite
       use dg_test_paraview, only: paraview_suite
@@ -100,6 +101,7 @@ contains
       call suite%addTest(pipe_stress_suite())
       call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
+      call suite%addTest(contact_edges_suite())
       call suite%addTest(string_limits_suite())
       call suite%addTest(joint_bending_suite())
       call suite%addTest(paraview_suite())

@@ -17,6 +17,7 @@ contains
       use dg_test_straight_holes, only: straight_holes_suite
       use dg_test_beams, only: beams_suite
       use dg_test_supports, only: supports_suite
+      use dg_test_contacts, only: contacts_suite
       use dg_test_contact_wells, only: contact_wells_suite
       use dg_test_stiff_wells, only: stiff_wells_suite
       use dg_test_bit_side_force, only: bit_side_force_suite
@@ -43,6 +44,7 @@ contains
       call suite%addTest(straight_holes_suite())
       call suite%addTest(beams_suite())
       call suite%addTest(supports_suite())
+      call suite%addTest(contacts_suite())
       call suite%addTest(contact_wells_suite())
       call suite%addTest(stiff_wells_suite())
       call suite%addTest(bit_side_force_suite())

@@ -1,0 +1,184 @@
+!> Concentrated contacts against statics: landing of a slick assembly, two stabilisers, the end of a bend under tension, tool joints.
+module dg_test_contacts
+   use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_edge, contact_joint
+   use dg_component, only: bending_stiffness, component_type
+   use dg_constants, only: degree, pi
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_static, operation_trip_out
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_test_wells, only: new_well, note, pipe, solve
+   implicit none
+   private
+   public :: contacts_suite
+
+   real(wp), parameter :: w = 1500.0_wp, od = 0.17145_wp, id = 0.0714_wp, hole = 0.2159_wp, depth = 80.0_wp
+   !> Stiff enough that an edge of contact has hardly any length [N/m2].
+   real(wp), parameter :: hard = 1.0e11_wp
+   !> Of the force of an edge, whose place is known to an element of the beam: 0.97 of it is seen, and one element's load is 0.02.
+   real(wp), parameter :: within = 0.05_wp, same = 1.0e-6_wp
+
+contains
+
+   function contacts_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('contacts')
+      call suite%addTest(TestMethod('slick_assembly_lands', test_slick))
+      call suite%addTest(TestMethod('two_stabilisers', test_stabilisers))
+      call suite%addTest(TestMethod('end_of_a_bend', test_bend))
+      call suite%addTest(TestMethod('tool_joints', test_joints))
+   end function contacts_suite
+
+   !> Of one kind, in order, which of the contacts.
+   pure function those(result, kind) result(which)
+      type(case_result_type), intent(in) :: result
+      integer, intent(in) :: kind
+      integer, allocatable :: which(:)
+      integer :: i
+      allocate (which(0))
+      if (.not. allocated(result%contacts)) return
+      which = pack([(i, i=1, size(result%contacts))], result%contacts%kind == kind)
+   end function those
+
+   !> By the trapezoid rule the column of side force holds all contact.
+   subroutine check_sum(result)
+      type(case_result_type), intent(in) :: result
+      integer :: n
+      n = size(result%profile%md)
+      associate (p => result%profile)
+         call assertRelativelyEqual(result%normal_force, sum(0.5_wp*(p%side_force(2:) + p%side_force(:n - 1))* &
+                                                             (p%md(2:) - p%md(:n - 1))), same, message='sum of contact')
+      end associate
+   end subroutine check_sum
+
+   !> Collars in a horizontal hole, the bit held: they land (24 EI c/w)^(1/4) from the bit, and half of that weight is at each end.
+   subroutine test_slick()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp) :: length
+      integer :: edge
+      call new_well(model, [0.0_wp, depth], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+      model%boundary%bit_centred = .true.
+      call set_wall(model)
+      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'slick')
+      length = (12.0_wp*bending_stiffness(pipe(w, od, id))*(hole - od)/w)**0.25_wp
+      call assertEqual(1, size(those(result, contact_edge)))
+      call assertEqual(1, size(those(result, contact_bit)))
+      if (size(those(result, contact_edge)) /= 1) return
+      edge = findloc(result%contacts%kind, contact_edge, dim=1)
+      call note('edge over w L/2', result%contacts(edge)%force/(0.5_wp*w*length))
+      call note('its distance from the bit over L', (depth - result%contacts(edge)%md)/length)
+      call assertRelativelyEqual(0.5_wp*w*length, result%contacts(edge)%force, within, message='edge')
+      call assertRelativelyEqual(length, depth - result%contacts(edge)%md, within, message='its place')
+      call assertEqual(pi, result%contacts(edge)%clock, 1.0e-3_wp, message='on the low side')
+      call assertEqual(result%bit_side_force, result%contacts(size(result%contacts))%force, message='bit')
+      call check_sum(result)
+   end subroutine test_slick
+
+   subroutine set_wall(model)
+      type(model_type), intent(inout) :: model
+      model%numerics%moments = .true.
+      model%numerics%gk_contact = hard
+      model%numerics%gk_max = hard
+   end subroutine set_wall
+
+   !> From the edge down, stabilisers, bit and edge carry the weight.
+   subroutine test_stabilisers()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: parts(5)
+      integer, allocatable :: blades(:), edges(:)
+      real(wp) :: bit, landed
+      integer :: i
+      call new_well(model, [0.0_wp, depth], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+      do i = 1, 5
+         parts(i) = pipe(w, od, id)
+      end do
+      parts(1:4)%length = [4.0_wp, 1.0_wp, 10.0_wp, 1.0_wp]
+      parts([2, 4])%joint_od = 0.2127_wp
+      parts(2)%kind = 'stabilizer'
+      parts(4)%kind = 'stabiliser'
+      deallocate (model%strings(1)%components)
+      allocate (model%strings(1)%components(5))
+      do i = 1, 5
+         model%strings(1)%components(i) = parts(i)
+      end do
+      model%boundary%bit_centred = .true.
+      call set_wall(model)
+      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'two stabilisers')
+      blades = those(result, contact_blades)
+      edges = those(result, contact_edge)
+      call assertEqual(2, size(blades))
+      call assertEqual(1, size(edges))
+      if (size(blades) /= 2 .or. size(edges) /= 1) return
+      call assertTrue(abs(depth - result%contacts(blades(2))%md - 4.5_wp) <= 0.5_wp, message='the lower one')
+      call assertTrue(abs(depth - result%contacts(blades(1))%md - 15.5_wp) <= 0.5_wp, message='the upper one')
+      bit = -result%bit_side_force*cos(result%bit_side_clock)
+      landed = w*(depth - result%contacts(edges(1))%md)
+      call note('carried over weight', (sum(result%contacts([blades, edges])%force) + bit)/landed)
+      call assertRelativelyEqual(landed, sum(result%contacts([blades, edges])%force) + bit, within)
+      call check_sum(result)
+   end subroutine test_stabilisers
+
+   !> Weightless pipe pulled with T out of an arc of curvature k into straight hole. Its moment is EI k where it lies on the wall and
+   !> fades from there as exp(-x sqrt(T/EI)): the shear force jumps by k sqrt(T EI), sqrt(EI/T) within the arc, whence the string
+   !> has the hole's direction far above.
+   subroutine test_bend()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: radius = 300.0_wp, tension = 4.0e5_wp, kick = 60.0_wp, length = 120.0_wp
+      integer, allocatable :: edges(:)
+      real(wp) :: ei, jump
+      call new_well(model, [0.0_wp, kick, length], [0.0_wp, 0.0_wp, (length - kick)/radius/degree], [0.0_wp, 0.0_wp, 0.0_wp], &
+                    0.2159_wp, 0.0_wp, pipe(0.0_wp, 0.127_wp, 0.1086_wp))
+      model%boundary%top_centred = .true.
+      call set_wall(model)
+      call solve(model, operation_static, -tension, 0.0_wp, result, 'end of a bend')
+      edges = those(result, contact_edge)
+      call assertTrue(size(edges) > 0)
+      if (size(edges) == 0) return
+      ei = bending_stiffness(pipe(0.0_wp, 0.127_wp, 0.1086_wp))
+      jump = sqrt(tension*ei)/radius
+      call note('edge over jump of the shear force', result%contacts(edges(1))%force/jump)
+      call note('its place in the arc over sqrt(EI/T)', (result%contacts(edges(1))%md - kick)/sqrt(ei/tension))
+      call assertRelativelyEqual(jump, result%contacts(edges(1))%force, within)
+      call assertEqual(kick + sqrt(ei/tension), result%contacts(edges(1))%md, 0.25_wp*sqrt(ei/tension))
+      call check_sum(result)
+   end subroutine test_bend
+
+   !> Joints one by one carry all contact, and stand with it in the profile; smeared they have that of their share of the string.
+   subroutine test_joints()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(component_type) :: jointed
+      integer, allocatable :: joints(:)
+      real(wp), parameter :: spacing = 9.5_wp
+      jointed = pipe(263.0_wp, 0.127_wp, 0.1086_wp)
+      jointed%joint_od = 0.1683_wp
+      jointed%joint_spacing = spacing
+      call new_well(model, [0.0_wp, 300.0_wp, 600.0_wp], [0.0_wp, 0.0_wp, 40.0_wp], [0.0_wp, 0.0_wp, 0.0_wp], 0.2159_wp, 0.25_wp, &
+                    jointed)
+      model%numerics%moments = .true.
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'smeared')
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(spacing*result%profile%side_force(size(result%profile%md)/2), &
+                                 along%joint_side_force(size(result%profile%md)/2), same)
+      call check_sum(result)
+      model%numerics%discrete_joints = .true.
+      call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'one by one')
+      call find_along_string(model, result, along)
+      joints = those(result, contact_joint)
+      call note('joints that touch', real(size(joints), wp))
+      call note('their force over all contact', sum(result%contacts(joints)%force)/result%normal_force)
+      call assertRelativelyEqual(result%normal_force, sum(result%contacts(joints)%force), 0.01_wp, message='joints carry all')
+      call assertRelativelyEqual(sum(result%contacts(joints)%force), sum(along%joint_side_force), same, message='in the profile')
+      call assertEqual(size(joints), count(along%joint_side_force > 0.0_wp), message='a row each')
+      call assertEqual(0, count(is_missing(along%joint_side_force)))
+      call check_sum(result)
+   end subroutine test_joints
+end module dg_test_contacts
