@@ -6,6 +6,7 @@
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
    use dg_bench_decks, only: print_decks
+   use dg_bench_moments, only: print_moments
    use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
    use dg_bench_plane, only: print_plane
@@ -58,6 +59,7 @@ program bench
    if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
    write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
    call print_cases(model)
+   call print_moments(model)
    call print_sizes(model, turning, lengths, runs)
    call print_phases(model, turning, lengths, runs)
    call print_plane(model, pulled, lengths(:3), runs)

@@ -1,13 +1,13 @@
-!> Places where a string that lies on the wall presses it by more than what lies there: where it lifts off, and where a bend begins
-!> or ends. The wall takes a force there that in the limit of a hard wall has no length, as the shear force jumps.
+!> Places where a string that lies on the wall presses it by more than what lies there: where it lifts off, and where a bend
+!> begins or ends. The wall takes a force there that in the limit of a hard wall has no length, as the shear force jumps.
 module dg_contact_edges
    use dg_kinds, only: wp
    implicit none
    private
    public :: contact_edge_type, find_edges, centroid
 
-   !> Contact force per metre over what weight and tension in a bend carry to the wall, from which it belongs to an edge [-]. Contact
-   !> that is spread stays within a few per cent of one; the wall's own yielding spreads an edge over some decimetres of twice to
+   !> Contact force per metre over what weight and tension in a bend carry to the wall, from which it belongs to an edge [-].
+   !> Contact that is spread stays within a few per cent of one; the wall's own yielding spreads an edge over some decimetres of twice to
    !> ten times of it.
    real(wp), parameter :: concentrated = 1.5_wp
    !> And down to which stretches beside it belong to it too [-].

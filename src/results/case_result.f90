@@ -91,6 +91,7 @@ module dg_case_result
       !> Part by which compression could still grow before the equilibrium is lost, read off the tangent there (as that of a
       !> string on the low side, sqrt(1 + nu) - 1); 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
+      integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
       real(wp) :: moment_error = missing
       !> The bit held on the axis by the formation: force of the bit on it across the hole [N] and its clock angle [rad]; missing

@@ -78,6 +78,7 @@ contains
          if (found) exit
       end do
       if (.not. found) return
+      result%beam_nodes = size(nodes)
       call list_contacts(model, mesh, work, lying, beam, y, result)
       call merge_rows(model%trajectory, mesh, work, lying, beam, y, result%profile)
    end subroutine bend_profile

@@ -111,7 +111,7 @@ contains
       if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
    end subroutine find_along_string
 
-   !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at the other rows that have joints.
+   !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at other rows with joints.
    pure subroutine put_joint_forces(result, along)
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(inout) :: along

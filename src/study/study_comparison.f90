@@ -8,7 +8,7 @@ module dg_study_comparison
    use dg_study_variant, only: is_finer, same_but_mesh, variant_type
    implicit none
    private
-   public :: study_record_type, new_record, compare_case, pareto_set
+   public :: study_record_type, new_record, compare_case, compare_lines, pareto_set
    public :: error_hookload, error_torque, error_normal_force, error_bending, error_bending_rms, error_count
 
    integer, parameter :: error_hookload = 1

@@ -112,7 +112,7 @@ contains
    end function wall_of
 
    !> Whether `one` is a finer model than `other`: by its physics, then by the length of its elements, proof of its moments,
-   !> tolerance, wall (the stiffer), place of gaps (the paper's) and linear solver (with exchange of rows); of two alike the fidelity.
+   !> tolerance, wall (the stiffer), place of gaps (the paper's), linear solver (with exchange of rows); of two alike the fidelity.
    pure function is_finer(one, other) result(finer)
       type(variant_type), intent(in) :: one, other
       logical :: finer

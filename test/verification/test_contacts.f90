@@ -1,4 +1,5 @@
-!> Concentrated contacts against statics: landing of a slick assembly, two stabilisers, the end of a bend under tension, tool joints.
+!> Concentrated contacts against statics: a slick assembly that lands, two stabilisers, the end of a bend under tension, tool
+!> joints.
 module dg_test_contacts
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
@@ -122,9 +123,9 @@ contains
       call check_sum(result)
    end subroutine test_stabilisers
 
-   !> Weightless pipe pulled with T out of an arc of curvature k into straight hole. Its moment is EI k where it lies on the wall and
-   !> fades from there as exp(-x sqrt(T/EI)): the shear force jumps by k sqrt(T EI), sqrt(EI/T) within the arc, whence the string
-   !> has the hole's direction far above.
+   !> Weightless pipe pulled with T out of an arc of curvature k into straight hole. Its moment is EI k where it lies on the
+   !> wall and fades from there as exp(-x sqrt(T/EI)): the shear force jumps by k sqrt(T EI), sqrt(EI/T) within the arc,
+   !> whence the string has the hole's direction far above.
    subroutine test_bend()
       type(model_type) :: model
       type(case_result_type) :: result
