@@ -5,6 +5,7 @@ Usage: check_results.py FOLDER     a folder of results of a deck in SI units wit
 
   results.h5      opens; every column of every profile_*.csv is there with the same numbers, units and description, chunked
                   and compressed; rows of summary.csv and limits.csv are attributes; deck text, version, compiler, time
+                  the contacts of contacts_*.csv
   view_*.vtkhdf   VTK reads two blocks; `string` has every column that has values, and lies off the hole axis as far as
                   `displacement` says; the wall of `hole` stands off the axis by half the hole
 """
@@ -73,7 +74,7 @@ def check_group(group, rows):
             expect([words[int(code)] for code in data] == [row[name] for row in rows], f"{data.name} differs from the profile")
         else:
             expect(same(data[:], column(rows, name)), f"{data.name} differs from the profile")
-    expect(set(group) - {"history", "gaps"} == set(rows[0]), f"{group.name}: columns that the profile does not have")
+    expect(set(group) - {"history", "gaps", "contacts"} == set(rows[0]), f"{group.name}: columns that the profile does not have")
     if int(group.attrs["iterations"]) > 0:
         history = group["history"]
         expect(len(history["iteration"]) > 0 and history["residual_kN"].attrs["units"] == "kN", f"{history.name}: incomplete")
@@ -82,6 +83,19 @@ def check_group(group, rows):
             expect(numpy.count_nonzero(gaps["state"][:] == code) == group.attrs[f"gaps_{state}"], f"{gaps.name}: gaps {state}")
         expect(sum(gaps["flips"]) == group.attrs["flips"] and sum(gaps["moves"]) == group.attrs["moves"], f"{gaps.name}: flips, moves")
         expect(same(numpy.array(numpy.sum(gaps["force_kN"])), numpy.array(group.attrs["normal_force_kN"])), f"{gaps.name}: forces")
+
+
+def check_contacts(group, path):
+    """The concentrated contacts as in their own file, which only cases with moments of mcge have."""
+    rows = table(path) if path.exists() else []
+    expect(("contacts" in group) == bool(rows), f"{group.name}: contacts are not those of {path.name}")
+    for name in rows[0] if rows else ():
+        data = group["contacts"][name]
+        if name == "kind":
+            words = dict(word.split(" ", 1) for word in data.attrs["values"].split(", "))
+            expect([words[str(int(code))] for code in data] == [row[name] for row in rows], f"{data.name} differs from {path.name}")
+        else:
+            expect(same(data[:], column(rows, name)), f"{data.name} differs from {path.name}")
 
 
 def blocks(path):
@@ -152,6 +166,7 @@ def main(folder):
             check_attributes(group, row, "summary.csv")
             check_attributes(group, limit, "limits.csv")
             check_group(group, rows)
+            check_contacts(group, folder/f"contacts_{ending}.csv")
             check_view(folder/f"view_{ending}.vtkhdf", rows)
             views += 1
     print(f"{views} results of results.h5 read by h5py {h5py.__version__}, {views} views read by VTK")

@@ -133,7 +133,9 @@ contains
          end associate
       end do
       if (allocated(result%gaps)) call put_gaps(file, group//'/gaps', units, result)
-      if (allocated(result%contacts)) call put_contacts(file, group//'/contacts', units, result%contacts)
+      if (allocated(result%contacts)) then
+         if (size(result%contacts) > 0) call put_contacts(file, group//'/contacts', units, result%contacts)
+      end if
       if (.not. allocated(result%history)) return
       if (size(result%history) > 0) call put_history(file, group//'/history', units, result)
    end subroutine put_result
