@@ -5,8 +5,8 @@ module dg_result_name
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, contacts_file, history_file, case_file, record_file, result_names, record_names, is_result_name, &
-             is_record_name, picture_folder
+   public :: profile_file, view_file, contacts_file, history_file, case_file, record_file, result_names, record_names
+   public :: is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
    integer, parameter :: profile_file = 1, view_file = 2, contacts_file = 3, history_file = 4
@@ -16,8 +16,8 @@ module dg_result_name
    character(*), parameter :: fixed_names(7) = [character(20) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
                                                                'study.csv', 'calibration.csv', 'calibration_data.csv']
    !> Beginnings of names with something of the deck in them, and their endings.
-   character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', 'sweep_', &
-                                                              'uncertainty_']
+   character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', &
+                                                              'sweep_', 'uncertainty_']
    character(*), parameter :: endings(7) = [character(7) :: '.csv', '.csv', '.csv', '.vtkhdf', '.csv', '.csv', '.csv']
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
    character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
