@@ -118,7 +118,7 @@ contains
       associate (given => model%trajectory%md)
          bottom = given(size(given))
          n = 1 + int(bottom/station)
-         md = [(station*(i - 1), i=1, n)]
+         allocate (md, source=[(station*(i - 1), i=1, n)])
       end associate
       if (bottom - md(n) > 0.5_wp*station) then
          md = [md, bottom]

@@ -54,8 +54,8 @@ module dg_bending_profile
 
 contains
 
-   !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still be
-   !> off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
+   !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
+   !> be off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
    subroutine bend_profile(model, mesh, gaps, work, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

@@ -173,8 +173,8 @@ contains
       end do
    end function nodal_contact
 
-   !> By what the beam's contact forces in each element of the analysis are multiplied so that each run of elements that is bent again
-   !> has the analysis' sum [-]; 0 where that has to be taken as it is.
+   !> By what the beam's contact forces in each element of the analysis are multiplied, so that each run of elements that is bent
+   !> again has the analysis' sum [-]; 0 where the analysis' own forces are taken.
    pure function contact_scale(bends, normal, beam, pressed, points) result(scale)
       logical, intent(in) :: bends(:)            !< elements that are bent again
       real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
