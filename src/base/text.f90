@@ -1,5 +1,6 @@
 !> Small text tools: letter case, likeness of names, numbers as text with the fewest digits, texts made fit to be shown.
 module dg_text
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    use dg_kinds, only: wp
    implicit none
@@ -298,7 +299,10 @@ contains
       ! plain notation for 0.0001 up to ten million less one
       integer, parameter :: least_plain = -4, most_plain = 6
 
-      if (abs(number) <= 0.0_wp) then
+      if (.not. ieee_is_finite(number)) then     ! of an iteration that ran away
+         text = 'beyond all numbers'
+         return
+      else if (abs(number) <= 0.0_wp) then
          text = '0'
          return
       end if

@@ -169,11 +169,16 @@ contains
       character(*), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(contact_point_type), intent(in) :: contacts(:)
+      real(wp) :: values(size(contacts), 4)
+      integer :: i
+      values(:, 1) = contacts%md
+      values(:, 2) = contacts%force
+      values(:, 3) = contacts%length
+      values(:, 4) = contacts%clock
       call make_group(file, group)
-      call put_column(file, group, contact_columns(1), units, contacts%md)
-      call put_column(file, group, contact_columns(2), units, contacts%force)
-      call put_column(file, group, contact_columns(3), units, contacts%length)
-      call put_column(file, group, contact_columns(4), units, contacts%clock)
+      do i = 1, 4
+         call put_column(file, group, contact_columns(i), units, values(:, i))
+      end do
       call put_codes(file, group, contact_columns(5), contacts%kind - 1, contact_name)
    end subroutine put_contacts
 

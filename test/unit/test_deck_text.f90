@@ -1,4 +1,5 @@
 module dg_test_deck_text
+   use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_deck_number, only: read_integer, read_logical, read_real
@@ -54,6 +55,7 @@ contains
 
    subroutine test_numbers_as_text()
       call assertEqual('0', to_text(0.0_wp))
+      call assertEqual('beyond all numbers', to_text(ieee_value(1.0_wp, ieee_positive_inf)))
       call assertEqual('215.9', to_text(215.9_wp))
       call assertEqual('-0.001', to_text(-1.0e-3_wp))
       call assertEqual('1e-9', to_text(1.0e-9_wp))
