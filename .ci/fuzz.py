@@ -651,7 +651,7 @@ def case_record(lab, rng):
     if len(ours) != len(theirs):
         lab.note(f"{len(ours)} rows, undisturbed {len(theirs)}")
         return
-    said = {int(p.group(1)): p for p in map(PIECE.match, text.split("\n")) if p}
+    said = {int(p.group(1)): p for p in map(PIECE.match, text.replace("\r\n", "\n").split("\n")) if p}
     altered = {n for n, p in said.items() if n in sound and p.group() != sound[n].group()}
     for n in altered:
         if said[n].group(2) == "converged" and not (finite(said[n].group(3)) and finite(said[n].group(4))):
