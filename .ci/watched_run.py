@@ -45,7 +45,7 @@ class Run:
                 shell_limits()
 
         arguments = list(arguments) or ["deck.nml", "--output", "out"]
-        environment = {k: v for k, v in os.environ.items() if not k.startswith(("DRILLGAP", "XDG_", "GNUPLOT"))}
+        environment = {k: v for k, v in os.environ.items() if not k.startswith(("DRILLGAP", "XDG_", "GNUPLOT", "OMP_", "OPENBLAS_"))}
         with tempfile.TemporaryFile() as errors, tempfile.TemporaryFile() as tables:
             process = subprocess.Popen([program, *arguments], cwd=self.home / cwd, stdout=stdout or tables, stderr=errors,
                                        stdin=subprocess.DEVNULL, preexec_fn=limits, env=environment | surroundings)
