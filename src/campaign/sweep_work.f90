@@ -51,6 +51,7 @@ contains
          last = at + 2*number_width
          if (len(text) < last) cycle
          if (text(:at + 1) /= trim(result_status_name(i))//' ') cycle
+         if (.not. (fits(text(at + 1:at + number_width)) .and. fits(text(at + number_width + 1:last)))) return
          read (text(at + 1:last), row_form, iostat=status) point%hookload, point%torque
          if (status /= 0) return
          if (.not. all(ieee_is_finite([point%hookload, point%torque]))) return
@@ -66,6 +67,15 @@ contains
          return
       end do
    end subroutine take_result
+
+   !> Whether the exponent of a number in row_form, its last three letters, is one that a double surely has: reading a greater one
+   !> overflows.
+   pure function fits(number) result(does)
+      character(number_width), intent(in) :: number
+      logical :: does
+      character(*), parameter :: digits = '0123456789', greatest_exponent = '307'
+      does = verify(number(number_width - 2:), digits) == 0 .and. number(number_width - 2:) <= greatest_exponent
+   end function fits
 
    !> Whether a text holds bytes that no message has.
    pure function has_control_bytes(text) result(has)
