@@ -22,7 +22,7 @@ module dg_bending_beam
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_gap_state, only: contact_force, gap_law_type, state_elastic, state_rigid
-   use dg_hermite, only: hermite_slope, hermite_value
+   use dg_hermite, only: hermite_bend, hermite_slope, hermite_value
    implicit none
    private
    public :: bending_beam_type, node_unknowns, contact_places, contact_xi
@@ -132,16 +132,6 @@ contains
       end do
    end subroutine linear_element
 
-   !> Second derivatives of the shape functions by depth: those of the offsets [1/m2], those of the slopes [1/m].
-   pure function hermite_bend(xi, length) result(n)
-      real(wp), intent(in) :: xi, length   !< place in the element, 0 to 1 [-]; its length [m]
-      real(wp) :: n(4)
-      n(1) = (12.0_wp*xi - 6.0_wp)/length**2
-      n(2) = (6.0_wp*xi - 4.0_wp)/length
-      n(3) = -n(1)
-      n(4) = (6.0_wp*xi - 2.0_wp)/length
-   end function hermite_bend
-
    !> Adds what contact makes at the shape y to a residual and its matrix.
    pure subroutine add_contact(beam, y, residual, matrix)
       type(bending_beam_type), intent(in) :: beam
@@ -188,7 +178,7 @@ contains
       integer :: i, j, a, b
       length = beam%md(e + 1) - beam%md(e)
       value = hermite_value(contact_xi(p), length)
-      offset = value(1)*y(1:2, e) + value(2)*y(3:4, e) + value(3)*y(1:2, e + 1) + value(4)*y(3:4, e + 1)
+      offset = offset_by(value, y(:, e:e + 1))
       touches = offset(1)**2 + offset(2)**2 > beam%law(e)%clearance**2
       if (.not. touches) return
       call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
@@ -208,6 +198,14 @@ contains
          end do
       end do
    end subroutine contact_element
+
+   !> Offset of a point of an element by the values of the shape functions there, or its derivative by theirs.
+   pure function offset_by(shape, y) result(offset)
+      real(wp), intent(in) :: shape(4)
+      real(wp), intent(in) :: y(4, 2)      !< of the element's nodes [m, -]
+      real(wp) :: offset(2)
+      offset = shape(1)*y(1:2, 1) + shape(2)*y(3:4, 1) + shape(3)*y(1:2, 2) + shape(4)*y(3:4, 2)
+   end function offset_by
 
    !> What the wall adds to the residual where the string touches: R (n + m t x n) on the offset, r a R n on the slope. With their
    !> derivatives by the offset. A law for a metre of wall gives them per metre.
@@ -265,13 +263,12 @@ contains
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
       real(wp) :: forces(contact_places, size(y, 2) - 1)
-      real(wp) :: length, value(4), offset(2), a(2), b(2), c(2, 2), d(2, 2)
+      real(wp) :: length, offset(2), a(2), b(2), c(2, 2), d(2, 2)
       integer :: e, p
       do e = 1, size(y, 2) - 1
          length = beam%md(e + 1) - beam%md(e)
          do p = 1, contact_places
-            value = hermite_value(contact_xi(p), length)
-            offset = value(1)*y(1:2, e) + value(2)*y(3:4, e) + value(3)*y(1:2, e + 1) + value(4)*y(3:4, e + 1)
+            offset = offset_by(hermite_value(contact_xi(p), length), y(:, e:e + 1))
             forces(p, e) = 0.0_wp
             if (norm2(offset) > beam%law(e)%clearance) &
                call wall_action(beam%law(e), offset, 0.0_wp, 0.0_wp, forces(p, e), a, b, c, d)
@@ -314,6 +311,6 @@ contains
       real(wp) :: moment(2)
       real(wp) :: bend(4)
       bend = hermite_bend(real(side - 1, wp), beam%md(e + 1) - beam%md(e))
-      moment = beam%ei(e)*(bend(1)*y(1:2, e) + bend(2)*y(3:4, e) + bend(3)*y(1:2, e + 1) + bend(4)*y(3:4, e + 1))
+      moment = beam%ei(e)*offset_by(bend, y(:, e:e + 1))
    end function moment_of_offsets
 end module dg_bending_beam

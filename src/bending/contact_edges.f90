@@ -7,9 +7,8 @@ module dg_contact_edges
    public :: contact_edge_type, find_edges, centroid
 
    !> Contact force per metre over what weight and tension in a bend carry to the wall, from which it belongs to an edge [-].
-   !> Contact that is spread stays within a few per cent of one; the wall's own yielding spreads an edge over some
-   !> decimetres of twice to
-   !> ten times of it.
+   !> Contact that is spread stays within a few per cent of one. The wall yields, which spreads an edge over some decimetres of
+   !> twice to ten times that load.
    real(wp), parameter :: concentrated = 1.5_wp
    !> And down to which stretches beside it belong to it too [-].
    real(wp), parameter :: raised = 1.1_wp

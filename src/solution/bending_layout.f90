@@ -129,8 +129,7 @@ contains
                   sqrt(mesh%clearance(n)*mesh%ei(n)/jump))
                if (place - breaks(count) < sliver) then
                   longest(count) = min(longest(count), scale)
-               else if (mesh%md(n + 1) - place < sliver) then
-                  breaks(count + 1) = mesh%md(n + 1)      ! the next node stands for it
+               else if (mesh%md(n + 1) - place < sliver) then      ! the next node stands for it
                   longest(count) = min(longest(count), scale + mesh%length(n))
                else
                   count = count + 1

@@ -64,8 +64,7 @@ contains
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
-      real(wp), allocatable :: breaks(:), longest(:), nodes(:), y(:, :)
-      logical :: found
+      real(wp), allocatable :: breaks(:), longest(:), y(:, :)
       integer :: attempt
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
@@ -73,54 +72,51 @@ contains
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
       do attempt = 1, 2
          lying%anchored = attempt == 2
-         nodes = graded_nodes(breaks, longest)
-         call bend_again(model, mesh, gaps, work, lying, nodes, y, beam, result%moment_error, found)
-         if (found) exit
+         call bend_again(model, mesh, gaps, work, lying, graded_nodes(breaks, longest), y, beam, result%moment_error)
+         if (.not. is_missing(result%moment_error)) exit
       end do
-      if (.not. found) return
-      result%beam_nodes = size(nodes)
+      if (is_missing(result%moment_error)) return
+      result%beam_nodes = size(beam%md)
       call list_contacts(model, mesh, work, lying, beam, y, result)
       call merge_rows(model%trajectory, mesh, work, lying, beam, y, result%profile)
    end subroutine bend_profile
 
-   !> Equilibrium of the beam on nodes that are added until its moments are good. `found` is false where there is none, or one that
-   !> is not the analysis' string.
-   subroutine bend_again(model, mesh, gaps, work, lying, nodes, y, beam, error, found)
+   !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
+   !> or one that is not the analysis' string.
+   subroutine bend_again(model, mesh, gaps, work, lying, start, y, beam, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
-      real(wp), allocatable, intent(inout) :: nodes(:)          !< on entry those to begin with [m]
+      real(wp), intent(in) :: start(:)                          !< nodes to begin with [m]
       real(wp), allocatable, intent(out) :: y(:, :)             !< (4,n)
       type(bending_beam_type), intent(out) :: beam
-      real(wp), intent(out) :: error                            !< of moments, over the largest [-]; missing where not found
-      logical, intent(out) :: found
+      real(wp), intent(out) :: error                            !< of moments, over the largest [-]
       real(wp), allocatable :: moments(:), differences(:)
       logical, allocatable :: marked(:)
+      logical :: found
       real(wp) :: largest
       integer :: round
       error = missing
-      allocate (y, source=shape_at(mesh%md, lying%y, nodes))
-      call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+      allocate (y, source=shape_at(mesh%md, lying%y, start))
+      call new_beam(model, mesh, gaps, work, lying, start, beam)
       call solve_anchored(mesh, lying, beam, y, roughly, found)
       if (.not. found) return
       call recover_moments(beam, y, moments, differences)
       largest = max(maxval(moments), tiny(1.0_wp))
       do round = 1, most_rounds
-         marked = to_be_halved(nodes, differences, largest)
+         marked = to_be_halved(beam%md, differences, largest)
          if (.not. any(marked)) exit
-         call halve(model, mesh, gaps, work, lying, marked, nodes, y)
-         call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+         call halve(model, mesh, gaps, work, lying, marked, beam, y)
          call recover_moments(beam, y, moments, differences)
       end do
       call solve_anchored(mesh, lying, beam, y, settled, found)
       if (.not. found) return
       call recover_moments(beam, y, moments, differences)
-      found = departure(mesh, lying%y, nodes, y) <= farthest
-      if (found) error = maxval(differences)/largest
-      if (found .and. model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
-      found = found .and. .not. is_missing(error)
+      if (departure(mesh, lying%y, beam%md, y) > farthest) return
+      error = maxval(differences)/largest
+      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, moments, error)
    end subroutine bend_again
 
    !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string.
@@ -140,25 +136,25 @@ contains
 
    !> Halves all elements, until that changes no moment by more than `proven` of the largest, or `most_proofs` times. `error` is
    !> the last change; it is missing where no equilibrium was found.
-   subroutine prove(model, mesh, gaps, work, lying, nodes, y, beam, moments, error)
+   subroutine prove(model, mesh, gaps, work, lying, beam, y, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
-      real(wp), allocatable, intent(inout) :: nodes(:), y(:, :), moments(:)
       type(bending_beam_type), intent(inout) :: beam
+      real(wp), allocatable, intent(inout) :: y(:, :), moments(:)
       real(wp), intent(out) :: error
       real(wp), allocatable :: finer(:), shape(:, :), before(:), differences(:)
       logical :: found
       integer :: round
       error = missing
       do round = 1, most_proofs
-         allocate (finer, source=halved_nodes(nodes, spread(.true., 1, size(nodes) - 1)))
-         allocate (shape, source=shape_at(nodes, y, finer))
-         call move_alloc(finer, nodes)
+         if (allocated(finer)) deallocate (finer)
+         allocate (finer, source=halved_nodes(beam%md, spread(.true., 1, size(beam%md) - 1)))
+         allocate (shape, source=shape_at(beam%md, y, finer))
          call move_alloc(shape, y)
-         call new_beam(model, mesh, gaps, work, lying, nodes, beam)
+         call new_beam(model, mesh, gaps, work, lying, finer, beam)
          call solve_anchored(mesh, lying, beam, y, settled, found)
          if (.not. found) return
          call move_alloc(moments, before)
@@ -187,27 +183,27 @@ contains
 
    !> Halves elements, and solves the beam again about them: each neighbourhood by itself, between nodes that are held. Where one
    !> finds no equilibrium, the shape there stays that of the longer elements.
-   subroutine halve(model, mesh, gaps, work, lying, marked, nodes, y)
+   subroutine halve(model, mesh, gaps, work, lying, marked, beam, y)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
       logical, intent(in) :: marked(:)                  !< elements to be halved
-      real(wp), allocatable, intent(inout) :: nodes(:)  !< [m]
+      type(bending_beam_type), intent(inout) :: beam
       real(wp), allocatable, intent(inout) :: y(:, :)   !< (4,n) [m, -]
       type(bending_beam_type) :: part
       real(wp), allocatable :: finer(:), shape(:, :), own(:, :)
       integer, allocatable :: place(:)
       integer :: e, n, first, last, top, bottom
       logical :: found
-      allocate (finer, source=halved_nodes(nodes, marked))
-      allocate (shape, source=shape_at(nodes, y, finer))
-      allocate (place(size(nodes)))          ! number of each node among the finer ones
+      allocate (finer, source=halved_nodes(beam%md, marked))
+      allocate (shape, source=shape_at(beam%md, y, finer))
+      allocate (place(size(beam%md)))          ! number of each node among the finer ones
       n = 1
-      do e = 1, size(nodes)
+      do e = 1, size(beam%md)
          place(e) = n
-         if (e < size(nodes)) n = n + merge(2, 1, marked(e))
+         if (e < size(beam%md)) n = n + merge(2, 1, marked(e))
       end do
       last = 0
       do
@@ -219,7 +215,7 @@ contains
             if (marked(e)) last = e
          end do
          top = place(max(first - margin, 1))
-         bottom = place(min(last + 1 + margin, size(nodes)))
+         bottom = place(min(last + 1 + margin, size(beam%md)))
          call new_beam(model, mesh, gaps, work, lying, finer(top:bottom), part)
          part%held(1) = part%held(1) .or. top > 1
          part%held(size(part%held)) = part%held(size(part%held)) .or. bottom < size(finer)
@@ -228,8 +224,8 @@ contains
          if (found) shape(:, top:bottom) = own
          if (last == size(marked)) exit
       end do
-      call move_alloc(finer, nodes)
       call move_alloc(shape, y)
+      call new_beam(model, mesh, gaps, work, lying, finer, beam)
    end subroutine halve
 
    !> Marks elements that are too long: two recoveries of the moment differ at one of their ends.

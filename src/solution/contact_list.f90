@@ -139,14 +139,16 @@ contains
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       integer :: kind(mesh%elements)
-      integer :: e, string
+      real(wp), allocatable :: tops(:)
       real(wp) :: height
+      integer :: e, string
       string = string_index(model%strings, model%cases(case_index)%string)
       associate (components => model%strings(string)%components, bottom => mesh%md(mesh%nodes))
+         allocate (tops, source=component_tops(model%strings(string), bottom - mesh%md(1)))
          do e = 1, mesh%elements
             kind(e) = 0
             height = bottom - mesh%md(e) - 0.5_wp*mesh%length(e)
-            if (has_blades(components(component_at(component_tops(model%strings(string), bottom - mesh%md(1)), height)))) then
+            if (has_blades(components(component_at(tops, height)))) then
                kind(e) = contact_blades
             else if (mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp) then
                kind(e) = contact_joint

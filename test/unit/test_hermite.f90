@@ -1,7 +1,7 @@
-!> Shape functions: they reproduce every cubic, its slope, and the work of a line load on it.
+!> Shape functions: they reproduce every cubic, its slope, its bend, and the work of a line load on it.
 module dg_test_hermite
    use funit, only: assertEqual, TestMethod, TestSuite
-   use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
+   use dg_hermite, only: hermite_bend, hermite_line_load, hermite_slope, hermite_value
    use dg_kinds, only: wp
    implicit none
    private
@@ -42,6 +42,7 @@ contains
          x = 0.1_wp*i*length
          call assertEqual(p(x), dot_product(hermite_value(x/length, length), y), round_off)
          call assertEqual(dp(x), dot_product(hermite_slope(x/length, length), y), round_off)
+         call assertEqual(ddp(x), dot_product(hermite_bend(x/length, length), y), round_off)
       end do
    end subroutine test_any_cubic
 
@@ -68,4 +69,10 @@ contains
       real(wp) :: value
       value = c(1) + x*(2.0_wp*c(2) + x*3.0_wp*c(3))
    end function dp
+
+   pure function ddp(x) result(value)
+      real(wp), intent(in) :: x
+      real(wp) :: value
+      value = 2.0_wp*c(2) + x*6.0_wp*c(3)
+   end function ddp
 end module dg_test_hermite
