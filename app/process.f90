@@ -8,6 +8,7 @@ module dg_process
    use dg_error, only: status_failure
    use dg_kinds, only: wp
    use dg_process_memory, only: address_room
+   use dg_signal_handler, only: set_handler
    use dg_version, only: program_name
    implicit none
    private
@@ -35,15 +36,6 @@ module dg_process
          type(c_funptr), value :: handler
          integer(c_int) :: failed
       end function c_atexit
-
-      ! returns the handler before, or SIG_ERR
-      function c_signal(number, handler) result(before) bind(c, name='signal')
-         import :: c_funptr, c_int
-         implicit none
-         integer(c_int), value :: number
-         type(c_funptr), value :: handler
-         type(c_funptr) :: before
-      end function c_signal
 
       ! ssize_t is as large as size_t
       function c_write(descriptor, text, length) result(written) bind(c, name='write')
@@ -83,7 +75,7 @@ contains
       if (c_atexit(c_funloc(say_last_word)) /= 0_c_int) return
       if (.not. address_room() < huge(1.0_wp)) return
       call gfortran_set_options(size(plain, kind=c_int), plain)
-      before = c_signal(bad_address, c_funloc(note_bad_address))
+      before = set_handler(bad_address, c_funloc(note_bad_address))
    end subroutine begin_process
 
    !> SIGSEGV.

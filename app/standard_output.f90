@@ -1,9 +1,9 @@
 !> Standard output, through C's buffer: gfortran's runtime library (12) tells nothing of a write that failed, neither when its
 !> own buffer is written nor by `flush`; C's remembers it.
 module dg_standard_output
-   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_intptr_t, c_null_ptr, &
-                                          c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use dg_file_identity, only: identity_of_open, identity_type
+   use dg_signal_handler, only: ignore_signal
    use dg_text, only: c_text
    implicit none
    private
@@ -12,9 +12,8 @@ module dg_standard_output
    !> Descriptors of standard input, output and error (POSIX).
    integer(c_int), parameter :: standard_descriptors(3) = [0_c_int, 1_c_int, 2_c_int]
    character(*), parameter :: nowhere = '/dev/null'
-   !> Writing to a pipe that nobody reads (POSIX), and the handler of a signal that is ignored (SIG_IGN).
+   !> Writing to a pipe that nobody reads (POSIX).
    integer(c_int), parameter :: broken_pipe = 13_c_int
-   integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
 
    interface
       ! looks a name of the C library up; a null handle: wherever it is
@@ -55,15 +54,6 @@ module dg_standard_output
          type(c_ptr), value :: file
          integer(c_int) :: status
       end function c_ferror
-
-      ! returns the handler before, or SIG_ERR
-      function c_signal(number, handler) result(before) bind(c, name='signal')
-         import :: c_funptr, c_int
-         implicit none
-         integer(c_int), value :: number
-         type(c_funptr), value :: handler
-         type(c_funptr) :: before
-      end function c_signal
    end interface
 
 contains
@@ -73,7 +63,6 @@ contains
    !> A reader who goes away is a failed write, not the end of the program.
    subroutine guard_descriptors()
       type(identity_type) :: found
-      type(c_funptr) :: before
       type(c_ptr) :: file
       integer :: i
       do i = 1, size(standard_descriptors)
@@ -83,7 +72,7 @@ contains
          file = c_fopen(c_text(nowhere), c_text(merge('w', 'r', i == size(standard_descriptors))))
          if (.not. c_associated(file)) return
       end do
-      before = c_signal(broken_pipe, transfer(ignored, before))
+      call ignore_signal(broken_pipe)
    end subroutine guard_descriptors
 
    !> Puts one line; output_failed tells whether it could be written.

@@ -8,6 +8,8 @@ module dg_child_process
    use dg_folder, only: is_folder
    use dg_interruption, only: is_interrupted
    use dg_kinds, only: wp
+   use dg_signal_handler, only: set_handler
+   use dg_system_reason, only: words_of
    use dg_text, only: c_text, text_type
    implicit none
    private
@@ -140,14 +142,6 @@ module dg_child_process
          integer(c_int) :: status
       end function c_kill
 
-      function c_signal(number, handler) result(before) bind(c, name='signal')
-         import :: c_funptr, c_int
-         implicit none
-         integer(c_int), value :: number
-         type(c_funptr), value :: handler
-         type(c_funptr) :: before
-      end function c_signal
-
       function c_nanosleep(wanted, left) result(status) bind(c, name='nanosleep')
          import :: c_int, c_ptr, timespec_type
          implicit none
@@ -171,13 +165,6 @@ module dg_child_process
          integer(c_size_t), value :: size
          type(c_ptr) :: address
       end function c_getcwd
-
-      function c_strerror(number) result(text) bind(c, name='strerror')
-         import :: c_int, c_ptr
-         implicit none
-         integer(c_int), value :: number
-         type(c_ptr) :: text
-      end function c_strerror
 
       ! a variable of a Fortran module would not be the C library's `environ` but one of its own
       function c_dlsym(library, symbol) result(address) bind(c, name='dlsym')
@@ -246,7 +233,7 @@ contains
       pointers(size(pointers)) = c_null_ptr
       call visible_environment(hidden, environment)
       ! under a parent that ignores it, the child's exit status would be lost
-      before = c_signal(child_has_ended, c_null_funptr)
+      before = set_handler(child_has_ended, c_null_funptr)
       status = c_actions_init(actions)
       if (status == 0) status = c_attributes_init(attributes)
       if (status == 0) status = c_attributes_set_flags(attributes, set_group)     ! group 0, the default: a new one
@@ -258,7 +245,7 @@ contains
       freed = c_actions_destroy(actions)
       freed = c_attributes_destroy(attributes)
       child%running = status == 0
-      if (status /= 0) call raise(error, status_failure, 'cannot start '//program//' in '//folder//': '//reason_of(status))
+      if (status /= 0) call raise(error, status_failure, 'cannot start '//program//' in '//folder//': '//words_of(status))
    end subroutine start_child
 
    !> Waits until the child has ended, `seconds` are over or the program is asked to end, whichever comes first.
@@ -352,21 +339,6 @@ contains
       end do
       does = .true.
    end function begins_with
-
-   !> What a number of errno.h means.
-   function reason_of(number) result(reason)
-      integer(c_int), intent(in) :: number
-      character(:), allocatable :: reason
-      character(kind=c_char), pointer :: chars(:)
-      integer, parameter :: longest = 256
-      integer :: k
-      call c_f_pointer(c_strerror(number), chars, [longest])
-      reason = ''
-      do k = 1, longest
-         if (chars(k) == c_null_char) return
-         reason = reason//chars(k)
-      end do
-   end function reason_of
 
    !> The folder that the program was started in; '.' where the system does not tell.
    function current_folder() result(path)

@@ -2,7 +2,8 @@
 !> Long work asks now and then and ends in good order, with whole files for what is done. A second signal of the same kind
 !> ends the program at once.
 module dg_interruption
-   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_intptr_t, c_null_funptr
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_null_funptr
+   use dg_signal_handler, only: ignore_signal, ignored, set_handler
    implicit none
    private
    public :: watch_for_signals, is_interrupted, interruption_name
@@ -13,23 +14,10 @@ module dg_interruption
 
    !> A file grows beyond what the shell allows (ulimit -f): number of Linux. Ignored, it is an error of writing like others.
    integer(c_int), parameter :: file_too_large = 25_c_int
-   !> Handler of a signal that is ignored (SIG_IGN).
-   integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
 
    !> The signal that came, 0 while none has: C's sig_atomic_t. A signal comes at any moment in any thread and has no
    !> argument to leave word in, hence the one variable of a module in this program.
    integer(c_int), volatile :: arrived = 0_c_int
-
-   interface
-      ! returns the handler before, or SIG_ERR
-      function c_signal(number, handler) result(before) bind(c, name='signal')
-         import :: c_funptr, c_int
-         implicit none
-         integer(c_int), value :: number
-         type(c_funptr), value :: handler
-         type(c_funptr) :: before
-      end function c_signal
-   end interface
 
 contains
 
@@ -37,10 +25,10 @@ contains
    subroutine watch_for_signals()
       type(c_funptr) :: before
       integer :: i
-      before = c_signal(file_too_large, transfer(ignored, before))
+      call ignore_signal(file_too_large)
       do i = 1, size(signals)
-         before = c_signal(signals(i), c_funloc(note_signal))
-         if (transfer(before, ignored) == ignored) before = c_signal(signals(i), before)
+         before = set_handler(signals(i), c_funloc(note_signal))
+         if (transfer(before, ignored) == ignored) before = set_handler(signals(i), before)
       end do
    end subroutine watch_for_signals
 
@@ -49,7 +37,7 @@ contains
       integer(c_int), value :: number
       type(c_funptr) :: before
       arrived = number
-      before = c_signal(number, c_null_funptr)
+      before = set_handler(number, c_null_funptr)
    end subroutine note_signal
 
    !> Whether a signal has come. Costs a look at one variable.

@@ -4,7 +4,7 @@ module dg_system_reason
    use dg_text, only: c_text
    implicit none
    private
-   public :: system_reason, reason_of_failed_write
+   public :: system_reason, reason_of_failed_write, words_of
 
    interface
       ! where errno stands (GNU C library)
@@ -83,6 +83,7 @@ contains
       if (closed /= 0 .and. text == '') text = system_reason()
    end function reason_of_failed_write
 
+   !> What a number of errno.h means, in the system's words.
    function words_of(number) result(text)
       integer(c_int), intent(in) :: number
       character(:), allocatable :: text
