@@ -22,11 +22,10 @@ module dg_bending_beam
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_gap_state, only: contact_force, gap_law_type, state_elastic, state_rigid
-   use dg_hermite, only: hermite_bend, hermite_slope, hermite_value
    implicit none
    private
-   public :: bending_beam_type, node_unknowns, contact_places, contact_xi
-   public :: set_linear_part, add_contact, element_forces, contact_forces, point_forces, moment_within, moment_of_offsets
+   public :: bending_beam_type, bent_type, node_unknowns, contact_places, contact_xi
+   public :: set_linear_part, add_contact, find_forces, curvature_within, length_of
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
@@ -35,10 +34,14 @@ module dg_bending_beam
    integer, parameter :: contact_places = 2
    real(wp), parameter :: third = 1.0_wp/sqrt(3.0_wp)
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]
-   !> Gauss points and weights of the other integrals: exact for polynomials up to the fifth degree.
-   real(wp), parameter :: outer = sqrt(0.6_wp)
-   real(wp), parameter :: gauss_xi(3) = [0.5_wp*(1.0_wp - outer), 0.5_wp, 0.5_wp*(1.0_wp + outer)]
-   real(wp), parameter :: gauss_weight(3) = [5.0_wp, 8.0_wp, 5.0_wp]/18.0_wp
+   !> There, of an element of unit length: shape functions of y and y' at its upper, then at its lower node, and their slopes.
+   real(wp), parameter :: rest(contact_places) = 1.0_wp - contact_xi
+   real(wp), parameter :: contact_value(contact_places, 4) = reshape( &
+      [rest**2*(1.0_wp + 2.0_wp*contact_xi), contact_xi*rest**2, contact_xi**2*(1.0_wp + 2.0_wp*rest), -rest*contact_xi**2], &
+      [contact_places, 4])
+   real(wp), parameter :: contact_slope(contact_places, 4) = reshape( &
+      [-6.0_wp*contact_xi*rest, rest*(1.0_wp - 3.0_wp*contact_xi), 6.0_wp*contact_xi*rest, -contact_xi*(3.0_wp*rest - 1.0_wp)], &
+      [contact_places, 4])
 
    !> The beam: n nodes from the top down, element e between nodes e and e + 1.
    type :: bending_beam_type
@@ -63,149 +66,174 @@ module dg_bending_beam
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
    end type bending_beam_type
 
+   !> The beam as it is bent.
+   type :: bent_type
+      real(wp), allocatable :: y(:, :)          !< offsets and slopes at the nodes (4,n) [m, -]
+      !> Forces and moments at the nodes, from the equilibrium of the element below each node, its loads and contact taken into
+      !> account; at the last node from the element above it. Minus the first and second are the force across the hole that the
+      !> string below the node exerts on the string above it, along n_1 and n_2. Minus the third and fourth are the bending moment
+      !> EI (k + y'') there (4,n) [N, N.m].
+      real(wp), allocatable :: forces(:, :)
+      !> Contact forces R at the places of the elements, which lie at `contact_xi` of their lengths (contact_places,n-1) [N].
+      real(wp), allocatable :: pressed(:, :)
+      real(wp), allocatable :: points(:)        !< contact forces of the tool joints, in the order of beam%point [N]
+   end type bent_type
+
 contains
 
    !> Matrix and load of everything but contact: residual = matrix y - load.
    pure subroutine set_linear_part(beam, matrix, load)
       type(bending_beam_type), intent(in) :: beam
       type(block_matrix_type), intent(out) :: matrix     !< 4 unknowns a node
-      real(wp), intent(out) :: load(:, :)                !< (4,n) [N, N.m]
-      real(wp) :: k(8, 8), f(8)
+      real(wp), contiguous, intent(out) :: load(:, :)                !< (4,n) [N, N.m]
+      real(wp) :: straight(4, 4), turned(4, 4), f(8)
       integer :: e, n
       n = size(beam%md)
       matrix = new_block_matrix(n, node_unknowns)
       load = 0.0_wp
       do e = 1, n - 1
-         call linear_element(beam, e, k, f)
-         matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + k(:4, :4)
-         matrix%diagonal(:, :, e + 1) = matrix%diagonal(:, :, e + 1) + k(5:, 5:)
-         matrix%upper(:, :, e) = k(:4, 5:)
-         matrix%lower(:, :, e) = k(5:, :4)
+         call linear_element(beam, e, straight, turned, f)
+         call add_block(straight(:2, :2), turned(:2, :2), matrix%diagonal(:, :, e))
+         call add_block(straight(3:, 3:), turned(3:, 3:), matrix%diagonal(:, :, e + 1))
+         call add_block(straight(:2, 3:), turned(:2, 3:), matrix%upper(:, :, e))
+         call add_block(straight(3:, :2), turned(3:, :2), matrix%lower(:, :, e))
          load(:, e) = load(:, e) + f(:4)
          load(:, e + 1) = load(:, e + 1) + f(5:)
       end do
    end subroutine set_linear_part
 
-   !> Matrix k and load f of one element but for contact, in the order (y_1, y_2, y_1', y_2') of its upper, then its lower node
-   !> [N/m, N, N.m].
-   pure subroutine linear_element(beam, e, k, f)
+   !> Adds to a block what couples offset and slope of one direction with the same, and with those of the other direction.
+   pure subroutine add_block(straight, turned, block)
+      real(wp), intent(in) :: straight(2, 2), turned(2, 2)
+      real(wp), intent(inout) :: block(4, 4)
+      block(1:3:2, 1:3:2) = block(1:3:2, 1:3:2) + straight
+      block(2:4:2, 2:4:2) = block(2:4:2, 2:4:2) + straight
+      block(1:3:2, 2:4:2) = block(1:3:2, 2:4:2) + turned
+      block(2:4:2, 1:3:2) = block(2:4:2, 1:3:2) - turned
+   end subroutine add_block
+
+   !> Matrices and load of one element but for contact [N/m, N, N.m]. The matrices are in the order (y, y') of one direction at the
+   !> upper, then at the lower node: `straight` acts in each direction, `turned` from the second on the first, and minus it from the
+   !> first on the second. The load is in the order (y_1, y_2, y_1', y_2'). Integrals of the cubic shape functions in closed form,
+   !> where axial force and weight change linearly.
+   pure subroutine linear_element(beam, e, straight, turned, f)
       type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: e
-      real(wp), intent(out) :: k(8, 8), f(8)
-      real(wp) :: length, weight, tension, across(2), value(4), slope(4), bend(4), bent(4, 4), tight(4, 4), turned(4, 4)
-      integer :: g, i, j
-      integer, parameter :: first(4) = [1, 3, 5, 7]      ! of y_1; those of y_2 follow them
+      real(wp), intent(out) :: straight(4, 4), turned(4, 4), f(8)
+      real(wp) :: length, couple, upper(2), lower(2), bend(2), shear, turn, tight(2)
       length = beam%md(e + 1) - beam%md(e)
-      bent = 0.0_wp
-      tight = 0.0_wp
-      turned = 0.0_wp
-      f = 0.0_wp
-      do g = 1, size(gauss_xi)
-         weight = gauss_weight(g)*length
-         value = hermite_value(gauss_xi(g), length)
-         slope = hermite_slope(gauss_xi(g), length)
-         bend = hermite_bend(gauss_xi(g), length)
-         tension = (1.0_wp - gauss_xi(g))*beam%axial(e) + gauss_xi(g)*beam%axial(e + 1)
-         across = (1.0_wp - gauss_xi(g))*beam%weight(:, e) + gauss_xi(g)*beam%weight(:, e + 1) + tension*beam%curvature(:, e)
-         do j = 1, 4
-            do i = 1, 4
-               bent(i, j) = bent(i, j) + weight*beam%ei(e)*bend(i)*bend(j)
-               tight(i, j) = tight(i, j) + weight*tension*slope(i)*slope(j)
-               turned(i, j) = turned(i, j) - weight*beam%torque(e)*slope(i)*bend(j)
-            end do
-         end do
-         do i = 1, 4
-            f(first(i)) = f(first(i)) + weight*(value(i)*across(1) - beam%ei(e)*bend(i)*beam%curvature(1, e) &
-                                                - beam%torque(e)*slope(i)*beam%curvature(2, e))
-            f(first(i) + 1) = f(first(i) + 1) + weight*(value(i)*across(2) - beam%ei(e)*bend(i)*beam%curvature(2, e) &
-                                                        + beam%torque(e)*slope(i)*beam%curvature(1, e))
-         end do
-      end do
-      k = 0.0_wp
-      do j = 1, 4
-         do i = 1, 4
-            k(first(i), first(j)) = bent(i, j) + tight(i, j)
-            k(first(i) + 1, first(j) + 1) = bent(i, j) + tight(i, j)
-            k(first(i), first(j) + 1) = -turned(i, j)          ! t x (a_1, a_2) = (-a_2, a_1)
-            k(first(i) + 1, first(j)) = turned(i, j)
-         end do
-      end do
+      associate (t => beam%axial(e:e + 1), k => beam%curvature(:, e), torque => beam%torque(e))
+         shear = 12.0_wp*beam%ei(e)/length**3 + 0.6_wp*(t(1) + t(2))/length
+         turn = 6.0_wp*beam%ei(e)/length**2
+         couple = beam%ei(e)/length
+         tight = length/30.0_wp*t
+         straight(1, :) = [shear, turn + 0.1_wp*t(2), -shear, turn + 0.1_wp*t(1)]
+         straight(2, :) = [straight(1, 2), 4.0_wp*couple + 3.0_wp*tight(1) + tight(2), -straight(1, 2), &
+                           2.0_wp*couple - 0.5_wp*(tight(1) + tight(2))]
+         straight(3, :) = -straight(1, :)
+         straight(4, :) = [straight(1, 4), straight(2, 4), -straight(1, 4), 4.0_wp*couple + tight(1) + 3.0_wp*tight(2)]
+         turn = torque/length
+         turned(1, :) = [0.0_wp, turn, 0.0_wp, -turn]
+         turned(2, :) = [-turn, -0.5_wp*torque, turn, -0.5_wp*torque]
+         turned(3, :) = -turned(1, :)
+         turned(4, :) = [turn, 0.5_wp*torque, -turn, 0.5_wp*torque]
+         upper = (beam%weight(:, e) + t(1)*k)*length
+         lower = (beam%weight(:, e + 1) + t(2)*k)*length
+         bend = beam%ei(e)*k
+         f(1:2) = 0.35_wp*upper + 0.15_wp*lower + torque*[k(2), -k(1)]
+         f(3:4) = length*(upper/20.0_wp + lower/30.0_wp) + bend
+         f(5:6) = 0.15_wp*upper + 0.35_wp*lower - torque*[k(2), -k(1)]
+         f(7:8) = -length*(upper/30.0_wp + lower/20.0_wp) - bend
+      end associate
    end subroutine linear_element
 
-   !> Adds what contact makes at the shape y to a residual and its matrix.
+   !> Adds what contact makes at the shape y to a residual, and to its matrix where that is given.
    pure subroutine add_contact(beam, y, residual, matrix)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)                    !< (4,n) [m, -]
-      real(wp), intent(inout) :: residual(:, :)          !< (4,n) [N, N.m]
-      type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: f(8), k(8, 8), force, by_across(2, 2), by_couple(2, 2)
+      real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
+      real(wp), contiguous, intent(inout) :: residual(:, :)  !< (4,n) [N, N.m]
+      type(block_matrix_type), intent(inout), optional :: matrix
+      real(wp) :: offset(2), force, across(2), couple(2), by_across(2, 2), by_couple(2, 2), value(4), slope(4), weight, column(8)
       logical :: touches
-      integer :: e, n, p
-      do e = 1, size(beam%md) - 1
+      integer :: e, n, p, c
+      do e = 1, size(beam%ei)
          do p = 1, contact_places
-            call contact_element(beam, e, p, y, f, touches, k)
+            call find_contact(beam, e, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
             if (.not. touches) cycle
-            residual(:, e) = residual(:, e) + f(:4)
-            residual(:, e + 1) = residual(:, e + 1) + f(5:)
-            matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + k(:4, :4)
-            matrix%diagonal(:, :, e + 1) = matrix%diagonal(:, :, e + 1) + k(5:, 5:)
-            matrix%upper(:, :, e) = matrix%upper(:, :, e) + k(:4, 5:)
-            matrix%lower(:, :, e) = matrix%lower(:, :, e) + k(5:, :4)
+            call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
+                             by_across, by_couple)
+            weight = (beam%md(e + 1) - beam%md(e))/contact_places
+            slope = weight*slope
+            column = weight*by_shape(value, across) + by_shape(slope, couple)
+            residual(:, e) = residual(:, e) + column(:4)
+            residual(:, e + 1) = residual(:, e + 1) + column(5:)
+            if (.not. present(matrix)) cycle
+            do c = 1, 2
+               column = weight*by_shape(value, by_across(:, c)) + by_shape(slope, by_couple(:, c))
+               matrix%diagonal(:, c, e) = matrix%diagonal(:, c, e) + value(1)*column(:4)
+               matrix%diagonal(:, c + 2, e) = matrix%diagonal(:, c + 2, e) + value(2)*column(:4)
+               matrix%upper(:, c, e) = matrix%upper(:, c, e) + value(3)*column(:4)
+               matrix%upper(:, c + 2, e) = matrix%upper(:, c + 2, e) + value(4)*column(:4)
+               matrix%lower(:, c, e) = matrix%lower(:, c, e) + value(1)*column(5:)
+               matrix%lower(:, c + 2, e) = matrix%lower(:, c + 2, e) + value(2)*column(5:)
+               matrix%diagonal(:, c, e + 1) = matrix%diagonal(:, c, e + 1) + value(3)*column(5:)
+               matrix%diagonal(:, c + 2, e + 1) = matrix%diagonal(:, c + 2, e + 1) + value(4)*column(5:)
+            end do
          end do
       end do
       do p = 1, size(beam%point)
          n = beam%point(p)
-         if (.not. norm2(y(1:2, n)) > beam%point_law(p)%clearance) cycle
+         if (.not. length_of(y(1:2, n)) > beam%point_law(p)%clearance) cycle
          e = min(n, size(beam%ei))
-         call wall_action(beam%point_law(p), y(1:2, n), beam%along(e)*beam%radius(e), beam%around(e), force, f(1:2), f(3:4), &
+         call wall_action(beam%point_law(p), y(1:2, n), beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
                           by_across, by_couple)
-         residual(:, n) = residual(:, n) + f(:4)
+         residual(:, n) = residual(:, n) + [across, couple]
+         if (.not. present(matrix)) cycle
          matrix%diagonal(1:2, 1:2, n) = matrix%diagonal(1:2, 1:2, n) + by_across
          matrix%diagonal(3:4, 1:2, n) = matrix%diagonal(3:4, 1:2, n) + by_couple
       end do
    end subroutine add_contact
 
-   !> What contact at one place of an element adds to the residual of its eight unknowns [N, N.m], and the derivative of that where
-   !> it is asked for. Where `touches` is false neither is set.
-   pure subroutine contact_element(beam, e, p, y, f, touches, k)
+   !> Whether the string touches at a place of an element, and how it lies there. Where it does not touch, slope is not set.
+   pure subroutine find_contact(beam, e, p, upper, lower, touches, value, slope, offset)
       type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: e, p
-      real(wp), intent(in) :: y(:, :)
-      real(wp), intent(out) :: f(8)
+      real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of the element's nodes [m, -]
       logical, intent(out) :: touches
-      real(wp), intent(out), optional :: k(8, 8)
-      real(wp) :: length, value(4), slope(4), offset(2), force, across(2), couple(2), by_across(2, 2), by_couple(2, 2), weight
-      integer :: i, j, a, b
+      real(wp), intent(out) :: value(4), slope(4)      !< shape functions and their slopes
+      real(wp), intent(out) :: offset(2)               !< [m]
+      real(wp) :: length
       length = beam%md(e + 1) - beam%md(e)
-      value = hermite_value(contact_xi(p), length)
-      offset = offset_by(value, y(:, e:e + 1))
+      value = contact_value(p, :)*[1.0_wp, length, 1.0_wp, length]
+      offset = offset_by(value, upper, lower)
       touches = offset(1)**2 + offset(2)**2 > beam%law(e)%clearance**2
-      if (.not. touches) return
-      call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
-                       by_across, by_couple)
-      slope = hermite_slope(contact_xi(p), length)
-      weight = length/contact_places
-      do i = 1, 4
-         a = 2*i - 1
-         f(a:a + 1) = weight*(value(i)*across + slope(i)*couple)
-      end do
-      if (.not. present(k)) return
-      do j = 1, 4
-         b = 2*j - 1
-         do i = 1, 4
-            a = 2*i - 1
-            k(a:a + 1, b:b + 1) = (weight*value(j)*value(i))*by_across + (weight*value(j)*slope(i))*by_couple
-         end do
-      end do
-   end subroutine contact_element
+      if (touches) slope = contact_slope(p, :)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp]
+   end subroutine find_contact
+
+   !> A vector across the hole on each of an element's unknowns, by the values of their shape functions.
+   pure function by_shape(shape, vector) result(all)
+      real(wp), intent(in) :: shape(4), vector(2)
+      real(wp) :: all(8)
+      all(1:2) = shape(1)*vector
+      all(3:4) = shape(2)*vector
+      all(5:6) = shape(3)*vector
+      all(7:8) = shape(4)*vector
+   end function by_shape
 
    !> Offset of a point of an element by the values of the shape functions there, or its derivative by theirs.
-   pure function offset_by(shape, y) result(offset)
+   pure function offset_by(shape, upper, lower) result(offset)
       real(wp), intent(in) :: shape(4)
-      real(wp), intent(in) :: y(4, 2)      !< of the element's nodes [m, -]
+      real(wp), intent(in) :: upper(4), lower(4)      !< of the element's nodes [m, -]
       real(wp) :: offset(2)
-      offset = shape(1)*y(1:2, 1) + shape(2)*y(3:4, 1) + shape(3)*y(1:2, 2) + shape(4)*y(3:4, 2)
+      offset = shape(1)*upper(1:2) + shape(2)*upper(3:4) + shape(3)*lower(1:2) + shape(4)*lower(3:4)
    end function offset_by
+
+   !> Length of a vector across the hole.
+   pure function length_of(vector) result(length)
+      real(wp), intent(in) :: vector(2)
+      real(wp) :: length
+      length = sqrt(vector(1)**2 + vector(2)**2)
+   end function length_of
 
    !> What the wall adds to the residual where the string touches: R (n + m t x n) on the offset, r a R n on the slope. With their
    !> derivatives by the offset. A law for a metre of wall gives them per metre.
@@ -216,9 +244,9 @@ contains
       real(wp), intent(in) :: around      !< m [-]
       real(wp), intent(out) :: force      !< R [N/m, or N]
       real(wp), intent(out) :: across(2), couple(2), by_across(2, 2), by_couple(2, 2)
-      real(wp) :: distance, stiffness, n(2), tau(2), by_n(2, 2), by_tau(2, 2)
+      real(wp) :: distance, stiffness, n(2), tau(2)
       integer :: i
-      distance = norm2(offset)
+      distance = length_of(offset)
       call contact_force(law, merge(state_rigid, state_elastic, distance > (1.0_wp + law%eps_nmax)*law%clearance), distance, &
                          force, stiffness)
       n = offset/distance
@@ -226,91 +254,65 @@ contains
       across = force*(n + around*tau)
       couple = lever*force*n
       do i = 1, 2
-         by_n(:, i) = stiffness*n(i)*n + force/distance*tau(i)*tau
-         by_tau(:, i) = stiffness*n(i)*tau - force/distance*tau(i)*n
+         by_across(:, i) = (stiffness*n(i))*n + (force/distance*tau(i))*tau
       end do
-      by_across = by_n + around*by_tau
-      by_couple = lever*by_n
+      by_couple = lever*by_across
+      if (.not. abs(around) > 0.0_wp) return
+      do i = 1, 2
+         by_across(:, i) = by_across(:, i) + (around*stiffness*n(i))*tau - (around*force/distance*tau(i))*n
+      end do
    end subroutine wall_action
 
-   !> Forces and moments at the nodes (4,n) [N, N.m], from the equilibrium of the element below each node, its loads and contact
-   !> taken into account; at the last node from the element above it. Minus the first and second are the force across the hole that
-   !> the string below the node exerts on the string above it, along n_1 and n_2. Minus the third and fourth are the bending moment
-   !> EI (k + y'') there.
-   pure function element_forces(beam, y) result(forces)
+   !> Forces along the beam at a shape.
+   pure subroutine find_forces(beam, y, bent)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)      !< (4,n) [m, -]
-      real(wp) :: forces(4, size(y, 2))
-      real(wp) :: k(8, 8), f(8), all(8), local(8)
+      real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
+      type(bent_type), intent(out) :: bent
+      real(wp) :: straight(4, 4), turned(4, 4), f(8), all(8), offset(2), force, across(2), couple(2), a(2, 2), b(2, 2), value(4), &
+                  slope(4), weight
       logical :: touches
-      integer :: e, n, p
+      integer :: e, n, p, j
       n = size(y, 2)
+      bent%y = y
+      allocate (bent%forces(4, n), bent%pressed(contact_places, n - 1), bent%points(size(beam%point)))
+      bent%pressed = 0.0_wp
+      bent%points = 0.0_wp
       do e = 1, n - 1
-         call linear_element(beam, e, k, f)
-         local = [y(:, e), y(:, e + 1)]
-         all = matmul(k, local) - f
-         do p = 1, contact_places
-            call contact_element(beam, e, p, y, f, touches)
-            if (touches) all = all + f
+         call linear_element(beam, e, straight, turned, f)
+         all = -f
+         do j = 1, 2
+            all(1::2) = all(1::2) + straight(:, j)*y(2*j - 1, e) + turned(:, j)*y(2*j, e) &
+                        + straight(:, j + 2)*y(2*j - 1, e + 1) + turned(:, j + 2)*y(2*j, e + 1)
+            all(2::2) = all(2::2) + straight(:, j)*y(2*j, e) - turned(:, j)*y(2*j - 1, e) &
+                        + straight(:, j + 2)*y(2*j, e + 1) - turned(:, j + 2)*y(2*j - 1, e + 1)
          end do
-         forces(:, e) = all(:4)
-         if (e == n - 1) forces(:, n) = -all(5:)
-      end do
-   end function element_forces
-
-   !> Contact forces R at the places of the elements, which lie at `contact_xi` of their lengths (contact_places,n-1) [N].
-   pure function contact_forces(beam, y) result(forces)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      real(wp) :: forces(contact_places, size(y, 2) - 1)
-      real(wp) :: length, offset(2), a(2), b(2), c(2, 2), d(2, 2)
-      integer :: e, p
-      do e = 1, size(y, 2) - 1
-         length = beam%md(e + 1) - beam%md(e)
+         weight = (beam%md(e + 1) - beam%md(e))/contact_places
          do p = 1, contact_places
-            offset = offset_by(hermite_value(contact_xi(p), length), y(:, e:e + 1))
-            forces(p, e) = 0.0_wp
-            if (norm2(offset) > beam%law(e)%clearance) &
-               call wall_action(beam%law(e), offset, 0.0_wp, 0.0_wp, forces(p, e), a, b, c, d)
-            forces(p, e) = forces(p, e)*length/contact_places
+            call find_contact(beam, e, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
+            if (.not. touches) cycle
+            call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, a, b)
+            bent%pressed(p, e) = weight*force
+            all = all + by_shape(weight*value, across) + by_shape(weight*slope, couple)
          end do
+         bent%forces(:, e) = all(:4)
+         if (e == n - 1) bent%forces(:, n) = -all(5:)
       end do
-   end function contact_forces
-
-   !> Contact forces of the tool joints, in the order of beam%point [N].
-   pure function point_forces(beam, y) result(forces)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      real(wp) :: forces(size(beam%point))
-      real(wp) :: a(2), b(2), c(2, 2), d(2, 2)
-      integer :: p
-      forces = 0.0_wp
       do p = 1, size(beam%point)
-         associate (offset => y(1:2, beam%point(p)))
-            if (norm2(offset) > beam%point_law(p)%clearance) &
-               call wall_action(beam%point_law(p), offset, 0.0_wp, 0.0_wp, forces(p), a, b, c, d)
-         end associate
+         offset = y(1:2, beam%point(p))
+         if (length_of(offset) > beam%point_law(p)%clearance) &
+            call wall_action(beam%point_law(p), offset, 0.0_wp, 0.0_wp, bent%points(p), across, couple, a, b)
       end do
-   end function point_forces
+   end subroutine find_forces
 
-   !> Bending moment EI (k + y'') by the shape of one element, at its upper (side 1) or lower end (side 2), along n_1 and n_2
-   !> [N.m]. Where it jumps from one element to the next, the elements are too long.
-   pure function moment_within(beam, y, e, side) result(moment)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      integer, intent(in) :: e, side
-      real(wp) :: moment(2)
-      moment = beam%ei(e)*beam%curvature(:, e) + moment_of_offsets(beam, y, e, side)
-   end function moment_within
-
-   !> The part EI y'' of that moment: what offsets, or a change of offsets, make [N.m].
-   pure function moment_of_offsets(beam, y, e, side) result(moment)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      integer, intent(in) :: e, side
-      real(wp) :: moment(2)
-      real(wp) :: bend(4)
-      bend = hermite_bend(real(side - 1, wp), beam%md(e + 1) - beam%md(e))
-      moment = beam%ei(e)*offset_by(bend, y(:, e:e + 1))
-   end function moment_of_offsets
+   !> Second derivative y'' by the shape of one element, at its upper (first column) and its lower end, along n_1 and n_2 [1/m].
+   !> EI (k + y'') is the bending moment by that shape. Where it jumps from one element to the next, the elements are too long.
+   pure function curvature_within(length, upper, lower) result(bend)
+      real(wp), intent(in) :: length                  !< of the element [m]
+      real(wp), intent(in) :: upper(4), lower(4)      !< offsets and slopes of its nodes, or changes of these [m, -]
+      real(wp) :: bend(2, 2)
+      real(wp) :: chord(2)
+      chord = 3.0_wp*(lower(1:2) - upper(1:2))/length
+      bend(:, 1) = 2.0_wp*(chord - 2.0_wp*upper(3:4) - lower(3:4))/length
+      bend(:, 2) = 2.0_wp*(2.0_wp*lower(3:4) + upper(3:4) - chord)/length
+   end function curvature_within
 end module dg_bending_beam

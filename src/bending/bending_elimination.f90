@@ -1,100 +1,99 @@
 !> Elimination of a bending beam's matrix, node by node.
 !>
-!> Blocks of 4 x 4 are eliminated without exchange of rows. Under tension the matrix is positive definite but for friction and
-!> torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it leaves.
-!> LAPACK's band solver takes ten times the instructions for blocks as small as these.
+!> Blocks of 4 x 4 are inverted by their quarters, without exchange of rows. Under tension the matrix is positive definite but for
+!> friction and torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it
+!> leaves. LAPACK's band solver takes ten times the instructions for blocks as small as these.
 module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: b => node_unknowns
    use dg_block_matrix, only: block_matrix_type
    implicit none
    private
-   public :: eliminate
+   public :: eliminate, product_of
 
 contains
 
    !> Solves matrix x = right-hand side. The matrix is used up.
    pure subroutine eliminate(matrix, x, regular, definite)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp), intent(inout) :: x(:, :)    !< right-hand side (4,n) on entry, solution on return
+      real(wp), contiguous, intent(inout) :: x(:, :)     !< right-hand side (4,n) on entry, solution on return
       logical, intent(out) :: regular       !< .false. where a pivot vanishes: x is then no solution
       logical, intent(out) :: definite      !< .false. where a pivot is negative
-      real(wp) :: pivot(b, b), right(b, b + 1)
+      real(wp) :: inverse(b, b), pivot(b, b), right(b)
       integer :: n, nodes, j
       nodes = size(x, 2)
       definite = .true.
       regular = .true.
       do n = 1, nodes
          pivot = matrix%diagonal(:, :, n)
-         right(:, b + 1) = x(:, n)
-         if (n > 1) call take_off_above(matrix%lower(:, :, n - 1), matrix%upper(:, :, n - 1), x(:, n - 1), pivot, right(:, b + 1))
-         right(:, :b) = 0.0_wp
-         if (n < nodes) right(:, :b) = matrix%upper(:, :, n)
-         call solve_block(pivot, right, regular, definite)
+         right = x(:, n)
+         if (n > 1) then
+            do j = 1, b
+               pivot(:, j) = pivot(:, j) - product_of(matrix%lower(:, :, n - 1), matrix%upper(:, j, n - 1))
+            end do
+            right = right - product_of(matrix%lower(:, :, n - 1), x(:, n - 1))
+         end if
+         call invert(pivot, inverse, regular, definite)
          if (.not. regular) return
-         if (n < nodes) matrix%upper(:, :, n) = right(:, :b)
-         x(:, n) = right(:, b + 1)
+         x(:, n) = product_of(inverse, right)
+         if (n == nodes) exit
+         do j = 1, b
+            right = matrix%upper(:, j, n)
+            matrix%upper(:, j, n) = product_of(inverse, right)
+         end do
       end do
       do n = nodes - 1, 1, -1
-         do j = 1, b
-            x(:, n) = x(:, n) - matrix%upper(:, j, n)*x(j, n + 1)
-         end do
+         right = product_of(matrix%upper(:, :, n), x(:, n + 1))
+         x(:, n) = x(:, n) - right
       end do
    end subroutine eliminate
 
-   !> What the node above, eliminated, takes off the block and the right-hand side of a node.
-   pure subroutine take_off_above(lower, eliminated, x, pivot, right)
-      real(wp), intent(in) :: lower(b, b)        !< row of this node, column of the one above
-      real(wp), intent(in) :: eliminated(b, b)   !< of the node above: its block's inverse times its upper block
-      real(wp), intent(in) :: x(b)               !< and times its right-hand side
-      real(wp), intent(inout) :: pivot(b, b), right(b)
-      integer :: j, k
-      do j = 1, b
-         do k = 1, b
-            pivot(:, j) = pivot(:, j) - lower(:, k)*eliminated(k, j)
-         end do
-         right = right - lower(:, j)*x(j)
-      end do
-   end subroutine take_off_above
+   !> Block times a node's unknowns.
+   pure function product_of(a, x) result(y)
+      real(wp), intent(in) :: a(b, b), x(b)
+      real(wp) :: y(b)
+      y = a(:, 1)*x(1) + a(:, 2)*x(2) + a(:, 3)*x(3) + a(:, 4)*x(4)
+   end function product_of
 
-   !> right <- pivot**-1 right.
-   pure subroutine solve_block(pivot, right, regular, definite)
-      real(wp), intent(inout) :: pivot(b, b), right(b, b + 1)
+   !> Inverse of a block: of its upper left quarter, then of what that leaves of the lower right one.
+   pure subroutine invert(a, inverse, regular, definite)
+      real(wp), intent(in) :: a(b, b)
+      real(wp), intent(out) :: inverse(b, b)
       logical, intent(out) :: regular
       logical, intent(inout) :: definite
-      real(wp) :: share
-      integer :: i, j, k
-      regular = .true.
-      do k = 1, b
-         if (.not. abs(pivot(k, k)) > tiny(1.0_wp)) then
-            regular = .false.
-            return
-         end if
-         if (pivot(k, k) < 0.0_wp) definite = .false.
-         share = 1.0_wp/pivot(k, k)
-         do j = k + 1, b
-            pivot(k, j) = pivot(k, j)*share
-         end do
-         do j = 1, b + 1
-            right(k, j) = right(k, j)*share
-         end do
-         do j = k + 1, b
-            do i = k + 1, b
-               pivot(i, j) = pivot(i, j) - pivot(i, k)*pivot(k, j)
-            end do
-         end do
-         do j = 1, b + 1
-            do i = k + 1, b
-               right(i, j) = right(i, j) - pivot(i, k)*right(k, j)
-            end do
-         end do
-      end do
-      do k = b, 2, -1
-         do j = 1, b + 1
-            do i = 1, k - 1
-               right(i, j) = right(i, j) - pivot(i, k)*right(k, j)
-            end do
-         end do
-      end do
-   end subroutine solve_block
+      real(wp), dimension(2, 2) :: first, second, right, left, above, below
+      call invert_quarter(a(1, 1), a(2, 1), a(1, 2), a(2, 2), first, regular, definite)
+      if (.not. regular) return
+      right = a(1:2, 3:4)
+      left = a(3:4, 1:2)
+      above = matmul(first, right)
+      below = matmul(left, first)
+      second = a(3:4, 3:4) - matmul(left, above)
+      call invert_quarter(second(1, 1), second(2, 1), second(1, 2), second(2, 2), second, regular, definite)
+      if (.not. regular) return
+      inverse(3:4, 3:4) = second
+      right = -matmul(above, second)
+      left = -matmul(second, below)
+      inverse(1:2, 3:4) = right
+      inverse(3:4, 1:2) = left
+      inverse(1:2, 1:2) = first - matmul(above, left)
+   end subroutine invert
+
+   !> Inverse of a quarter, and whether both its pivots are positive.
+   pure subroutine invert_quarter(a_11, a_21, a_12, a_22, inverse, regular, definite)
+      real(wp), value :: a_11, a_21, a_12, a_22
+      real(wp), intent(inout) :: inverse(2, 2)
+      logical, intent(out) :: regular
+      logical, intent(inout) :: definite
+      real(wp) :: determinant, share
+      determinant = a_11*a_22 - a_12*a_21
+      regular = abs(determinant) > tiny(1.0_wp)
+      definite = definite .and. a_11 > 0.0_wp .and. determinant > 0.0_wp
+      if (.not. regular) return
+      share = 1.0_wp/determinant
+      inverse(1, 1) = a_22*share
+      inverse(2, 2) = a_11*share
+      inverse(1, 2) = -a_12*share
+      inverse(2, 1) = -a_21*share
+   end subroutine invert_quarter
 end module dg_bending_elimination

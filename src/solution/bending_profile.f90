@@ -12,10 +12,10 @@
 !> where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, element_forces, moment_within
+   use dg_bending_beam, only: bending_beam_type, bent_type, contact_places, curvature_within, find_forces, length_of
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
-   use dg_bending_rows, only: merge_rows
+   use dg_bending_rows, only: contact_scale, merge_rows
    use dg_bending_solution, only: solve_bending
    use dg_case_result, only: case_result_type
    use dg_contact_list, only: list_contacts
@@ -64,7 +64,9 @@ contains
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
-      real(wp), allocatable :: breaks(:), longest(:), y(:, :)
+      type(bent_type) :: bent
+      real(wp), allocatable :: breaks(:), longest(:)
+      real(wp) :: scale(mesh%elements)
       integer :: attempt
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
@@ -72,28 +74,29 @@ contains
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
       do attempt = 1, 2
          lying%anchored = attempt == 2
-         call bend_again(model, mesh, gaps, work, lying, graded_nodes(breaks, longest), y, beam, result%moment_error)
+         call bend_again(model, mesh, gaps, work, lying, graded_nodes(breaks, longest), beam, bent, result%moment_error)
          if (.not. is_missing(result%moment_error)) exit
       end do
       if (is_missing(result%moment_error)) return
       result%beam_nodes = size(beam%md)
-      call list_contacts(model, mesh, work, lying, beam, y, result)
-      call merge_rows(model%trajectory, mesh, work, lying, beam, y, result%profile)
+      scale = contact_scale(lying%bends, work%normal, beam, bent)
+      call list_contacts(model, mesh, work, beam, bent, scale, result)
+      call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile
 
    !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
    !> or one that is not the analysis' string.
-   subroutine bend_again(model, mesh, gaps, work, lying, start, y, beam, error)
+   subroutine bend_again(model, mesh, gaps, work, lying, start, beam, bent, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
       real(wp), intent(in) :: start(:)                          !< nodes to begin with [m]
-      real(wp), allocatable, intent(out) :: y(:, :)             !< (4,n)
       type(bending_beam_type), intent(out) :: beam
+      type(bent_type), intent(out) :: bent
       real(wp), intent(out) :: error                            !< of moments, over the largest [-]
-      real(wp), allocatable :: moments(:), differences(:)
+      real(wp), allocatable :: y(:, :), moments(:), differences(:)
       logical, allocatable :: marked(:)
       logical :: found
       real(wp) :: largest
@@ -103,20 +106,20 @@ contains
       call new_beam(model, mesh, gaps, work, lying, start, beam)
       call solve_anchored(mesh, lying, beam, y, roughly, found)
       if (.not. found) return
-      call recover_moments(beam, y, moments, differences)
+      call recover_moments(beam, y, bent, moments, differences)
       largest = max(maxval(moments), tiny(1.0_wp))
       do round = 1, most_rounds
          marked = to_be_halved(beam%md, differences, largest)
          if (.not. any(marked)) exit
          call halve(model, mesh, gaps, work, lying, marked, beam, y)
-         call recover_moments(beam, y, moments, differences)
+         call recover_moments(beam, y, bent, moments, differences)
       end do
       call solve_anchored(mesh, lying, beam, y, settled, found)
       if (.not. found) return
-      call recover_moments(beam, y, moments, differences)
+      call recover_moments(beam, y, bent, moments, differences)
       if (departure(mesh, lying%y, beam%md, y) > farthest) return
       error = maxval(differences)/largest
-      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, moments, error)
+      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
    end subroutine bend_again
 
    !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string.
@@ -136,14 +139,16 @@ contains
 
    !> Halves all elements, until that changes no moment by more than `proven` of the largest, or `most_proofs` times. `error` is
    !> the last change; it is missing where no equilibrium was found.
-   subroutine prove(model, mesh, gaps, work, lying, beam, y, moments, error)
+   subroutine prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(inout) :: beam
-      real(wp), allocatable, intent(inout) :: y(:, :), moments(:)
+      real(wp), allocatable, intent(inout) :: y(:, :)
+      type(bent_type), intent(inout) :: bent
+      real(wp), allocatable, intent(inout) :: moments(:)
       real(wp), intent(out) :: error
       real(wp), allocatable :: finer(:), shape(:, :), before(:), differences(:)
       logical :: found
@@ -158,7 +163,7 @@ contains
          call solve_anchored(mesh, lying, beam, y, settled, found)
          if (.not. found) return
          call move_alloc(moments, before)
-         call recover_moments(beam, y, moments, differences)
+         call recover_moments(beam, y, bent, moments, differences)
          error = maxval(abs(moments(::2) - before))/max(maxval(moments), tiny(1.0_wp))
          if (error <= proven) return
       end do
@@ -176,7 +181,7 @@ contains
       do n = 1, size(nodes)
          if (nodes(n) < mesh%md(m)) cycle
          e = min(m, mesh%elements)
-         share = max(share, norm2(y(1:2, n) - before(1:2, m))/maxval(mesh%clearance(max(m - 1, 1):e)))
+         share = max(share, length_of(y(1:2, n) - before(1:2, m))/maxval(mesh%clearance(max(m - 1, 1):e)))
          m = min(m + 1, mesh%nodes)
       end do
    end function departure
@@ -242,29 +247,36 @@ contains
 
    !> Moments at the nodes from the equilibrium of the elements, and how far the moments by the shape of the elements are from
    !> them. The first are of higher order in the length of the elements. They are right where the difference is small.
-   pure subroutine recover_moments(beam, y, moments, differences)
+   pure subroutine recover_moments(beam, y, bent, moments, differences)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: y(:, :)
+      type(bent_type), intent(out) :: bent
       real(wp), allocatable, intent(out) :: moments(:), differences(:)     !< 0 where the beam is held (n) [N.m]
-      real(wp) :: forces(4, size(y, 2))
+      real(wp) :: bend(2, 2), above(2)
       integer :: n
-      forces = element_forces(beam, y)
+      call find_forces(beam, y, bent)
       allocate (moments(size(y, 2)), differences(size(y, 2)), source=0.0_wp)
+      above = 0.0_wp
       do n = 1, size(y, 2)
-         if (beam%held(n)) cycle
-         moments(n) = norm2(forces(3:4, n))
-         if (n == 1 .or. n == size(y, 2)) cycle
-         differences(n) = norm2(0.5_wp*(moment_within(beam, y, n, 1) + moment_within(beam, y, n - 1, 2)) + forces(3:4, n))
+         if (n < size(y, 2)) bend = beam%ei(n)*(curvature_within(beam%md(n + 1) - beam%md(n), y(:, n), y(:, n + 1)) &
+                                                + spread(beam%curvature(:, n), 2, 2))
+         if (.not. beam%held(n)) then
+            moments(n) = length_of(bent%forces(3:4, n))
+            if (n > 1 .and. n < size(y, 2)) &
+               differences(n) = length_of(0.5_wp*(bend(:, 1) + above) + bent%forces(3:4, n))
+         end if
+         above = bend(:, 2)
       end do
-      call add_edges(beam, y, differences)
-      call add_peaks(beam, y, forces, moments, differences)
+      call add_edges(beam, bent%pressed, differences)
+      call add_peaks(beam, bent, moments, differences)
    end subroutine recover_moments
 
    !> Raises the differences where the largest moment of the string lies between two nodes, by a cubic through moments and their
    !> slopes at both: a node is wanted there.
-   pure subroutine add_peaks(beam, y, forces, moments, differences)
+   pure subroutine add_peaks(beam, bent, moments, differences)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :), forces(:, :), moments(:)
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: moments(:)
       real(wp), intent(inout) :: differences(:)
       real(wp) :: slope(2), next(2), middle(2), largest
       integer :: e
@@ -272,32 +284,33 @@ contains
       largest = maxval(moments)
       do e = 1, size(moments)
          slope = next
-         next = forces(1:2, e) + beam%axial(e)*y(3:4, e)      ! derivative of the moment along the string
+         next = bent%forces(1:2, e) + beam%axial(e)*bent%y(3:4, e)      ! derivative of the moment along the string
          if (e == 1) cycle
          if (beam%held(e) .or. beam%held(e - 1)) cycle
-         middle = -0.5_wp*(forces(3:4, e - 1) + forces(3:4, e)) + 0.125_wp*(beam%md(e) - beam%md(e - 1))*(slope - next)
-         differences(e) = max(differences(e), peak_share*(norm2(middle) - largest))
+         middle = -0.5_wp*(bent%forces(3:4, e - 1) + bent%forces(3:4, e)) + 0.125_wp*(beam%md(e) - beam%md(e - 1))*(slope - next)
+         differences(e) = max(differences(e), peak_share*(length_of(middle) - largest))
       end do
    end subroutine add_peaks
 
    !> Raises the differences where contact begins, ends or has its peak within an element. A force that is felt a part of an
    !> element away from its place makes a moment.
-   pure subroutine add_edges(beam, y, differences)
+   pure subroutine add_edges(beam, pressed, differences)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
+      real(wp), intent(in) :: pressed(:, :)           !< contact forces at the places of the elements (contact_places,n-1) [N]
       real(wp), intent(inout) :: differences(:)
-      real(wp) :: pressed(contact_places, size(y, 2) - 1), length(size(y, 2) - 1), moment
+      real(wp) :: above, length, longer, load(contact_places), moment
       integer :: e
-      length = beam%md(2:) - beam%md(:size(length))
-      pressed = contact_forces(beam, y)
-      do e = 1, size(length)
-         pressed(:, e) = pressed(:, e)*contact_places/length(e)      ! per metre
-         moment = abs(pressed(2, e) - pressed(1, e))*length(e)**2*edge_share
+      above = 0.0_wp
+      do e = 1, size(pressed, 2)
+         length = beam%md(e + 1) - beam%md(e)
+         load = pressed(:, e)*contact_places/length      ! per metre
+         moment = abs(load(2) - load(1))*length**2*edge_share
          differences(e:e + 1) = max(differences(e:e + 1), moment)
-      end do
-      do e = 1, size(length) - 1
-         moment = abs(pressed(1, e + 1) - pressed(2, e))*maxval(length(e:e + 1))**2*edge_share
-         differences(e + 1) = max(differences(e + 1), moment)
+         if (e > 1) then
+            longer = max(length, beam%md(e) - beam%md(e - 1))
+            differences(e) = max(differences(e), abs(load(1) - above)*longer**2*edge_share)
+         end if
+         above = load(2)
       end do
    end subroutine add_edges
 

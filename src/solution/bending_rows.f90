@@ -1,8 +1,7 @@
 !> Rows of the profile of a string that has been bent again (dg_bending_profile).
 module dg_bending_rows
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, contact_xi, element_forces, point_forces
-   use dg_bending_layout, only: lying_type
+   use dg_bending_beam, only: bending_beam_type, bent_type, contact_xi, length_of
    use dg_bending_nodes, only: rows_needed
    use dg_mesh, only: mesh_type
    use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid
@@ -19,28 +18,27 @@ contains
 
    !> Makes the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
    !> Straight lines between the rows are then within a quarter of a per cent of the largest moment.
-   pure subroutine merge_rows(trajectory, mesh, work, lying, beam, y, profile)
+   pure subroutine merge_rows(trajectory, mesh, work, beam, bent, scale, profile)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)                 !< of the beam (4,n) [m, -]
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: scale(:)                !< see contact_scale
       type(profile_type), intent(inout) :: profile    !< on entry of the analysis, on return of the beam
       type(profile_type) :: own
-      real(wp) :: forces(4, size(y, 2)), moment(size(y, 2)), share, side_force(size(y, 2))
-      logical :: kept(size(y, 2))
+      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), across(2)
+      logical :: kept(size(beam%md))
       integer, allocatable :: rows(:)
       integer :: n, o, row
-      forces = element_forces(beam, y)
-      call choose_moments(mesh, beam, forces, profile%bending, moment, kept)
-      rows = pack([(n, n=1, size(y, 2))], kept)
-      side_force = side_forces(mesh, work, lying, beam, y, rows)
+      call choose_moments(mesh, beam, bent%forces, profile%bending, moment, kept)
+      rows = pack([(n, n=1, size(kept))], kept)
+      side_force = side_forces(mesh, work, beam, bent, scale, rows)
       own = profile
       profile = new_profile(size(rows))
       do row = 1, size(rows)
          n = rows(row)
-         o = beam%owner(min(n, size(y, 2) - 1))
+         o = beam%owner(min(n, size(beam%owner)))
          share = (beam%md(n) - mesh%md(o))/mesh%length(o)
          profile%md(row) = beam%md(n)
          call put_place(trajectory, mesh%arc(o), row, profile)
@@ -55,9 +53,10 @@ contains
             profile%shear(row) = own%shear(o)
             profile%gap_state(row) = own%gap_state(o)
          else
-            profile%displacement(row) = norm2(y(1:2, n))
-            profile%clock(row) = clock_in_hole(trajectory, mesh%arc(o), beam%place(n), y(1:2, n))
-            profile%shear(row) = norm2(forces(1:2, n) + beam%axial(n)*y(3:4, n))
+            across = bent%y(1:2, n)
+            profile%displacement(row) = length_of(across)
+            profile%clock(row) = clock_in_hole(trajectory, mesh%arc(o), beam%place(n), across)
+            profile%shear(row) = length_of(bent%forces(1:2, n) + beam%axial(n)*bent%y(3:4, n))
             if (side_force(n) > 0.0_wp) profile%gap_state(row) = merge(state_rigid, state_elastic, profile%displacement(row) > &
                (1.0_wp + minval(mesh%eps_nmax(max(o - 1, 1):o)))*minval(mesh%clearance(max(o - 1, 1):o)))
          end if
@@ -69,7 +68,7 @@ contains
    pure subroutine choose_moments(mesh, beam, forces, bending, moment, kept)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: forces(:, :)       !< at the nodes of the beam, see element_forces (4,n) [N, N.m]
+      real(wp), intent(in) :: forces(:, :)       !< at the nodes of the beam, see bent_type (4,n) [N, N.m]
       real(wp), intent(in) :: bending(:)         !< of the analysis, at the nodes of the mesh [N.m]
       real(wp), intent(out) :: moment(:)         !< (n) [N.m]
       logical, intent(out) :: kept(:)            !< nodes that become rows (n)
@@ -82,7 +81,7 @@ contains
          o = beam%owner(min(n, size(beam%owner)))
          share = (beam%md(n) - mesh%md(o))/mesh%length(o)
          coarse(n) = (1.0_wp - share)*bending(o) + share*bending(o + 1)
-         moment(n) = norm2(forces(3:4, n))
+         moment(n) = length_of(forces(3:4, n))
          if (beam%held(n)) moment(n) = coarse(n)
          largest = max(largest, moment(n))
       end do
@@ -109,17 +108,17 @@ contains
 
    !> Contact force per metre at the rows [N/m], 0 at the other nodes. The area under straight lines between the rows is the sum of
    !> contact of the analysis.
-   pure function side_forces(mesh, work, lying, beam, y, rows) result(per_metre)
+   pure function side_forces(mesh, work, beam, bent, scale, rows) result(per_metre)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: scale(:)        !< see contact_scale
       integer, intent(in) :: rows(:)          !< nodes of the beam that are rows, the first and the last among them
-      real(wp) :: per_metre(size(y, 2))
-      real(wp) :: forces(size(y, 2)), share
+      real(wp) :: per_metre(size(beam%md))
+      real(wp) :: forces(size(beam%md)), share
       integer :: n, row, upper, lower
-      forces = nodal_contact(mesh, work, lying, beam, y)
+      forces = nodal_contact(mesh, work, beam, bent, scale)
       per_metre = 0.0_wp
       row = 1
       do n = 1, size(forces)
@@ -140,32 +139,28 @@ contains
    !> Contact forces at the nodes of the beam [N]. They are distributed as the beam has them, and scaled to the sum of the
    !> analysis. The force of a tool joint is spread over its element of the analysis. Where the string is not bent again they are
    !> those of the analysis.
-   pure function nodal_contact(mesh, work, lying, beam, y) result(forces)
+   pure function nodal_contact(mesh, work, beam, bent, scale) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      real(wp) :: forces(size(y, 2))
-      real(wp) :: pressed(contact_places, size(y, 2) - 1), points(size(beam%point)), scale(mesh%elements)
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: scale(:)        !< see contact_scale
+      real(wp) :: forces(size(beam%md))
       integer :: e, o, p
-      pressed = contact_forces(beam, y)
-      points = point_forces(beam, y)
-      scale = contact_scale(lying%bends, work%normal, beam, pressed, points)
       forces = 0.0_wp
       p = 1
-      do e = 1, size(pressed, 2)
+      do e = 1, size(beam%ei)
          o = beam%owner(e)
          associate (share => 0.5_wp*(beam%md(e + 1) - beam%md(e))/mesh%length(o))
             if (scale(o) > 0.0_wp) then
-               forces(e) = forces(e) + scale(o)*sum((1.0_wp - contact_xi)*pressed(:, e))
-               forces(e + 1) = forces(e + 1) + scale(o)*sum(contact_xi*pressed(:, e))
-               do while (p < size(points))
+               forces(e) = forces(e) + scale(o)*sum((1.0_wp - contact_xi)*bent%pressed(:, e))
+               forces(e + 1) = forces(e + 1) + scale(o)*sum(contact_xi*bent%pressed(:, e))
+               do while (p < size(bent%points))
                   if (beam%point_owner(p) >= o) exit
                   p = p + 1
                end do
-               if (size(points) == 0) cycle
-               if (beam%point_owner(p) == o) forces(e:e + 1) = forces(e:e + 1) + scale(o)*share*points(p)
+               if (size(bent%points) == 0) cycle
+               if (beam%point_owner(p) == o) forces(e:e + 1) = forces(e:e + 1) + scale(o)*share*bent%points(p)
             else
                forces(e:e + 1) = forces(e:e + 1) + share*max(work%normal(o), 0.0_wp)
             end if
@@ -175,21 +170,20 @@ contains
 
    !> By what the beam's contact forces in each element of the analysis are multiplied, so that each run of elements that is bent
    !> again has the analysis' sum [-]; 0 where the analysis' own forces are taken.
-   pure function contact_scale(bends, normal, beam, pressed, points) result(scale)
+   pure function contact_scale(bends, normal, beam, bent) result(scale)
       logical, intent(in) :: bends(:)            !< elements that are bent again
       real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: pressed(:, :)      !< of the beam, at the places of its elements [N]
-      real(wp), intent(in) :: points(:)          !< at its points [N]
+      type(bent_type), intent(in) :: bent
       real(wp) :: scale(size(bends))
       real(wp) :: found(size(bends))
       integer :: e, p
       found = 0.0_wp
-      do e = 1, size(pressed, 2)
-         found(beam%owner(e)) = found(beam%owner(e)) + sum(pressed(:, e))
+      do e = 1, size(beam%ei)
+         found(beam%owner(e)) = found(beam%owner(e)) + sum(bent%pressed(:, e))
       end do
-      do p = 1, size(points)
-         found(beam%point_owner(p)) = found(beam%point_owner(p)) + points(p)
+      do p = 1, size(bent%points)
+         found(beam%point_owner(p)) = found(beam%point_owner(p)) + bent%points(p)
       end do
       scale = sum_over_sum(bends, max(normal, 0.0_wp), found)
    end function contact_scale

@@ -2,9 +2,8 @@
 !> stabilisers, edges of contact, and what holds the ends.
 module dg_contact_list
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, contact_forces, contact_places, contact_xi, element_forces, point_forces
-   use dg_bending_layout, only: lying_type
-   use dg_bending_rows, only: clock_in_hole, contact_scale
+   use dg_bending_beam, only: bending_beam_type, bent_type, contact_places, contact_xi, length_of
+   use dg_bending_rows, only: clock_in_hole
    use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_edge, contact_joint, contact_point_type, &
                              contact_top
    use dg_component, only: has_blades
@@ -31,20 +30,20 @@ module dg_contact_list
 contains
 
    !> Fills result%contacts, from the top down. Edges are looked for where the string was bent again.
-   subroutine list_contacts(model, mesh, work, lying, beam, y, result)
+   subroutine list_contacts(model, mesh, work, beam, bent, scale, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)                    !< of the beam's nodes (4,n)
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: scale(:)                   !< see contact_scale of dg_bending_rows
       type(case_result_type), intent(inout) :: result
       type(stretches_type) :: stretches
       type(contact_edge_type), allocatable :: edges(:)
       type(contact_point_type) :: point
       integer :: kind(mesh%elements), i
       real(wp) :: pushed(2)
-      call find_stretches(mesh, work, lying, beam, y, stretches)
+      call find_stretches(mesh, work, beam, bent, scale, stretches)
       kind = kinds_of(model, result%case_index, mesh)
       if (allocated(result%contacts)) deallocate (result%contacts)
       allocate (result%contacts(0))
@@ -56,13 +55,11 @@ contains
          call insert(contact_point_type(contact_edge, edges(i)%md, edges(i)%force, edges(i)%length), result%contacts)
       end do
       do i = 1, size(result%contacts)
-         result%contacts(i)%clock = clock_near(model, mesh, beam, y, result%contacts(i)%md)
+         result%contacts(i)%clock = clock_near(model, mesh, beam, bent%y, result%contacts(i)%md)
       end do
       if (beam%centred(1) .and. .not. beam%held(1)) then
-         associate (forces => element_forces(beam, y))
-            pushed = -forces(1:2, 1)
-         end associate
-         point = contact_point_type(contact_top, beam%md(1), norm2(pushed))
+         pushed = -bent%forces(1:2, 1)
+         point = contact_point_type(contact_top, beam%md(1), length_of(pushed))
          point%clock = clock_in_hole(model%trajectory, mesh%arc(1), beam%place(1), pushed)
          call insert(point, result%contacts)
       end if
@@ -73,29 +70,26 @@ contains
 
    !> All contact forces of the string with the analysis' sum: two of each element of the beam, those of its points, and of elements
    !> that were not bent again those of the analysis.
-   pure subroutine find_stretches(mesh, work, lying, beam, y, stretches)
+   pure subroutine find_stretches(mesh, work, beam, bent, scale, stretches)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
+      type(bent_type), intent(in) :: bent
+      real(wp), intent(in) :: scale(:)
       type(stretches_type), intent(out) :: stretches
-      real(wp) :: pressed(contact_places, size(beam%ei)), points(size(beam%point)), scale(mesh%elements), length, across(2)
+      real(wp) :: length, across(2)
       integer :: e, o, p, n, k
-      pressed = contact_forces(beam, y)
-      points = point_forces(beam, y)
-      scale = contact_scale(lying%bends, work%normal, beam, pressed, points)
-      n = contact_places*size(beam%ei) + size(points)
+      n = contact_places*size(beam%ei) + size(bent%points)
       allocate (stretches%md(n), stretches%length(n), stretches%force(n), stretches%load(n), stretches%owner(n), &
                 stretches%spread(n))
       n = 0
       k = 1
       do e = 1, size(beam%ei)
          o = beam%owner(e)
-         if (k <= size(points)) then
+         if (k <= size(bent%points)) then
             if (beam%point(k) == e) then
-               call add(beam%md(e), mesh%length(o), merge(scale(o)*points(k), max(work%normal(o), 0.0_wp), scale(o) > 0.0_wp), &
-                        0.0_wp, o, .false., n, stretches)
+               call add(beam%md(e), mesh%length(o), merge(scale(o)*bent%points(k), max(work%normal(o), 0.0_wp), &
+                                                          scale(o) > 0.0_wp), 0.0_wp, o, .false., n, stretches)
                k = k + 1
             end if
          end if
@@ -105,11 +99,11 @@ contains
                across = (1.0_wp - xi)*(beam%weight(:, e) + beam%axial(e)*beam%curvature(:, e)) &
                         + xi*(beam%weight(:, e + 1) + beam%axial(e + 1)*beam%curvature(:, e))
                if (scale(o) > 0.0_wp) then
-                  call add(beam%md(e) + xi*length, length/contact_places, scale(o)*pressed(p, e), norm2(across), o, .true., n, &
-                           stretches)
+                  call add(beam%md(e) + xi*length, length/contact_places, scale(o)*bent%pressed(p, e), length_of(across), &
+                           o, .true., n, stretches)
                else
                   call add(beam%md(e) + xi*length, length/contact_places, &
-                           max(work%normal(o), 0.0_wp)*length/(contact_places*mesh%length(o)), norm2(across), o, .false., n, &
+                           max(work%normal(o), 0.0_wp)*length/(contact_places*mesh%length(o)), length_of(across), o, .false., n, &
                            stretches)
                   if (any(beam%point_owner == o)) stretches%force(n) = 0.0_wp     ! it stands at its point
                end if
