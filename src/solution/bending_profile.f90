@@ -308,8 +308,9 @@ contains
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: pressed(:, :)           !< contact forces at the places of the elements (contact_places,n-1) [N]
       real(wp), intent(inout) :: differences(:)
-      real(wp) :: load(contact_places*size(pressed, 2)), length, above, moment, beside
+      real(wp) :: load(0:contact_places*size(pressed, 2) + 1), length, above, moment
       integer :: e, p, k
+      load = 0.0_wp      ! beyond the ends, too
       do e = 1, size(pressed, 2)
          load(contact_places*e - 1:contact_places*e) = pressed(:, e)*contact_places/(beam%md(e + 1) - beam%md(e))      ! per metre
       end do
@@ -317,9 +318,8 @@ contains
          length = beam%md(e + 1) - beam%md(e)
          do p = 1, contact_places
             k = contact_places*(e - 1) + p
-            beside = max(load(max(k - 1, 1)), load(min(k + 1, size(load))))
             moment = max(abs(load(2*e) - load(2*e - 1))*length**2*edge_share, &
-                         (load(k) - beside)*length**2*point_share/contact_places)
+                         (load(k) - max(load(k - 1), load(k + 1)))*length**2*point_share/contact_places)
             differences(e:e + 1) = max(differences(e:e + 1), moment)
          end do
          if (e == 1) cycle
