@@ -12,12 +12,13 @@
 !> where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, contact_places, curvature_within, find_forces, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, curvature_within, find_forces, length_of
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: contact_scale, merge_rows
    use dg_bending_solution, only: solve_bending
    use dg_case_result, only: case_result_type
+   use dg_contact_edges, only: moments_of_misplacing
    use dg_contact_list, only: list_contacts
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
@@ -43,12 +44,6 @@ module dg_bending_profile
    !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
    !> `settled` on all later ones.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
-   !> Moment by which a contact force is missed that is felt at the wrong place of an element, over the change of the force per
-   !> metre times the square of the element's length [-].
-   real(wp), parameter :: edge_share = 1.0_wp/32.0_wp
-   !> The same for a force at one place of an element, over that force times the element's length [-]: the place nearest to the
-   !> force is up to 0.29 lengths from it, and between two nodes its peak is cut off by up to an eighth.
-   real(wp), parameter :: point_share = 0.4_wp
    !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp
    !> Largest distance of the beam from the string of the analysis, over the clearance [-]. Next to an instability, as of a free
@@ -277,7 +272,7 @@ contains
          end if
          above = bend(:, 2)
       end do
-      call add_edges(beam, bent%pressed, differences)
+      differences = max(differences, moments_of_misplacing(beam%md(2:) - beam%md(:size(beam%ei)), bent%pressed))
       call add_peaks(beam, bent, moments, differences)
    end subroutine recover_moments
 
@@ -301,33 +296,4 @@ contains
          differences(e) = max(differences(e), peak_share*(length_of(middle) - largest))
       end do
    end subroutine add_peaks
-
-   !> Raises the differences where contact begins, ends or has its peak within an element. A force that is felt a part of an
-   !> element away from its place makes a moment.
-   pure subroutine add_edges(beam, pressed, differences)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: pressed(:, :)           !< contact forces at the places of the elements (contact_places,n-1) [N]
-      real(wp), intent(inout) :: differences(:)
-      real(wp) :: load(0:contact_places*size(pressed, 2) + 1), length, above, moment
-      integer :: e, p, k
-      load = 0.0_wp      ! beyond the ends, too
-      do e = 1, size(pressed, 2)
-         load(contact_places*e - 1:contact_places*e) = pressed(:, e)*contact_places/(beam%md(e + 1) - beam%md(e))      ! per metre
-      end do
-      do e = 1, size(pressed, 2)
-         length = beam%md(e + 1) - beam%md(e)
-         do p = 1, contact_places
-            k = contact_places*(e - 1) + p
-            moment = max(abs(load(2*e) - load(2*e - 1))*length**2*edge_share, &
-                         (load(k) - max(load(k - 1), load(k + 1)))*length**2*point_share/contact_places)
-            differences(e:e + 1) = max(differences(e:e + 1), moment)
-         end do
-         if (e == 1) cycle
-         above = beam%md(e) - beam%md(e - 1)
-         moment = abs(load(2*e - 1) - load(2*e - 2))*merge(length, above, load(2*e - 1) > load(2*e - 2)) &
-                  *max(length, above)*edge_share      ! of the element that is pressed more: what it carries
-         differences(e) = max(differences(e), moment)
-      end do
-   end subroutine add_edges
-
 end module dg_bending_profile

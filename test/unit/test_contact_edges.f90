@@ -1,7 +1,7 @@
 !> Edges of contact found among forces that are made up.
 module dg_test_contact_edges
-   use funit, only: assertEqual, TestMethod, TestSuite
-   use dg_contact_edges, only: centroid, contact_edge_type, find_edges
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_contact_edges, only: centroid, contact_edge_type, find_edges, moments_of_misplacing
    use dg_kinds, only: wp
    implicit none
    private
@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('first_and_last_stretch', test_ends))
       call suite%addTest(TestMethod('small_ones_left_out', test_small))
       call suite%addTest(TestMethod('nothing_touches', test_nothing))
+      call suite%addTest(TestMethod('misplaced_force', test_misplaced))
    end function contact_edges_suite
 
    !> Middles of the stretches [m].
@@ -100,4 +101,26 @@ contains
       call assertEqual(0, size(edges))
       call assertEqual(1.5_wp, centroid([1.0_wp, 2.0_wp], [0.0_wp, 0.0_wp]), round_off, message='the middle')
    end subroutine test_nothing
+
+   !> Ten newtons felt at one place of an element of 2 m may act 0.3 lengths away: 6 N.m at least, within the string and at its end;
+   !> next to an element of 30 m not more than the half of that element's length away.
+   subroutine test_misplaced()
+      real(wp), parameter :: force = 10.0_wp, long = 30.0_wp
+      real(wp), parameter :: at_least = 6.0_wp, at_most = 0.5_wp*long*force
+      real(wp) :: length(3), pressed(2, 3), moments(4)
+      length = 2.0_wp
+      pressed = 0.0_wp
+      pressed(2, 2) = force
+      moments = moments_of_misplacing(length, pressed)
+      call assertTrue(all(moments(2:3) > at_least), message='within')
+      pressed = 0.0_wp
+      pressed(2, 3) = force
+      moments = moments_of_misplacing(length, pressed)
+      call assertTrue(all(moments(3:4) > at_least), message='at the end')
+      length = [long, 0.2_wp, long]
+      pressed = 0.0_wp
+      pressed(1, 2) = force
+      moments = moments_of_misplacing(length, pressed)
+      call assertTrue(all(moments < at_most), message='beside a long element')
+   end subroutine test_misplaced
 end module dg_test_contact_edges

@@ -23,6 +23,8 @@ module dg_test_moments
    !> every row, root mean square; over their own size hook load, torque, sum of contact.
    real(wp), parameter :: largest_within = 0.03_wp, never_below = 0.02_wp, everywhere_within = 0.05_wp, mean_within = 0.01_wp
    real(wp), parameter :: hookload_within = 1.0e-3_wp, contact_within = 5.0e-3_wp, torque_within = 2.0e-3_wp
+   !> What the result tells of its own error is more than that error, and less than what it warns of.
+   real(wp), parameter :: told_within = 0.05_wp
    !> The rest of the columns. Axial force over the largest and torque over that at the top: between the nodes of the analysis
    !> they go along straight lines past contacts that stand at one place. Offset, as a vector, over the clearance; clock angle on
    !> the wall; contact summed up from the top over all of it; shear over the largest: it jumps at the ends of contact, where a
@@ -200,7 +202,7 @@ contains
       call assertRelativelyEqual(sum(beam%contact), result%normal_force, contact_within, message=what//': contact')
       if (well%around > 0.0_wp) call assertRelativelyEqual(beam%torque(0), result%torque, torque_within, message=what//': torque')
       place = places_of(beam, result%profile%md)
-      call compare_moments(beam, result%profile, place, what)
+      call compare_moments(beam, result%profile, place, result%moment_error, what)
       if (present(closely)) call assertRelativelyEqual(maxval(norm2(beam%moment, dim=1)), maxval(result%profile%bending), closely, &
                                                        message=what//': largest moment')
       if (.not. present(closely)) call compare_columns(beam, result, place, what)
@@ -260,10 +262,11 @@ contains
       mean = sqrt(sum(off**2*weight, mask=counts)/sum(weight, mask=counts))
    end function mean_of
 
-   subroutine compare_moments(beam, profile, place, what)
+   subroutine compare_moments(beam, profile, place, told, what)
       type(independent_beam_type), intent(in) :: beam
       type(profile_type), intent(in) :: profile
       real(wp), intent(in) :: place(:)
+      real(wp), intent(in) :: told        !< how far moments may be off as the result has it [-]
       character(*), intent(in) :: what
       real(wp) :: largest, off(size(place)), mean, moment(0:beam%n)
       integer :: i
@@ -282,6 +285,9 @@ contains
       call assertGreaterThan(maxval(profile%bending)/largest, 1.0_wp - never_below, message=what//': largest moment too low')
       call assertLessThan(abs(off(i)), everywhere_within, message=what//': moment somewhere')
       call assertLessThan(mean, mean_within, message=what//': moment, mean')
+      call note(what//': told error over that at worst', told/abs(off(i)))
+      call assertLessThan(abs(off(i)), told, message=what//': more off than told')
+      call assertLessThan(told, told_within, message=what//': told error')
    end subroutine compare_moments
 
    !> An angle without whole turns [rad], and the clock angle of the other solution at a place.
