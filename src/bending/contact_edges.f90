@@ -98,10 +98,10 @@ contains
             moments(e:e + 1) = max(moments(e:e + 1), abs(load(2*e) - load(2*e - 1))*length(e)**2*edge_share, &
                                    0.5_wp*(load(k) - max(load(k - 1), load(k + 1)))*length(e)**2*point_share)
          end do
-         if (e == 1) cycle
-         k = 2*(e - 1)
-         carried = abs(load(k + 1) - load(k))*merge(length(e), length(e - 1), load(k + 1) > load(k))   ! by the one pressed more
-         moments(e) = max(moments(e), carried*max(length(e), length(e - 1))*edge_share)
+      end do
+      do e = 1, size(length) - 1      ! and between two elements, of what the one pressed more carries
+         carried = abs(load(2*e + 1) - load(2*e))*merge(length(e + 1), length(e), load(2*e + 1) > load(2*e))
+         moments(e + 1) = max(moments(e + 1), carried*maxval(length(e:e + 1))*edge_share)
       end do
    end function moments_of_misplacing
 end module dg_contact_edges
