@@ -18,13 +18,14 @@ module dg_static_analysis
    use dg_model, only: model_type
    use dg_newton, only: end_iterations, iterate, make_room, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
+   use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
    use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin, is_stable, push_off
-   use dg_static_result, only: add_message, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
+   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
    use dg_text, only: to_text
    use dg_turning_step, only: is_straight_down
    use dg_viscosity, only: damped_type, new_damped
@@ -242,7 +243,10 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
+      type(outside_type) :: outside
       call bend_profile(model, mesh, gaps, work, result)
+      call measure_rows(mesh, result%profile, outside)
+      if (outside%elements > 0) call add_outside(outside, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
                           'this one was found on short elements, so they are those of elements of up to '// &
