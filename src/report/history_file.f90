@@ -11,8 +11,10 @@ module dg_history_file
    private
    public :: write_history, history_columns, history_fields
 
-   type(column_type), parameter :: history_columns(11) = [ &
+   type(column_type), parameter :: history_columns(13) = [ &
+      column_type('attempt', quantity_none, 'at the case: one that fails is followed by the next; shorter elements count on'), &
       column_type('increment', quantity_none, 'load step'), &
+      column_type('stage', quantity_none, 'of the wall, which becomes stiffer from each to the next'), &
       column_type('iteration', quantity_none, 'counted through all load steps and stages of the wall'), &
       column_type('residual', quantity_force, 'largest nodal force out of balance'), &
       column_type('residual', quantity_moment, 'largest nodal moment out of balance'), &
@@ -52,7 +54,9 @@ contains
    pure subroutine history_fields(step, row)
       type(iteration_type), intent(in) :: step
       type(field_list_type), intent(out) :: row
+      call put(row, step%attempt)
       call put(row, step%increment)
+      call put(row, step%stage)
       call put(row, step%iteration)
       call put(row, step%residual_force)
       call put(row, step%residual_moment)

@@ -45,7 +45,9 @@ module dg_case_result
 
    !> One row of the iteration history.
    type :: iteration_type
+      integer :: attempt = 0                   !< at the case, from 1
       integer :: increment = 0                 !< load step
+      integer :: stage = 0                     !< of the wall's stiffness, from 1
       integer :: iteration = 0                 !< within the case
       real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]

@@ -18,13 +18,14 @@ module dg_static_analysis
    use dg_model, only: model_type
    use dg_newton, only: end_iterations, iterate, make_room, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
+   use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, whirling
    use dg_refinement, only: take_over
    use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin, is_stable, push_off
-   use dg_static_result, only: add_message, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
+   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
    use dg_text, only: to_text
    use dg_turning_step, only: is_straight_down
    use dg_viscosity, only: damped_type, new_damped
@@ -149,6 +150,7 @@ contains
       integer :: plan(3)
       integer :: attempt, outcome, place, way, in_plane
       integer :: most              ! iterations
+      integer :: tried             ! attempts on a mesh before
       call mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
       if (totals%runaway) then
          call result_of_lock_up(model, case_index, result)
@@ -180,6 +182,7 @@ contains
             call make_room(newton, numerics%linear_solver, mesh%nodes, planar=.false.)
          end if
       end if
+      tried = maxval([0, newton%history(:newton%iterations)%attempt])
       do attempt = 1, merge(0, count(plan /= nothing), newton%planar)
          known = .false.
          numerics = model%numerics
@@ -194,6 +197,7 @@ contains
             numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
+         call enter_attempt(tried + attempt, newton)
          if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping) then
             call is_stable(newton, model%trajectory, mesh, loads, gaps, state, work, stable)
             known = stable
@@ -205,6 +209,7 @@ contains
                numerics%max_iterations = min(most, newton%iterations + longest_attempt(damped_briefly))
                call go_through_increments(model, case_index, numerics, pressing, .true., gap_states, .true., mesh, newton, &
                                           damped, gaps, state, work, loads, outcome)
+               call enter_attempt(tried + attempt, newton)
             end if
          end if
          if (outcome == newton_converged) then
@@ -242,7 +247,10 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
+      type(outside_type) :: outside
       call bend_profile(model, mesh, gaps, work, result)
+      call measure_rows(mesh, result%profile, outside)
+      if (outside%elements > 0) call add_outside(outside, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
                           'this one was found on short elements, so they are those of elements of up to '// &
@@ -276,13 +284,16 @@ contains
       type(damped_type) :: damped
       real(wp) :: residual, worst
       integer :: attempt, outcome, place
+      integer :: tried             ! attempts on a mesh before
       integer, parameter :: plan(2) = [by_newton, other_place]
+      tried = maxval([0, newton%history(:newton%iterations)%attempt])
       do attempt = 1, size(plan)
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
          if (plan(attempt) == other_place) numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, .false., mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
+         call enter_attempt(tried + attempt, newton)
          stays = outcome == newton_converged
          if (stays) then
             call look_outside(model, mesh, work, worst, place)
@@ -293,6 +304,13 @@ contains
       call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work, residual)
       stays = stays .and. residual <= tolerance_at(numerics, gaps, newton%force_scale)*newton%force_scale
    end subroutine try_in_plane
+
+   !> Enters the number of an attempt into its rows of the history: those that have none.
+   pure subroutine enter_attempt(attempt, newton)
+      integer, intent(in) :: attempt
+      type(newton_type), intent(inout) :: newton
+      where (newton%history(:newton%iterations + 1)%attempt == 0) newton%history(:newton%iterations + 1)%attempt = attempt
+   end subroutine enter_attempt
 
    !> The attempts in their order.
    pure function plan_of(may_buckle, buckles, rotating, straight_down) result(plan)
@@ -393,6 +411,7 @@ contains
                call iterate(newton, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), increment, gaps, &
                             state, work, outcome)
             end if
+            where (newton%history(:newton%iterations + 1)%stage == 0) newton%history(:newton%iterations + 1)%stage = stage
             if (outcome /= newton_converged) return
          end do
       end do

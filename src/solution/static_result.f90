@@ -10,6 +10,7 @@ module dg_static_result
    use dg_model, only: model_type
    use dg_newton, only: newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: numerics_type
+   use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
@@ -20,7 +21,7 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, fill_result, result_of_lock_up, look_outside, outcome_outside, touched
+   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, outcome_outside, touched
 
    !> Outcome of an attempt that converged to a string outside its hole, beside those of dg_newton.
    integer, parameter :: outcome_outside = 100
@@ -59,6 +60,7 @@ contains
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(out) :: result
       type(iteration_type) :: last
+      type(outside_type) :: outside
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
       character(200) :: text
@@ -106,6 +108,10 @@ contains
       if (outcome == newton_converged .and. newton%gaps_taken_back) &
          call add_message(result, 'gaps that were moved to where the string lies deepest found no rest there and stand '// &
                           'where they first touched: '//touched)
+      if (outcome == newton_converged) then
+         call measure_outside(model%trajectory, mesh, work, outside)
+         if (outside%elements > 0) call add_outside(outside, result)
+      end if
       result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
       result%torque = work%top_torque
       result%normal_force = sum(work%normal)
@@ -168,6 +174,16 @@ contains
       if (result%message /= '') result%message = result%message//'; '
       result%message = result%message//text
    end subroutine add_message
+
+   !> Adds what is said of a string that stands outside its hole.
+   pure subroutine add_outside(outside, result)
+      type(outside_type), intent(in) :: outside
+      type(case_result_type), intent(inout) :: result
+      character(:), allocatable :: text
+      if (index(result%message, outside_place) > 0) return
+      call outside_message(outside, text)
+      call add_message(result, text)
+   end subroutine add_outside
 
    !> The result of a case that no push at the top can bring about: friction of the coiled string outgrows all bounds. Forces are
    !> those of the soft string below that depth.

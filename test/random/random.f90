@@ -1,4 +1,6 @@
-!> Random wells against what must hold for any well. Arguments: first seed and number of seeds (1 and 20 where none are given).
+!> Random wells against what must hold for any well. Arguments: first seed, number of seeds, and `any` or `drilled` for one part
+!> alone: wells of any shape, or wells as they are drilled (dg_drilled_part). Where none are given: 20 seeds of the first, 10 of the
+!> other.
 !>
 !> Of every well: the case converges, locks up or is marked; every number is one; forces balance; a well turned about the
 !> vertical, and of a string that neither turns nor carries torque the mirror image, give the same; a well without its turns is
@@ -10,6 +12,7 @@ program random
    use, intrinsic :: iso_fortran_env, only: output_unit
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, way_planar
    use dg_component, only: bending_stiffness
+   use dg_drilled_part, only: check_drilled_wells
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_name, operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out, &
@@ -37,7 +40,7 @@ program random
    !> long come to rest: turned wells, the plane and space then take other ways, seen by their iterations and moves.
    real(wp), parameter :: tolerance(checks) = [1.0e-6_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
       1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 1.0e-3_wp, 1.0e-6_wp, 1.0e-3_wp]
-   integer, parameter :: default_first = 1, default_count = 20
+   integer, parameter :: default_first = 1, default_count = 20, default_drilled = 10
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
    !> Compression over the largest force [-] from which a string counts as compressed.
@@ -47,7 +50,8 @@ program random
    real(wp), parameter :: turn = 137.0_wp      ! deg
 
    real(wp) :: worst(checks)
-   integer :: worst_seed(checks), compared(checks), first, number, seed, solved, marked, passed, failed, locked, i
+   integer :: worst_seed(checks), compared(checks), first, number, seed, solved, marked, passed, failed, locked
+   character(8) :: part
    logical :: sound
    worst = 0.0_wp
    worst_seed = 0
@@ -57,33 +61,41 @@ program random
    locked = 0
    passed = 0
    failed = 0
-   call read_arguments(first, number)
-   do seed = first, first + number - 1
-      sound = .true.
-      call check_well(seed)
-      if (sound) then
-         passed = passed + 1
-      else
-         failed = failed + 1
-      end if
-   end do
-   write (output_unit, '(a,i0,a,i0,a,i0,a,i0,a,i0,a)') 'seeds ', first, ' to ', first + number - 1, ': ', solved, &
-      ' cases solved, ', locked, ' locked up, ', marked, &
-      ' marked as not converged'
-   do i = 1, checks
-      write (output_unit, '(2x,a,a,es8.1,a,i0,a,es8.1,a,i0,a)') name_of(i), ' worst ', worst(i), ' (seed ', worst_seed(i), &
-         '), allowed ', tolerance(i), ', ', compared(i), ' compared'
-   end do
-   if (marked > 1 + solved/marked_one_in) then
-      write (output_unit, '(a)') 'FAIL too many cases marked'
-      failed = failed + 1
-   else
-      passed = passed + 1
-   end if
+   call read_arguments(first, number, part)
+   if (part /= 'drilled') call check_wells()
+   if (command_argument_count() < 2) number = default_drilled
+   if (part /= 'any') call check_drilled_wells(first, number, passed, failed)
    write (output_unit, '(i0,a,i0,a)') passed, ' passed, ', failed, ' failed'
    if (failed > 0) error stop 1
 
 contains
+
+   !> Wells of any shape, seed by seed.
+   subroutine check_wells()
+      integer :: i
+      do seed = first, first + number - 1
+         sound = .true.
+         call check_well(seed)
+         if (sound) then
+            passed = passed + 1
+         else
+            failed = failed + 1
+         end if
+      end do
+      write (output_unit, '(a,i0,a,i0,a,i0,a,i0,a,i0,a)') 'seeds ', first, ' to ', first + number - 1, ': ', solved, &
+         ' cases solved, ', locked, ' locked up, ', marked, &
+         ' marked as not converged'
+      do i = 1, checks
+         write (output_unit, '(2x,a,a,es8.1,a,i0,a,es8.1,a,i0,a)') name_of(i), ' worst ', worst(i), ' (seed ', worst_seed(i), &
+            '), allowed ', tolerance(i), ', ', compared(i), ' compared'
+      end do
+      if (marked > 1 + solved/marked_one_in) then
+         write (output_unit, '(a)') 'FAIL too many cases marked'
+         failed = failed + 1
+      else
+         passed = passed + 1
+      end if
+   end subroutine check_wells
 
    !> All checks of one seed.
    subroutine check_well(seed)
@@ -329,18 +341,22 @@ contains
       write (output_unit, '(a,i0,2a)') 'FAIL seed ', seed, ': ', what
    end subroutine fail
 
-   !> First seed and number of seeds.
-   subroutine read_arguments(first, number)
+   !> First seed, number of seeds, and which part; '' for both.
+   subroutine read_arguments(first, number, part)
       integer, intent(out) :: first, number
+      character(*), intent(out) :: part
       character(32) :: word
       integer :: status
       first = default_first
       number = default_count
-      if (command_argument_count() /= 2) return
+      part = ''
+      if (command_argument_count() < 2) return
       call get_command_argument(1, word)
       read (word, *, iostat=status) first
       call get_command_argument(2, word)
       if (status == 0) read (word, *, iostat=status) number
-      if (status /= 0) error stop 'usage: random FIRST_SEED NUMBER_OF_SEEDS'
+      call get_command_argument(3, part)
+      if (status /= 0 .or. all(part /= [character(7) :: '', 'any', 'drilled'])) &
+         error stop 'usage: random FIRST_SEED NUMBER_OF_SEEDS [any | drilled]'
    end subroutine read_arguments
 end program random

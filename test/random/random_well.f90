@@ -13,7 +13,7 @@ module dg_random_well
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
-   public :: stations_type, draw_well, lay_path, split_component
+   public :: stations_type, begin_draws, draw, draw_well, lay_path, split_component
 
    !> A survey, angles in degrees.
    type :: stations_type
@@ -42,13 +42,7 @@ contains
       type(stations_type), intent(out) :: stations
       type(model_type), intent(out) :: model
       integer(int64) :: state
-      integer :: i
-      real(wp) :: waste
-      state = 1_int64 + modulo(int(seed, int64)*7919_int64, modulus - 1_int64)
-      do i = 1, warm_up
-         waste = draw(state)
-      end do
-      if (waste > 1.0_wp) return      ! never: keeps the draws
+      call begin_draws(seed, state)
       call draw_stations(state, stations)
       call draw_string(state, model)
       allocate (model%holes(1), model%cases(1))
@@ -81,6 +75,19 @@ contains
          end if
       end associate
    end subroutine draw_well
+
+   !> The generator's state where the draws of a seed begin.
+   subroutine begin_draws(seed, state)
+      integer, intent(in) :: seed
+      integer(int64), intent(out) :: state
+      integer :: i
+      real(wp) :: waste
+      state = 1_int64 + modulo(int(seed, int64)*7919_int64, modulus - 1_int64)
+      do i = 1, warm_up
+         waste = draw(state)
+      end do
+      if (waste > 1.0_wp) state = 1_int64      ! never: keeps the draws
+   end subroutine begin_draws
 
    !> A path of straight courses and arcs; dogleg log-uniform, direction at random.
    subroutine draw_stations(state, stations)

@@ -173,9 +173,9 @@ contains
       call write_history(path, sample_job(), results(1), error)
       call read_lines(path, found)
       call assertEqual(2, size(found))
-      call assertEqual('increment,iteration,residual_kN,residual_kNm,lateral_step_mm,viscosity,negative_pivots,'// &
-                       'contacts,flips,moves,hookload_kN', found(1)%text)
-      call assertEqual('1,1,0.5000000000,0.000000000,0.000000000,0.000000000,,0,0,0,733.4000000', found(2)%text)
+      call assertEqual('attempt,increment,stage,iteration,residual_kN,residual_kNm,lateral_step_mm,viscosity,'// &
+                       'negative_pivots,contacts,flips,moves,hookload_kN', found(1)%text)
+      call assertEqual('1,1,2,1,0.5000000000,0.000000000,0.000000000,0.000000000,,0,0,0,733.4000000', found(2)%text)
    end subroutine test_history
 
    !> One that presses the low side, and the header alone where none was looked for.

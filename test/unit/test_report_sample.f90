@@ -70,6 +70,7 @@ contains
       results(1)%profile%displacement = [0.0_wp, 0.0445_wp]
       results(1)%profile%gap_state(2) = state_elastic
       allocate (results(1)%history(1))
-      results(1)%history(1) = iteration_type(increment=1, iteration=1, residual_force=500.0_wp, hookload=733.4e3_wp)
+      results(1)%history(1) = iteration_type(attempt=1, increment=1, stage=2, iteration=1, residual_force=500.0_wp, &
+                                             hookload=733.4e3_wp)
    end function sample_results
 end module dg_test_report_sample

@@ -29,6 +29,7 @@ contains
       use dg_test_beam_element, only: beam_element_suite
       use dg_test_plane_beam, only: plane_beam_suite
       use dg_test_block_matrix, only: block_matrix_suite
+      use dg_test_outside_hole, only: outside_hole_suite
       use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
       use dg_test_director, only: director_suite
@@ -81,6 +82,7 @@ contains
       call suite%addTest(beam_element_suite())
       call suite%addTest(plane_beam_suite())
       call suite%addTest(block_matrix_suite())
+      call suite%addTest(outside_hole_suite())
       call suite%addTest(plane_equations_suite())
       call suite%addTest(symmetric_solver_suite())
       call suite%addTest(director_suite())

@@ -57,8 +57,27 @@ contains
             call assertRelativelyEqual(hookload, result%hookload, 1.0e-4_wp, message='hook load')
          end if
          hookload = result%hookload
+         call judge_history(result)
       end do
    end subroutine test_stiff_walls
+
+   !> Every iteration stands in an attempt and in a stage of its wall; stages follow each other within an attempt, attempts too.
+   subroutine judge_history(result)
+      type(case_result_type), intent(in) :: result
+      integer :: i
+      associate (rows => result%history)
+         call assertEqual(1, rows(1)%attempt, message='first attempt')
+         call assertEqual(1, rows(1)%stage, message='first stage')
+         call assertGreaterThan(maxval(rows%stage), 1, message='stages')
+         do i = 2, size(rows)
+            if (rows(i)%attempt == rows(i - 1)%attempt) then
+               call assertTrue(any(rows(i)%stage - rows(i - 1)%stage == [0, 1]), message='stage by stage')
+            else
+               call assertEqual(rows(i - 1)%attempt + 1, rows(i)%attempt, message='attempt by attempt')
+            end if
+         end do
+      end associate
+   end subroutine judge_history
 
    !> A wall ten million times stiffer than solid steel: forces are out of balance by the string's weight (seen: 222 kN of 205 kN),
    !> and that is no result.

@@ -1,0 +1,125 @@
+!> How far a solved string stands outside its hole. An element's gap sees the wall at one place: where it wants to touch at two, at
+!> the step of a casing shoe and farther down, or at both ends of a buckling wave, the string leaves the hole at the other.
+module dg_outside_hole
+   use dg_kinds, only: wp
+   use dg_gap_location, only: extremum_of_displacement
+   use dg_gap_survey, only: node_offset, point_on_string
+   use dg_mesh, only: mesh_type
+   use dg_profile, only: profile_type
+   use dg_text, only: to_text
+   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: outside_type, measure_outside, measure_rows, outside_message, outside_place
+
+   !> How far a converged string may stand outside before that is told, over the clearance [-]: rock yields and elements sag.
+   real(wp), parameter :: tell_outside = 0.2_wp
+   !> Length of the elements that are advised over that of the one that stands outside [-]: it brought 42 of 53 strings inside, a
+   !> quarter 45. Elements shorter than `short` are pieces of blades, which no shorter ones help [m].
+   real(wp), parameter :: advised = 0.5_wp, short = 0.5_wp
+   !> The wall gives way where it does at the gap by this part of the largest excess [-].
+   real(wp), parameter :: of_the_wall = 0.5_wp
+   !> Digits of lengths in the message.
+   integer, parameter :: shown = 2, shown_depth = 6
+   !> Words by which every such message is known.
+   character(*), parameter :: outside_place = ' mm outside its hole at '
+   real(wp), parameter :: millimetre = 1.0e-3_wp
+
+   !> Where a string stands farthest outside, counted in clearances of the hole section and component there.
+   type :: outside_type
+      integer :: elements = 0          !< that stand outside by more than is told
+      real(wp) :: excess = 0.0_wp      !< of the farthest of these: offset over clearance, less one [-]
+      real(wp) :: clearance = 0.0_wp   !< there [m]
+      real(wp) :: md = 0.0_wp          !< of that point of the string before loading [m]
+      real(wp) :: length = 0.0_wp      !< of its element [m]
+      logical :: gives_way = .false.   !< the wall itself is pressed in
+   end type outside_type
+
+contains
+
+   !> Measures every element of a solution at the largest offset of its cubic shape, ends included. In a mud sheath the string may
+   !> stand as deep as that is thick. `work` has the nodes placed and the gaps surveyed.
+   pure subroutine measure_outside(trajectory, mesh, work, outside)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(outside_type), intent(out) :: outside
+      real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), offset, xi, largest, excess
+      integer :: e, arc
+      call node_offset(trajectory, mesh, work, 1, gap_j, t_j)
+      do e = 1, mesh%elements
+         gap_i = gap_j
+         t_i = t_j
+         call node_offset(trajectory, mesh, work, e + 1, gap_j, t_j)
+         call extremum_of_displacement(gap_i, work%d(:, e) - t_i, gap_j, work%d(:, e + 1) - t_j, mesh%length(e), xi, largest)
+         point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
+         arc = mesh%arc(e)
+         call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
+         excess = norm2(gap)/mesh%clearance(e) - 1.0_wp
+         if (.not. is_told(excess, mesh, e)) cycle
+         outside%elements = outside%elements + 1
+         if (excess <= outside%excess) cycle
+         outside%excess = excess
+         outside%clearance = mesh%clearance(e)
+         outside%md = mesh%md(e) + xi*mesh%length(e)
+         outside%length = mesh%length(e)
+         outside%gives_way = work%displacement(e)/mesh%clearance(e) - 1.0_wp > of_the_wall*excess
+      end do
+   end subroutine measure_outside
+
+   !> The same at the rows of a profile, which the string that was bent again has more of than the mesh nodes; a row between two
+   !> elements is measured by the narrower.
+   pure subroutine measure_rows(mesh, profile, outside)
+      type(mesh_type), intent(in) :: mesh
+      type(profile_type), intent(in) :: profile
+      type(outside_type), intent(out) :: outside
+      real(wp) :: excess
+      integer :: i, e, narrow, last
+      e = 1
+      last = 0
+      do i = 1, size(profile%md)
+         do while (e < mesh%elements .and. profile%md(i) > mesh%md(e + 1))
+            e = e + 1
+         end do
+         narrow = e
+         if (profile%md(i) >= mesh%md(e + 1) .and. e < mesh%elements) then
+            if (mesh%clearance(e + 1) < mesh%clearance(e)) narrow = e + 1
+         end if
+         excess = profile%displacement(i)/mesh%clearance(narrow) - 1.0_wp
+         if (.not. is_told(excess, mesh, narrow)) cycle
+         if (narrow /= last) outside%elements = outside%elements + 1
+         last = narrow
+         if (excess <= outside%excess) cycle
+         outside%excess = excess
+         outside%clearance = mesh%clearance(narrow)
+         outside%md = profile%md(i)
+         outside%length = mesh%length(narrow)
+      end do
+   end subroutine measure_rows
+
+   !> Whether an excess over the clearance [-] in an element is to be told.
+   pure function is_told(excess, mesh, e) result(told)
+      real(wp), intent(in) :: excess
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      logical :: told
+      told = excess > max(tell_outside, mesh%eps_nmax(e))
+   end function is_told
+
+   !> What is said of a string that stands outside: where, how far, what to do.
+   pure subroutine outside_message(outside, text)
+      type(outside_type), intent(in) :: outside
+      character(:), allocatable, intent(out) :: text
+      text = to_text(outside%excess*outside%clearance/millimetre, shown)//outside_place// &
+             to_text(outside%md, shown_depth)//' m, of '//to_text(outside%clearance/millimetre, shown)//' mm clearance'
+      if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
+      if (outside%gives_way) then
+         text = 'the wall gives way: the string stands '//text//'; with a wall_stiffness of 1e6 kN/m2 it is as good as rigid'
+      else
+         text = 'between its contact points the string stands '//text//': contact there may be off'
+         if (outside%length > short) text = text//'; an element_length of '//to_text(advised*outside%length, shown)// &
+                                            ' m brings most such strings inside'
+      end if
+   end subroutine outside_message
+end module dg_outside_hole
