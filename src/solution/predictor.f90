@@ -7,6 +7,7 @@
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
+   use dg_bent_start, only: bend_start
    use dg_buckled_start, only: lay_buckled
    use dg_end_span, only: lift_end
    use dg_gap_state, only: state_elastic, state_free
@@ -39,8 +40,8 @@ module dg_predictor
 contains
 
    !> Fills state(6,nodes) and the gaps' states from the soft string of the load case, with friction and bit
-   !> loads scaled.
-   pure subroutine predict(model, case_index, mesh, friction_scale, load_scale, wall, state, gaps)
+   !> loads scaled, and tells what each gap is expected to press with.
+   pure subroutine predict(model, case_index, mesh, friction_scale, load_scale, wall, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
@@ -48,8 +49,11 @@ contains
       real(wp), intent(in) :: wall(:)  !< stiffness of the wall per length, by element [N/m2]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(out), optional :: pressed(:)   !< contact force by element [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
+      real(wp) :: y(4, mesh%nodes)
+      logical :: found
       integer :: i, e, laid
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale, coiled=.true.)
       offset = 0.0_wp
@@ -75,12 +79,23 @@ contains
                                                     offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
+      found = .false.
+      if (present(pressed)) then
+         y(1:2, :) = offset
+         y(3:4, :) = slope
+         call bend_start(model, mesh, axial, torque, friction_scale*mesh%rotary, wall, y, pressed, found)
+         offset = y(1:2, :)
+         slope = y(3:4, :)
+      end if
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
+         force = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
+         if (found) force = pressed(e)
+         if (present(pressed)) pressed(e) = force
+         gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
       end do
-      if (model%boundary%bit_centred .and. laid == mesh%nodes) call touch_above_bit(mesh, axial, gaps)
+      if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
 
    !> Share of circumferential friction's force that stays, by element [-]: 0 where the soft string is compressed near buckling.

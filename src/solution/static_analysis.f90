@@ -20,6 +20,7 @@ module dg_static_analysis
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, whirling
+   use dg_pressed_start, only: press_start
    use dg_refinement, only: take_over
    use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
@@ -367,7 +368,7 @@ contains
       type(load_type), intent(out) :: loads
       integer, intent(out) :: outcome
       real(wp), allocatable :: walls(:)
-      real(wp) :: fraction, tolerance
+      real(wp) :: pressed(mesh%elements), fraction, tolerance
       integer :: increment, stage
       newton%gaps_taken_back = .false.
       work%carried = nothing_carried
@@ -381,8 +382,11 @@ contains
          do stage = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1), size(walls)
             call set_walls(model, mesh, walls(stage), gaps)
             damped%continued = stage > 1
-            if (increment == 1 .and. stage == 1 .and. .not. started) &
-               call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
+            if (increment == 1 .and. stage == 1 .and. .not. started) then
+               call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps, pressed)
+               call press_start(model%trajectory, mesh, numerics, pressed, gaps, state, work)
+               damped%continued = .true.
+            end if
             if (newton%planar) call flatten(newton%plane, state)
             tolerance = tolerance_at(numerics, gaps, newton%force_scale)
             if (stage < size(walls)) tolerance = max(tolerance, merge(settled_tolerance, stage_tolerance, damping))
