@@ -1,19 +1,18 @@
 !> The start put so that its gaps carry the contact forces that are expected of them.
 !>
-!> The soft string's line is smooth where nodes are, but between them the cubic of an element may overshoot the wall, or stay off
-!> it, by a quarter of the clearance: against a wall of 1e6 kN/m2 that is 1e7 N, or an open gap where the whole element's load is
-!> to be carried. So each gap that is expected to press is put to the depth that carries its share, each other one inside the
-!> wall, by the least lateral change of the nodes that does it. That bends the string, and makes elements longer or shorter: nodes
-!> are slid along the hole until axial forces are what they were.
+!> A predicted line is right at the nodes, but between them the cubic of an element may overshoot the wall, or stay off it, by a
+!> good part of the clearance: against a wall of 1e6 kN/m2 that is 1e7 N, or an open gap where a whole element's load is to be
+!> carried. So each gap that is expected to press is put to the depth that carries its share, by the least lateral change of the
+!> nodes that does it; not where it would take more than that share to bend the element there, as with short ones. That makes
+!> elements longer or shorter: nodes are slid along the hole until axial forces are what they were.
 module dg_pressed_start
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
    use dg_gap_depths, only: depth_of, depths_type, new_depths, put_gaps
    use dg_gap_state, only: contact_force
-   use dg_gap_survey, only: relocate_gaps, survey_gaps
+   use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, judge_states
    use dg_mesh, only: mesh_type
-   use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_axial, place_nodes, workspace_type
    implicit none
@@ -22,16 +21,16 @@ module dg_pressed_start
 
    !> Times that gaps are put to their depths and nodes slid: the second undoes what sliding along a bend does to depths.
    integer, parameter :: rounds = 2
+   !> A force at the middle of a beam on two supports that bends it by a unit, over EI/L^3 [-].
    real(wp), parameter :: bends = 48.0_wp
 
 contains
 
-   !> Moves the nodes of a predicted state(6,nodes) so that closed gaps carry `pressed` (elements) [N], and leaves that in
-   !> work%normal. Gaps stand where they are asked to from here on; their walls are those of the first stage.
-   pure subroutine press_start(trajectory, mesh, numerics, pressed, gaps, state, work)
+   !> Moves the nodes of a predicted state(6,nodes) so that gaps carry `pressed` (elements) [N], and leaves what they carry in
+   !> work%normal. Walls are those of the first stage.
+   pure subroutine press_start(trajectory, mesh, pressed, gaps, state, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: pressed(:)
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(inout) :: state(:, :)
@@ -43,8 +42,6 @@ contains
       call place_nodes(mesh, state, work)
       length = lengths(mesh, work)
       call survey_gaps(trajectory, mesh, gaps, work)
-      if (numerics%gap_location == gap_at_extremum) &
-         call relocate_gaps(trajectory, mesh, numerics%relocation, .true., .false., gaps, work, ignored)
       do round = 1, rounds
          do e = 1, mesh%elements
             depth%wanted(e) = 0.0_wp
@@ -63,7 +60,6 @@ contains
          call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), stiffness)
       end do
       gaps%flips = 0
-      gaps%moves = 0
    end subroutine press_start
 
    !> Lengths of the elements that axial forces go by [m].

@@ -46,14 +46,13 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, whirls, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(newton_type), intent(in) :: newton
       real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
-      logical, intent(in) :: whirls        !< somewhere friction does not climb the wall
       type(load_type), intent(in) :: loads
       integer, intent(in) :: outcome
       type(workspace_type), intent(in) :: work
@@ -61,11 +60,13 @@ contains
       type(iteration_type) :: last
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
+      logical :: whirls
       character(200) :: text
       result%case_index = case_index
       result%model = model_mcge
       last = newton%history(newton%iterations + 1)
       result%message = ''
+      whirls = any(work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
       select case (outcome)
       case (newton_converged)
          result%status = result_converged
@@ -115,7 +116,7 @@ contains
       result%flips = sum(gaps%flips)
       result%moves = sum(gaps%moves)
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-      call check_equilibrium(model%trajectory, mesh, loads, gaps, work, result%equilibrium_force, &
+      call check_equilibrium(model%trajectory, mesh, gaps, work, result%equilibrium_force, &
                              result%equilibrium_moment)
       if (outcome == newton_converged) call judge_balance(model%numerics, gaps, newton%force_scale, work%normal, &
          whirls .or. drive > model%numerics%tolerance*newton%force_scale, result)

@@ -66,7 +66,7 @@ contains
       case default; call solve_static_analysis(model, 1, result, error)
       end select
       call assertFalse(allocated(error), message=trim(names(which)))
-      call assertEqual(result_converged, result%status, message=trim(names(which))//': status')
+      call assertEqual(result_converged, result%status, message=trim(names(which))//': status '//result%message)
    end subroutine solve
 
    subroutine set_case(model, operation, weight_on_bit, torque_on_bit)
