@@ -32,7 +32,7 @@ contains
       real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
       real(wp), intent(inout) :: y(:, :)
-      real(wp), intent(out) :: pressed(:)           !< contact force by element [N]
+      real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
       logical, intent(out) :: found
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       type(bending_beam_type) :: beam
@@ -76,6 +76,6 @@ contains
       call solve_bending(beam, bent, settled, found, anchor=y)
       if (.not. found) return
       y = bent
-      pressed = sum(contact_forces(beam, y), dim=1)
+      pressed = contact_forces(beam, y)
    end subroutine bend_start
 end module dg_bent_start

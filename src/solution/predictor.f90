@@ -48,7 +48,7 @@ contains
       real(wp), intent(in) :: climb(:) !< share of circumferential friction's force, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(out), optional :: pressed(:)   !< contact force by element [N]
+      real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at `contact_xi` of the elements (2,e) [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
       real(wp) :: y(4, mesh%nodes)
@@ -90,8 +90,8 @@ contains
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
          force = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
-         if (found) force = pressed(e)
-         if (present(pressed)) pressed(e) = force
+         if (found) force = sum(pressed(:, e))
+         if (present(pressed) .and. .not. found) pressed(:, e) = 0.5_wp*force
          gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)

@@ -3,6 +3,7 @@ module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
+   use dg_bending_beam, only: contact_places
    use dg_bending_profile, only: bend_profile
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
@@ -368,7 +369,7 @@ contains
       type(load_type), intent(out) :: loads
       integer, intent(out) :: outcome
       real(wp), allocatable :: walls(:)
-      real(wp) :: pressed(mesh%elements), fraction, tolerance
+      real(wp) :: pressed(contact_places, mesh%elements), fraction, tolerance
       integer :: increment, stage
       newton%gaps_taken_back = .false.
       work%carried = nothing_carried
@@ -384,7 +385,7 @@ contains
             damped%continued = stage > 1
             if (increment == 1 .and. stage == 1 .and. .not. started) then
                call predict(model, case_index, mesh, fraction, walls(1)*mesh%wall, work%climb, state, gaps, pressed)
-               call press_start(model%trajectory, mesh, pressed, gaps, state, work)
+               call press_start(model%trajectory, mesh, numerics, pressed, gaps, state, work)
                damped%continued = .true.
             end if
             if (newton%planar) call flatten(newton%plane, state)

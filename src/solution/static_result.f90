@@ -8,7 +8,7 @@ module dg_static_result
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_newton, only: newton_converged, newton_exhausted, newton_type
+   use dg_newton, only: most_pulled, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: numerics_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
@@ -35,8 +35,7 @@ module dg_static_result
       'finds it for about half of such strings'
    !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
    !> to 1e-6, those at walls of 1e12 kN/m2, with contact force a percent off, 1e-3 to 3e-3, ten times stiffer ones, 6 % off, 1e-2.
-   !> The same of walls that pull: the usual r_n0 in 10 000 gaps is 1e-5.
-   real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp, most_pulled = 1.0e-5_wp
+   real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits of a weight in a message, in kilonewtons.
