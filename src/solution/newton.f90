@@ -93,7 +93,7 @@ contains
       type(iteration_type) :: row
       integer :: info, stalled, rounds, round_start, start, opened
       real(wp) :: first
-      logical :: near
+      logical :: near, strays
       row%increment = increment
       stalled = 0
       call forget_fronts(newton%front)
@@ -140,13 +140,13 @@ contains
             return
          end if
          stalled = merge(stalled + 1, 0, row%flips > 0)
-         if (rounds > 0 .and. newton%iterations >= round_start + longest_round) then
+         if (newton%iterations == start) first = largest(row)
+         strays = newton%iterations >= start + longest_stray .and. largest(row) > lost*first
+         if (rounds > 0 .and. (newton%iterations >= round_start + longest_round .or. (strays .and. rounds < most_rounds))) then
             call take_back()
             cycle
          end if
-         if (newton%iterations == start) first = largest(row)
-         if (newton%iterations >= numerics%max_iterations .or. is_interrupted() .or. &
-             (newton%iterations >= start + longest_stray .and. largest(row) > lost*first)) then
+         if (newton%iterations >= numerics%max_iterations .or. is_interrupted() .or. strays) then
             outcome = newton_exhausted
             return
          end if

@@ -70,8 +70,7 @@ contains
       case (newton_converged)
          result%status = result_converged
          if (whirls) then
-            result%message = 'the string whirls where it is compressed: no static equilibrium was found there against '// &
-               'friction that drives its bends about the hole; that part of friction is left out, torque has it'
+            call tell_whirling(mesh, work%climb, result)
          else if (drive > model%numerics%tolerance*newton%force_scale) then
             result%message = 'the string whirls: in a vertical hole nothing static balances torque that turns its bends '// &
                'about the axis; forces are those of the string as it turns'
@@ -127,6 +126,20 @@ contains
       end if
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
+
+   !> Says of a string that whirls how much of it does, and what that leaves open.
+   pure subroutine tell_whirling(mesh, climb, result)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: climb(:)      !< share of circumferential friction's force, by element [-]
+      type(case_result_type), intent(inout) :: result
+      real(wp) :: friction, length
+      friction = maxval(mesh%rotary, mask=climb < 1.0_wp)
+      length = sum(mesh%length, mask=climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
+      call add_message(result, 'the string whirls: near its buckling load over '//to_text(length, shown)// &
+                       ' m friction does not hold it on one side of the hole and is left out of its balance across, without '// &
+                       'inertia; the hook load is firm, contact force and friction torque there may be less by up to '// &
+                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' %')
+   end subroutine tell_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.
