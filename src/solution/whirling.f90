@@ -1,4 +1,4 @@
-!> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques that go with it.
+!> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques with it.
 !>
 !> Where friction holds a rotating string that is pressed to its side of the hole, it lets it climb: circumferential friction m R
 !> stands against the weight. A string that snakes or coils has no such side. Turned as a whole by d theta about the hole it has
@@ -49,7 +49,7 @@ module dg_whirling
 
 contains
 
-   !> Share of circumferential friction's force that climbs, by element [-]: 1 but where friction turns a string that the soft string
+   !> Share of circumferential friction's force that climbs, by element [-]: 1 but where friction acts on a string that the soft one
    !> finds compressed near buckling, and in a vertical hole where any torque does.
    pure subroutine find_climb(model, case_index, mesh, climb)
       type(model_type), intent(in) :: model
