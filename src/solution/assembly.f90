@@ -15,9 +15,10 @@ module dg_assembly
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: element_type, hold_top, scatter, scatter_more, scatter_point
+   use dg_scatter, only: element_type, hold_top, part_all, part_energy, part_rest, scatter, scatter_more, scatter_point
    use dg_trajectory, only: trajectory_type
    use dg_vector, only: cross
+   use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment, turning_type
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
@@ -33,16 +34,15 @@ module dg_assembly
       real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
    end type load_type
 
-   !> Parts of the tangent: all of it, what derives from an energy, and the rest, by friction and torque.
-   integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
-
    !> Contact at a gap.
    type :: contact_type
       real(wp) :: shape(4), slope(4)        !< N and dN/dx there
       real(wp) :: direction(3)              !< r' of the string
       real(wp) :: axial, rotary             !< friction coefficients
+      real(wp) :: climbing                  !< what stands for the rotary one in the force
       real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
-      logical :: sliding                    !< it is such a couple: the string slides without turning
+      logical :: sliding                    !< it is such a couple: the string slides without turning, or whirls
+      type(turning_type) :: turning         !< friction's torque where the string whirls
       type(normal_force_type) :: normal     !< R
       type(normal_force_type) :: pressing   !< that friction goes by
    end type contact_type
@@ -112,6 +112,7 @@ contains
       end do
       top_force = work%node_force(1:3, 1)
       call add_supports(trajectory, mesh, loads, tangent, work, residual, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, part, tangent, work, matrix)
       do n = 1, mesh%nodes
          do j = 1, 3
             residual(j, n) = sum(work%node_force(1:3, n)*mesh%frame(:, j, n))
@@ -180,6 +181,12 @@ contains
       contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
       contact%direction = contact%slope(1)*work%shift(:, e) + contact%slope(2)*work%d(:, e) &
                           + contact%slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + contact%slope(4)*work%d(:, e + 1)
+      contact%climbing = work%climb(e)*contact%rotary
+      contact%turning%lever = 0.0_wp
+      if (work%climb(e) < 1.0_wp) then
+         contact%turning%lever = contact%rotary*mesh%radius(e)
+         contact%rotary = 0.0_wp
+      end if
       ! A string that slides without turning takes axial friction's moment as a couple that bends it.
       contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
@@ -187,6 +194,10 @@ contains
                                          merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
       contact%pressing = contact%normal
       if (loads%lagged) contact%pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
+      if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
+         contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%pressing%force, &
+         contact%pressing%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &
+         work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
    end subroutine find_contact
 
    !> The element's MCGE: takes its force off `force` and its tangent off the element's (Eqs. 4, 6, 11).
@@ -217,7 +228,7 @@ contains
       force = force - nodal
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
-      if (conservative .and. tangent .and. (abs(contact%axial) > 0.0_wp .or. contact%rotary > 0.0_wp)) &
+      if (conservative .and. tangent .and. (abs(contact%axial) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)) &
          call act(contact, contact%normal, normal_force_type(), e, work, action, moment, by_point, moment_by_point)
       if (contact%sliding) then
          if (conservative) contact%pressing%stiffness = 0.0_wp
@@ -228,6 +239,13 @@ contains
          call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
                                 moment, by_point, moment_by_point, element%k, element%twist_row)
       end if
+      if (.not. contact%turning%lever > 0.0_wp) return
+      twisting = residual(dof_twist, e:e + 1)
+      call add_turning(contact%turning, work%d(:, e:e + 1), merge(part_energy, part_all, conservative), tangent, twisting, force, &
+                       element)
+      residual(dof_twist, e:e + 1) = twisting
+      if (allocated(work%contact_moment)) work%contact_moment(:, e) = work%contact_moment(:, e) &
+                                                                      + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap
 
    !> contact_action_tangent at a gap.
@@ -238,7 +256,7 @@ contains
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3)
       call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
-                                  contact%axial, contact%rotary, work%climb(e)*contact%rotary, contact%radius, action, moment, &
+                                  contact%axial, contact%rotary, contact%climbing, contact%radius, action, moment, &
                                   by_point, moment_by_point)
    end subroutine act
 
@@ -254,10 +272,11 @@ contains
       type(element_type) :: element
       type(contact_type) :: contact
       real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
-      real(wp) :: ignored(12), action(3), moment(3), twist, gradient_i(3, 2), gradient_j(3, 2)
+      real(wp) :: ignored(12), unused(2), action(3), moment(3), twist, gradient_i(3, 2), gradient_j(3, 2)
       logical :: rubs, twisted
       integer :: e
       ignored = 0.0_wp
+      unused = 0.0_wp
       do e = 1, mesh%elements
          twist = state(dof_twist, e + 1) - state(dof_twist, e)
          twisted = abs(twist) > 0.0_wp
@@ -266,6 +285,7 @@ contains
          gradient_i = director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e))
          gradient_j = director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1))
          contact%sliding = .false.
+         contact%turning%lever = 0.0_wp
          if (rubs) then
             call find_contact(mesh, loads, gaps, e, work, contact)
             call act(contact, normal_force_type(), contact%pressing, e, work, action, moment, by_point, moment_by_point)
@@ -276,7 +296,7 @@ contains
                                 push_by_direction, bend_by_point, bend_by_direction)
             call scatter_point(mesh, e, gradient_i, gradient_j, contact%shape, contact%slope, by_point + push_by_point, &
                                bend_by_point, matrix)
-            if (.not. twisted) cycle
+            if (.not. (twisted .or. contact%turning%lever > 0.0_wp)) cycle
          end if
          element%k = 0.0_wp
          call add_torque(beam_section_type(length=mesh%length(e), torsional_stiffness=mesh%gj(e)), work, e, twist, part_rest, &
@@ -285,10 +305,42 @@ contains
          if (rubs .and. .not. contact%sliding) &
             call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
                                    moment, by_point, moment_by_point, element%k, element%twist_row)
+         if (contact%turning%lever > 0.0_wp) &
+            call add_turning(contact%turning, work%d(:, e:e + 1), part_rest, .true., unused, ignored, element)
          call scatter_more(mesh, e, gradient_i, gradient_j, element, matrix)
       end do
+      call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
       call hold_top(matrix)
    end subroutine add_friction
+
+   !> The torques at bit and top: semi-tangential where the string whirls, else about the string's own axis, which bends nothing.
+   pure subroutine add_end_torques(mesh, at_bit, at_top, state, part, wanted, work, matrix)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and what holds the top [N.m]
+      real(wp), intent(in) :: state(:, :)
+      integer, intent(in) :: part                !< of the tangent
+      logical, intent(in) :: wanted              !< the tangent is
+      type(workspace_type), intent(inout) :: work
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: torque(2), gradient(3, 2)
+      integer :: node(2), i, n
+      node = [1, mesh%nodes]
+      torque = [at_top, -at_bit]
+      if (.not. any(work%climb < 1.0_wp)) then
+         if (allocated(work%end_force)) then
+            work%top_moment = at_top*work%d(:, 1)
+            work%bit_moment = -at_bit*work%d(:, mesh%nodes)
+         end if
+         return
+      end if
+      do i = 1, 2
+         n = node(i)
+         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
+         call add_end_torque(mesh, n, torque(i), gradient, part, wanted, work, matrix)
+      end do
+      work%top_moment = end_moment(at_top, work%d(:, 1), mesh%frame(:, 1, 1))
+      work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
+   end subroutine add_end_torques
 
    !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`, and with it that
    !> of the contact force itself.

@@ -16,7 +16,7 @@ module dg_gap_depths
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_node, workspace_type
    implicit none
    private
-   public :: depths_type, new_depths, depths_after, put_gaps, close_gently, keep_forces
+   public :: depths_type, new_depths, depths_after, depth_of, put_gaps, close_gently, keep_forces
 
    !> Rounds until gaps are where they are to be, each squaring what is missing over the clearance; changes so small are the
    !> last [m].

@@ -10,7 +10,7 @@ module dg_newton
    use dg_case_result, only: iteration_type
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_state, only: state_free
-   use dg_gap_table, only: gap_table_type, judge_states, keep_gaps, take_gaps_back
+   use dg_gap_table, only: gap_table_type, judge_states, keep_gaps, open_pulling, take_gaps_back
    use dg_interruption, only: is_interrupted
    use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear
    use dg_mesh, only: mesh_type
@@ -24,7 +24,7 @@ module dg_newton
    implicit none
    private
    public :: newton_type, iterate, make_room, end_iterations, judge, judge_surveyed, take_residual, largest, add_gap_rigidity
-   public :: most_rounds, longest_round, largest_turn
+   public :: most_pulled, most_rounds, longest_round, largest_turn
    public :: newton_converged, newton_exhausted, newton_singular
 
    integer, parameter :: newton_converged = 0
@@ -34,6 +34,8 @@ module dg_newton
    !> Against the final wall gaps stay where the softer walls left them until all is at rest; then each may move to the
    !> extremum of its element, and the iteration goes on, no more than so many times.
    integer, parameter :: most_rounds = 4
+   !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps. Gaps that pull with more are opened.
+   real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Iterations after which a string whose gaps have moved is given up and taken back to its rest before.
    integer, parameter :: longest_round = 25
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
@@ -91,7 +93,7 @@ contains
       type(iteration_type) :: row
       integer :: info, stalled, rounds, round_start, start, opened
       real(wp) :: first
-      logical :: near
+      logical :: near, strays
       row%increment = increment
       stalled = 0
       call forget_fronts(newton%front)
@@ -124,6 +126,11 @@ contains
             rounds = rounds + 1
             call keep_gaps(gaps, newton%gaps_at_rest)
             round_start = newton%iterations
+            if (-sum(min(work%normal, 0.0_wp)) > most_pulled*newton%force_scale) then
+               newton%rest = state
+               call open_pulling(gaps, work%normal, row%flips)
+               cycle
+            end if
             call judge(trajectory, mesh, numerics, .true., .true., loads%bit_support > 0.0_wp, state, gaps, work, row)
             if (row%moves > 0 .or. row%flips > 0) then
                newton%rest = state
@@ -133,13 +140,13 @@ contains
             return
          end if
          stalled = merge(stalled + 1, 0, row%flips > 0)
-         if (rounds > 0 .and. newton%iterations >= round_start + longest_round) then
+         if (newton%iterations == start) first = largest(row)
+         strays = newton%iterations >= start + longest_stray .and. largest(row) > lost*first
+         if (rounds > 0 .and. (newton%iterations >= round_start + longest_round .or. (strays .and. rounds < most_rounds))) then
             call take_back()
             cycle
          end if
-         if (newton%iterations == start) first = largest(row)
-         if (newton%iterations >= numerics%max_iterations .or. is_interrupted() .or. &
-             (newton%iterations >= start + longest_stray .and. largest(row) > lost*first)) then
+         if (newton%iterations >= numerics%max_iterations .or. is_interrupted() .or. strays) then
             outcome = newton_exhausted
             return
          end if

@@ -7,6 +7,7 @@
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
+   use dg_bent_start, only: bend_start
    use dg_buckled_start, only: lay_buckled
    use dg_end_span, only: lift_end
    use dg_gap_state, only: state_elastic, state_free
@@ -15,13 +16,13 @@ module dg_predictor
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_predicted_helix, only: touch_above_bit
-   use dg_soft_string_loads, only: coiling_load, soft_string_at
+   use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: predict, whirling
+   public :: predict
 
    !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
    !> joint is long.
@@ -33,32 +34,34 @@ module dg_predictor
    real(wp), parameter :: reach = 1.5_wp
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
-   !> Compression over the coiling load from which a rotating string may whirl [-].
-   real(wp), parameter :: whirling_share = 0.4_wp
 
 contains
 
    !> Fills state(6,nodes) and the gaps' states from the soft string of the load case, with friction and bit
-   !> loads scaled.
-   pure subroutine predict(model, case_index, mesh, friction_scale, load_scale, wall, state, gaps)
+   !> loads scaled. With `pressed` it is bent (dg_bent_start), and tells what each gap is expected to press with.
+   pure subroutine predict(model, case_index, mesh, scale, wall, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: friction_scale, load_scale
+      real(wp), intent(in) :: scale    !< of friction and bit loads [-]
       real(wp), intent(in) :: wall(:)  !< stiffness of the wall per length, by element [N/m2]
+      real(wp), intent(in) :: climb(:) !< share of circumferential friction's force, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at `contact_xi` of the elements (2,e) [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
+      real(wp) :: y(4, mesh%nodes)
+      logical :: found
       integer :: i, e, laid
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, friction_scale, load_scale, coiled=.true.)
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, scale, scale, coiled=.true.)
       offset = 0.0_wp
       do i = 1, mesh%nodes
          force = norm2(contact(:, i))
          load(i) = force
          if (.not. force > 0.0_wp) cycle
          e = min(i, mesh%elements)
-         friction = mesh%rotary(e)*friction_scale
+         friction = mesh%rotary(e)*climb(e)*scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
          offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
@@ -75,29 +78,24 @@ contains
                                                     offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
+      found = .false.
+      if (present(pressed)) then
+         y(1:2, :) = offset
+         y(3:4, :) = slope
+         call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, pressed, found)
+         offset = y(1:2, :)
+         slope = y(3:4, :)
+      end if
       call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         gaps%state(e) = merge(state_elastic, state_free, mesh%gathered(e)*(load(e) + load(e + 1)) > 0.0_wp)
+         force = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
+         if (found) force = sum(pressed(:, e))
+         if (present(pressed) .and. .not. found) pressed(:, e) = 0.5_wp*force
+         gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
       end do
-      if (model%boundary%bit_centred .and. laid == mesh%nodes) call touch_above_bit(mesh, axial, gaps)
+      if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
-
-   !> Share of circumferential friction's force that stays, by element [-]: 0 where the soft string is compressed near buckling.
-   pure subroutine whirling(model, case_index, mesh, climb)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(out) :: climb(:)
-      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side
-      integer :: e
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
-      do e = 1, mesh%elements
-         side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-         climb(e) = merge(0.0_wp, 1.0_wp, -min(axial(e), axial(e + 1)) > whirling_share*coiling_load(mesh%ei(e), side, &
-                                                                              mesh%weight(e), mesh%clearance(e)))
-      end do
-   end subroutine whirling
 
    !> Lets the string bend where the soft string steps from one side of the hole to the other: there its offsets y become those of
    !> y - l^2 y'' = y_soft, with l = sqrt(EI/|T|), over which bending fades in a string under tension, but no longer than

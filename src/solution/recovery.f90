@@ -1,7 +1,6 @@
 !> From unknowns to what an engineer reads: forces along the string, sums, and the check of global equilibrium.
 module dg_recovery
    use dg_kinds, only: wp
-   use dg_assembly, only: load_type
    use dg_case_result, only: gap_row_type
    use dg_gap_survey, only: node_offset, point_on_string
    use dg_gap_table, only: gap_table_type
@@ -111,10 +110,9 @@ contains
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
    !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.
-   pure subroutine check_equilibrium(trajectory, mesh, loads, gaps, work, force, moment)
+   pure subroutine check_equilibrium(trajectory, mesh, gaps, work, force, moment)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: force, moment
@@ -123,7 +121,7 @@ contains
       integer :: e
       forces = work%reaction
       call position_at(trajectory, mesh%md(1), origin, tangent)
-      moments = cross(work%shift(:, 1), work%reaction) + work%top_torque*work%d(:, 1)
+      moments = cross(work%shift(:, 1), work%reaction) + work%top_moment
       start = 0.0_wp                          ! node on the axis, from the top
       do e = 1, mesh%elements
          weight = mesh%weight(e)*hermite_line_load(mesh%length(e))
@@ -137,7 +135,7 @@ contains
       end do
       lever = start + work%shift(:, mesh%nodes)
       forces = forces + work%bit_reaction + work%bit_load
-      moments = moments + cross(lever, work%bit_reaction + work%bit_load) - loads%tob*work%d(:, mesh%nodes)
+      moments = moments + cross(lever, work%bit_reaction + work%bit_load) + work%bit_moment
       force = norm2(forces)
       moment = norm2(moments)
    end subroutine check_equilibrium

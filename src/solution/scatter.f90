@@ -7,6 +7,10 @@ module dg_scatter
    implicit none
    private
    public :: element_type, scatter, scatter_more, scatter_point, hold_top
+   public :: part_all, part_energy, part_rest
+
+   !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
+   integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
 
    !> Tangent of one element in space axes, and its coupling with the twist.
    type :: element_type

@@ -3,6 +3,7 @@ module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
+   use dg_bending_beam, only: contact_places
    use dg_bending_profile, only: bend_profile
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
@@ -20,7 +21,8 @@ module dg_static_analysis
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location, settings_of
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
-   use dg_predictor, only: predict, whirling
+   use dg_predictor, only: predict
+   use dg_pressed_start, only: press_start
    use dg_refinement, only: take_over
    use dg_release_front, only: new_release_front
    use dg_soft_string_loads, only: soft_totals_type
@@ -29,6 +31,7 @@ module dg_static_analysis
    use dg_text, only: to_text
    use dg_turning_step, only: is_straight_down
    use dg_viscosity, only: damped_type, new_damped
+   use dg_whirling, only: find_climb
    use dg_wall_stages, only: lay_out_gaps, set_walls, stage_walls, tolerance_at
    use dg_workspace, only: new_workspace, nothing_carried, workspace_type
    implicit none
@@ -165,6 +168,7 @@ contains
       call prepare(model, model%cases(case_index), mesh, compressed, newton, work, way)
       newton%iterations = size(history)
       newton%history(:size(history)) = history
+      if (may_buckle) call find_climb(model, case_index, mesh, work%climb)
       viscous_step = model%numerics%viscous_limit*maxval(mesh%clearance)
       margin = missing
       straight_down = is_straight_down(mesh)
@@ -191,8 +195,6 @@ contains
          newton%wild_step = merge(wild*maxval(mesh%clearance), huge(wild), plan(attempt) == briefly)
          damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
          if (damping .and. .not. allocated(damped%lump)) call new_damped(mesh, viscous_step, damped)
-         if (plan(attempt) == as_it_whirls .or. (may_buckle .and. straight_down)) &
-            call whirling(model, case_index, mesh, work%climb)
          if (any(plan(attempt) == [other_place, other_place_damped])) &
             numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
@@ -222,7 +224,7 @@ contains
       if (outcome == newton_converged .and. may_buckle) &
          call find_stability_margin(newton, model%trajectory, mesh, loads, gaps, state, work, known, margin)
       if (.not. newton%planar) call end_iterations(newton, model%trajectory, mesh, loads, gaps, state, work)
-      call fill_result(model, case_index, mesh, gaps, newton, damped%drive, any(work%climb < 1.0_wp), loads, outcome, work, result)
+      call fill_result(model, case_index, mesh, gaps, newton, damped%drive, loads, outcome, work, result)
       if (result%status == result_not_converged .and. most < allowed .and. newton%iterations >= most) &
          result%message = to_text(newton%iterations)//' iterations with '//to_text(mesh%elements)//' elements are the most '// &
          'work that is done for a case, and found no rest; give a larger element_length'
@@ -320,7 +322,7 @@ contains
       if (.not. may_buckle) then
          plan = [by_newton, other_place, by_damping]
       else if (rotating .and. .not. straight_down) then
-         plan = [briefly, damped_briefly, as_it_whirls]
+         plan = [briefly, damped_briefly, other_place_damped]
       else if (buckles .and. (straight_down .or. .not. rotating)) then
          plan = [by_damping, other_place_damped, nothing]
       else
@@ -385,7 +387,7 @@ contains
       type(load_type), intent(out) :: loads
       integer, intent(out) :: outcome
       real(wp), allocatable :: walls(:)
-      real(wp) :: fraction, tolerance
+      real(wp) :: pressed(contact_places, mesh%elements), fraction, tolerance
       integer :: increment, stage
       newton%gaps_taken_back = .false.
       work%carried = nothing_carried
@@ -399,8 +401,11 @@ contains
          do stage = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1), size(walls)
             call set_walls(model, mesh, walls(stage), gaps)
             damped%continued = stage > 1
-            if (increment == 1 .and. stage == 1 .and. .not. started) &
-               call predict(model, case_index, mesh, fraction, fraction, walls(1)*mesh%wall, state, gaps)
+            if (increment == 1 .and. stage == 1 .and. .not. started) then
+               call predict(model, case_index, mesh, fraction, walls(1)*mesh%wall, work%climb, state, gaps, pressed)
+               call press_start(model%trajectory, mesh, numerics, pressed, gaps, state, work)
+               damped%continued = .true.
+            end if
             if (newton%planar) call flatten(newton%plane, state)
             tolerance = tolerance_at(numerics, gaps, newton%force_scale)
             if (stage < size(walls)) tolerance = max(tolerance, merge(settled_tolerance, stage_tolerance, damping))

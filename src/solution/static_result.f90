@@ -8,7 +8,7 @@ module dg_static_result
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_newton, only: newton_converged, newton_exhausted, newton_type
+   use dg_newton, only: most_pulled, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
@@ -36,8 +36,7 @@ module dg_static_result
       'finds it for about half of such strings'
    !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
    !> to 1e-6, those at walls of 1e12 kN/m2, with contact force a percent off, 1e-3 to 3e-3, ten times stiffer ones, 6 % off, 1e-2.
-   !> The same of walls that pull: the usual r_n0 in 10 000 gaps is 1e-5.
-   real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp, most_pulled = 1.0e-5_wp
+   real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits of a weight in a message, in kilonewtons.
@@ -47,14 +46,13 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, whirls, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(newton_type), intent(in) :: newton
       real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
-      logical, intent(in) :: whirls        !< somewhere friction does not climb the wall
       type(load_type), intent(in) :: loads
       integer, intent(in) :: outcome
       type(workspace_type), intent(in) :: work
@@ -63,17 +61,18 @@ contains
       type(outside_type) :: outside
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
+      logical :: whirls
       character(200) :: text
       result%case_index = case_index
       result%model = model_mcge
       last = newton%history(newton%iterations + 1)
       result%message = ''
+      whirls = any(work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
       select case (outcome)
       case (newton_converged)
          result%status = result_converged
          if (whirls) then
-            result%message = 'the string whirls where it is compressed: no static equilibrium was found there against '// &
-               'friction that drives its bends about the hole; that part of friction is left out, torque has it'
+            call tell_whirling(mesh, work%climb, result)
          else if (drive > model%numerics%tolerance*newton%force_scale) then
             result%message = 'the string whirls: in a vertical hole nothing static balances torque that turns its bends '// &
                'about the axis; forces are those of the string as it turns'
@@ -121,7 +120,7 @@ contains
       result%flips = sum(gaps%flips)
       result%moves = sum(gaps%moves)
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-      call check_equilibrium(model%trajectory, mesh, loads, gaps, work, result%equilibrium_force, &
+      call check_equilibrium(model%trajectory, mesh, gaps, work, result%equilibrium_force, &
                              result%equilibrium_moment)
       if (outcome == newton_converged) call judge_balance(model%numerics, gaps, newton%force_scale, work%normal, &
          whirls .or. drive > model%numerics%tolerance*newton%force_scale, result)
@@ -133,6 +132,20 @@ contains
       end if
       result%history = newton%history(:newton%iterations + 1)
    end subroutine fill_result
+
+   !> Says of a string that whirls how much of it does, and what that leaves open.
+   pure subroutine tell_whirling(mesh, climb, result)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: climb(:)      !< share of circumferential friction's force, by element [-]
+      type(case_result_type), intent(inout) :: result
+      real(wp) :: friction, length
+      friction = maxval(mesh%rotary, mask=climb < 1.0_wp)
+      length = sum(mesh%length, mask=climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
+      call add_message(result, 'the string whirls: near its buckling load over '//to_text(length, shown)// &
+                       ' m friction does not hold it on one side of the hole and is left out of its balance across, without '// &
+                       'inertia; the hook load is firm, contact force and friction torque there may be less by up to '// &
+                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' %')
+   end subroutine tell_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.

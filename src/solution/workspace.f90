@@ -43,6 +43,8 @@ module dg_workspace
       real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
       real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
       real(wp) :: bit_load(3) = 0.0_wp          !< force of the formation on the bit [N]
+      real(wp) :: top_moment(3) = 0.0_wp        !< of the torque that holds the top [N.m]
+      real(wp) :: bit_moment(3) = 0.0_wp        !< of the torque on bit, on the string [N.m]
       real(wp) :: hookload = 0.0_wp             !< [N]
       real(wp) :: top_torque = 0.0_wp           !< [N.m]
    end type workspace_type

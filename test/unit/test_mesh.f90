@@ -249,7 +249,7 @@ contains
       law = gap_law_type(clearance=1.0_wp)
       gaps = new_gap_table([(law, e=1, mesh%elements)], 0.5_wp)
       allocate (state(6, mesh%nodes), residual(6, mesh%nodes), axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes))
-      call predict(model, 1, mesh, 1.0_wp, 1.0_wp, mesh%wall, state, gaps)
+      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps)
       call soft_string_at(model, 1, mesh%md, axial, torque, contact)
       call assertTrue(all(gaps%state == state_elastic), message='an inclined string touches everywhere')
       gaps%state = state_free

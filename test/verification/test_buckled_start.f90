@@ -63,7 +63,7 @@ contains
       call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
       call lay_out_gaps(model%numerics, mesh, gaps)
       allocate (state(6, mesh%nodes))
-      call predict(model, 1, mesh, 1.0_wp, 1.0_wp, mesh%wall, state, gaps)
+      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps)
       md = mesh%md
       predicted = atan2(state(3, :), -state(2, :))      ! n_1 is the high side here
       call solve_static_analysis(model, 1, result, error)

@@ -198,7 +198,7 @@ contains
       call solve(model, operation, well%wob, well%tob, result, what)
       call note(what//': hook load over the other', result%hookload/beam%axial(0) - 1.0_wp)
       call note(what//': contact over the other', result%normal_force/sum(beam%contact) - 1.0_wp)
-      call assertRelativelyEqual(beam%axial(0), result%hookload, hookload_within, message=what//': hook load')
+      call assertRelativelyEqual(beam%axial(0), result%hookload, hookload_within, message=what//': hook load '//result%message)
       call assertRelativelyEqual(sum(beam%contact), result%normal_force, contact_within, message=what//': contact')
       if (well%around > 0.0_wp) call assertRelativelyEqual(beam%torque(0), result%torque, torque_within, message=what//': torque')
       place = places_of(beam, result%profile%md)

@@ -374,6 +374,7 @@ contains
       model%boundary%top_centred = .true.
       model%cases(1)%operation = operation_trip_in
       model%numerics%element_length = 0.7_wp
+      model%numerics%gap_location = gap_at_nodes   ! where those at their extremum come to stand depends on the way, by 1.5e-7
       call compare(model, 'fine')
    end subroutine test_fine_mesh
 

@@ -1,0 +1,83 @@
+!> The start bent: a line of the soft string becomes the line of a beam under the soft string's axial force and torque.
+!>
+!> The soft string lies against the wall of every section of the hole, whatever it would take to bend it there. Next to stabilisers,
+!> at changes of clearance, and where a survey is noisy, its line taken as a beam's starts with up to meganewtons out of balance,
+!> and says nothing of which gaps are open. The beam of dg_bending_beam on the nodes of the mesh finds that at a tenth of the cost
+!> of the whole equations: axial force and torque are known, so that what is left is contact alone, without friction and compression
+!> the minimum of a convex energy. Compressed parts are held near where they were laid by springs as stiff as the compression makes
+!> them unstable: a start need not settle how they buckle.
+module dg_bent_start
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
+   use dg_bending_solution, only: solve_bending
+   use dg_gap_state, only: gap_law_type
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_trajectory, only: arc_at, frame_on_arc
+   implicit none
+   private
+   public :: bend_start
+
+   !> Change of moments over the largest one at which a start is good enough [-].
+   real(wp), parameter :: settled = 1.0e-3_wp
+
+contains
+
+   !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are under the soft string's forces, and
+   !> finds what each element then presses with. `found` is false where the beam finds no rest: y is then what it was.
+   pure subroutine bend_start(model, mesh, axial, torque, rotary, wall, y, pressed, found)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
+      real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
+      real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
+      real(wp), intent(inout) :: y(:, :)
+      real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
+      logical, intent(out) :: found
+      real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      type(bending_beam_type) :: beam
+      type(bent_type) :: forces
+      real(wp) :: bent(4, mesh%nodes), t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
+      integer :: e, n, arc
+      n = mesh%nodes
+      beam%md = mesh%md
+      beam%place = mesh%md
+      beam%axial = axial
+      allocate (beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%law(n - 1))
+      allocate (beam%held(n), beam%centred(n), source=.false.)
+      allocate (beam%viscous(n), source=0.0_wp)
+      allocate (beam%point(0), beam%point_owner(0), beam%point_law(0))
+      beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
+      beam%ei = mesh%ei
+      beam%radius = mesh%radius
+      beam%along = mesh%axial
+      beam%around = rotary
+      do e = 1, n - 1
+         beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
+         beam%owner(e) = e
+         beam%law(e) = gap_law_type(clearance=mesh%clearance(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
+         beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
+                                 + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
+      end do
+      arc = 1
+      do e = 1, n
+         arc = arc_at(model%trajectory, beam%place(e), near=arc)
+         t(:, 1) = t(:, 2)
+         n_1(:, 1) = n_1(:, 2)
+         n_2(:, 1) = n_2(:, 2)
+         call frame_on_arc(model%trajectory%arcs(arc), beam%place(e) - model%trajectory%arcs(arc)%md, t(:, 2), n_1(:, 2), n_2(:, 2))
+         beam%weight(:, e) = mesh%weight(min(e, n - 1))*[dot_product(down, n_1(:, 2)), dot_product(down, n_2(:, 2))]
+         if (e == 1) cycle
+         turn = 0.5_wp*(t(:, 2) - t(:, 1))/mesh%length(e - 1)
+         beam%curvature(:, e - 1) = [dot_product(turn, n_1(:, 1) + n_1(:, 2)), dot_product(turn, n_2(:, 1) + n_2(:, 2))]
+      end do
+      beam%centred(1) = model%boundary%top_centred
+      beam%centred(n) = model%boundary%bit_centred
+      bent = y
+      call solve_bending(beam, bent, settled, found, anchor=y)
+      if (.not. found) return
+      y = bent
+      call find_forces(beam, y, forces)
+      pressed = forces%pressed
+   end subroutine bend_start
+end module dg_bent_start

@@ -1,0 +1,164 @@
+!> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques with it.
+!>
+!> Where friction holds a rotating string that is pressed to its side of the hole, it lets it climb: circumferential friction m R
+!> stands against the weight. A string that snakes or coils has no such side. Turned as a whole by d theta about the hole it has
+!> the wall push it by m R |f| d theta all along, which nothing balances: its bends run around the hole until the steady state is
+!> one in which they roll or slide so that this force is gone. Inertia left out, that is the string without circumferential friction
+!> in its lateral balance. Friction's torque m r R stays, as it is what the surface feels; axial friction stays. So the share of m R
+!> that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling load.
+!>
+!> The torques that are put into such a string at bit, wall and top must then do no work either as it turns. Torque T inside the
+!> string does, in a turn d theta of all directors about t, by the end moments of dg_beam_element on d_i and d_j,
+!>   T (d_i x d_j)/(1 + d_i.d_j) . (t x d_i + t x d_j) d theta = T (t.d_i - t.d_j) d theta,
+!> in sum over the elements, with m_n the torques put in at the nodes and the sum of them 0: - sum m_n (1 - t.d_n) d theta. A
+!> torque put in about d or about t leaves that unbalanced. Put in semi-tangentially, about
+!>   (t + d)/(1 + t.d),
+!> it is one more such element, from d to the t of the hole: its end moment on d, m (d x t)/(1 + t.d), works + m (1 - t.d) d theta,
+!> and the sum is nothing. With contact forces as they are the string is then at a minimum of an energy: what is not symmetric in
+!> the torques' tangents cancels as inside the string. Where nothing whirls torques act as they always did.
+module dg_whirling
+   use dg_kinds, only: wp
+   use dg_beam_element, only: torque_force, torque_tangent
+   use dg_block_matrix, only: block_matrix_type
+   use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
+   use dg_scatter, only: element_type, part_all, part_energy, part_rest
+   use dg_soft_string_loads, only: coiling_load, soft_string_at
+   use dg_turning_step, only: is_straight_down
+   use dg_vector, only: outer
+   use dg_workspace, only: dof_twist, workspace_type
+   implicit none
+   private
+   public :: find_climb, turning_type, add_turning, turning_moment, add_end_torque, end_moment
+
+   !> Compression over the coiling load from which a rotating string's friction climbs less, and from which not at all [-]: a string
+   !> snakes from 0.71 = 1/sqrt(2) on, in bends and next to stabilisers sooner.
+   real(wp), parameter :: whirls_from = 0.4_wp, whirls_all = 0.72_wp
+
+   !> Friction's torque at a gap.
+   type :: turning_type
+      real(wp) :: lever = 0.0_wp          !< torque over contact force, m r; 0: there is none [m]
+      real(wp) :: share(2) = 0.0_wp       !< of it on both nodes [-]
+      real(wp) :: shape(4) = 0.0_wp       !< N at the gap
+      real(wp) :: force = 0.0_wp          !< contact force that friction goes by [N]
+      real(wp) :: stiffness = 0.0_wp      !< its derivative by |f| [N/m]
+      real(wp) :: outward(3) = 0.0_wp     !< f/|f|
+      real(wp) :: tangent(3) = 0.0_wp     !< t of the hole axis at the foot
+      real(wp) :: bend(3) = 0.0_wp        !< dt by the way of the point along t [1/m]
+   end type turning_type
+
+contains
+
+   !> Share of circumferential friction's force that climbs, by element [-]: 1 but where friction acts on a string that the soft one
+   !> finds compressed near buckling, and in a vertical hole where any torque does.
+   pure subroutine find_climb(model, case_index, mesh, climb)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(out) :: climb(:)
+      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
+      logical :: vertical
+      integer :: e
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
+      climb = 1.0_wp
+      vertical = is_straight_down(mesh)
+      do e = 1, mesh%elements
+         if (.not. (mesh%rotary(e) > 0.0_wp .or. vertical)) cycle
+         side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
+         ratio = -min(axial(e), axial(e + 1), 0.0_wp) &
+                 /max(coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e)), tiny(1.0_wp))
+         climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
+      end do
+   end subroutine find_climb
+
+   !> Friction's torque on both nodes of an element: takes it off their torque residuals, adds its moments on the directors d to
+   !> `force` and, where it is wanted, a part of its tangent to the element's.
+   pure subroutine add_turning(turning, d, part, wanted, residual, force, element)
+      type(turning_type), intent(in) :: turning
+      real(wp), intent(in) :: d(:, :)             !< directors of both nodes (3,2)
+      integer, intent(in) :: part                 !< of the tangent
+      logical, intent(in) :: wanted               !< the tangent is
+      real(wp), intent(inout) :: residual(2)      !< torque at both nodes [N.m]
+      real(wp), intent(inout) :: force(12)
+      type(element_type), intent(inout) :: element
+      real(wp) :: torque, by_d(3, 3), by_t(3, 3), by_torque(3), by_point(3, 3), turn(3)
+      integer :: a, b, first
+      do a = 1, 2
+         first = 6*a - 2
+         torque = -turning%lever*turning%force*turning%share(a)
+         residual(a) = residual(a) - torque
+         force(first:first + 2) = force(first:first + 2) + torque_force(torque, d(:, a), turning%tangent)
+         if (.not. wanted) cycle
+         call torque_tangent(torque, d(:, a), turning%tangent, by_d, by_t, by_torque)
+         element%k(first:first + 2, first:first + 2) = element%k(first:first + 2, first:first + 2) + part_of(by_d, part)
+         if (part == part_energy) cycle
+         turn = (turning%lever*turning%stiffness*turning%share(a))*turning%outward       ! - torque by the point
+         by_point = outer(matmul(by_t, turning%bend), turning%tangent) - outer(by_torque, turn)
+         do b = 1, 4
+            element%k(first:first + 2, 3*b - 2:3*b) = element%k(first:first + 2, 3*b - 2:3*b) + turning%shape(b)*by_point
+            element%twist_row(a, 3*b - 2:3*b) = element%twist_row(a, 3*b - 2:3*b) + turning%shape(b)*turn
+         end do
+      end do
+   end subroutine add_turning
+
+   !> The vector of that torque on the string [N.m].
+   pure function turning_moment(turning, d) result(moment)
+      type(turning_type), intent(in) :: turning
+      real(wp), intent(in) :: d(:, :)
+      real(wp) :: moment(3)
+      integer :: a
+      moment = 0.0_wp
+      do a = 1, 2
+         moment = moment + end_moment(-turning%lever*turning%force*turning%share(a), d(:, a), turning%tangent)
+      end do
+   end function turning_moment
+
+   !> The vector of a torque put in semi-tangentially [N.m].
+   pure function end_moment(torque, d, t) result(moment)
+      real(wp), intent(in) :: torque, d(3), t(3)
+      real(wp) :: moment(3)
+      moment = (torque/(1.0_wp + dot_product(t, d)))*(t + d)
+   end function end_moment
+
+   !> A torque put into the string at an end node: adds its moment on the director to the node's force and, where it is wanted, a
+   !> part of its tangent to the matrix. That at the top is a reaction, and changes as the residual of the twist there does: by that
+   !> row of the matrix, which must not have been held yet.
+   pure subroutine add_end_torque(mesh, node, torque, gradient, part, wanted, work, matrix)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      real(wp), intent(in) :: torque              !< on the string, about its axis downwards [N.m]
+      real(wp), intent(in) :: gradient(3, 2)      !< of the director by its slopes
+      integer, intent(in) :: part                 !< of the tangent; part_rest: of the tangent alone
+      logical, intent(in) :: wanted               !< the tangent is
+      type(workspace_type), intent(inout) :: work
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: by_d(3, 3), by_t(3, 3), by_torque(3), turn(2), row(6), stiffness
+      integer, parameter :: slopes(2) = [5, 6]
+      integer :: i
+      if (part /= part_rest) work%node_force(4:6, node) = work%node_force(4:6, node) &
+                                                          + torque_force(torque, work%d(:, node), mesh%frame(:, 1, node))
+      if (.not. wanted) return
+      call torque_tangent(torque, work%d(:, node), mesh%frame(:, 1, node), by_d, by_t, by_torque)
+      matrix%diagonal(slopes, slopes, node) = matrix%diagonal(slopes, slopes, node) &
+                                              + matmul(transpose(gradient), matmul(part_of(by_d, part), gradient))
+      if (part == part_energy .or. node > 1) return
+      turn = matmul(by_torque, gradient)
+      row = matrix%upper(dof_twist, :, 1)
+      stiffness = mesh%gj(1)/mesh%length(1)
+      if (part == part_rest) row(dof_twist) = row(dof_twist) - stiffness     ! which stands in the energy's part
+      do i = 1, 2
+         matrix%diagonal(slopes(i), :, 1) = matrix%diagonal(slopes(i), :, 1) + turn(i)*matrix%diagonal(dof_twist, :, 1)
+         matrix%upper(slopes(i), :, 1) = matrix%upper(slopes(i), :, 1) + turn(i)*row
+      end do
+   end subroutine add_end_torque
+
+   !> A part of a matrix: all, what is symmetric, or the rest.
+   pure function part_of(matrix, part) result(taken)
+      real(wp), intent(in) :: matrix(3, 3)
+      integer, intent(in) :: part
+      real(wp) :: taken(3, 3)
+      taken = matrix
+      if (part == part_energy) taken = 0.5_wp*(matrix + transpose(matrix))
+      if (part == part_rest) taken = 0.5_wp*(matrix - transpose(matrix))
+   end function part_of
+end module dg_whirling
