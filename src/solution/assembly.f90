@@ -9,43 +9,21 @@ module dg_assembly
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
-   use dg_gap_contact, only: contact_action_tangent, normal_force_type, sliding_couple
+   use dg_gap_action, only: act, contact_type, find_contact, load_type
+   use dg_gap_contact, only: normal_force_type, sliding_couple
    use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
-   use dg_gap_state, only: contact_force, state_free
+   use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
-   use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
+   use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
    use dg_scatter, only: element_type, hold_top, part_all, part_energy, part_rest, scatter, scatter_more, scatter_point
    use dg_trajectory, only: trajectory_type
    use dg_vector, only: cross
-   use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment, turning_type
+   use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
    public :: load_type, assemble, add_friction
-
-   !> Loads and supports of a load case at its present increment.
-   type :: load_type
-      real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
-      real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
-      real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
-      logical :: lagged = .false.           !< friction goes by the workspace's pressing force, not by R
-      real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
-      real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
-   end type load_type
-
-   !> Contact at a gap.
-   type :: contact_type
-      real(wp) :: shape(4), slope(4)        !< N and dN/dx there
-      real(wp) :: direction(3)              !< r' of the string
-      real(wp) :: axial, rotary             !< friction coefficients
-      real(wp) :: climbing                  !< what stands for the rotary one in the force
-      real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
-      logical :: sliding                    !< it is such a couple: the string slides without turning, or whirls
-      type(turning_type) :: turning         !< friction's torque where the string whirls
-      type(normal_force_type) :: normal     !< R
-      type(normal_force_type) :: pressing   !< that friction goes by
-   end type contact_type
 
 contains
 
@@ -165,41 +143,6 @@ contains
       element%twist_column(10:12) = element%twist_column(4:6)
    end subroutine add_torque
 
-   !> Contact at a closed gap: what string and friction there are like.
-   pure subroutine find_contact(mesh, loads, gaps, e, work, contact)
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      integer, intent(in) :: e
-      type(workspace_type), intent(inout) :: work   !< the normal force is entered
-      type(contact_type), intent(out) :: contact
-      real(wp) :: stiffness
-      call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), stiffness)
-      contact%axial = mesh%axial(e)*loads%friction_scale
-      contact%rotary = mesh%rotary(e)*loads%friction_scale
-      contact%shape = hermite_value(gaps%xi(e), mesh%length(e))
-      contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
-      contact%direction = contact%slope(1)*work%shift(:, e) + contact%slope(2)*work%d(:, e) &
-                          + contact%slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + contact%slope(4)*work%d(:, e + 1)
-      contact%climbing = work%climb(e)*contact%rotary
-      contact%turning%lever = 0.0_wp
-      if (work%climb(e) < 1.0_wp) then
-         contact%turning%lever = contact%rotary*mesh%radius(e)
-         contact%rotary = 0.0_wp
-      end if
-      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
-      contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
-      contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
-      contact%normal = normal_force_type(work%normal(e), stiffness, &
-                                         merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
-      contact%pressing = contact%normal
-      if (loads%lagged) contact%pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
-      if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
-         contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%pressing%force, &
-         contact%pressing%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &
-         work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
-   end subroutine find_contact
-
    !> The element's MCGE: takes its force off `force` and its tangent off the element's (Eqs. 4, 6, 11).
    pure subroutine add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
       type(mesh_type), intent(in) :: mesh
@@ -247,18 +190,6 @@ contains
       if (allocated(work%contact_moment)) work%contact_moment(:, e) = work%contact_moment(:, e) &
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap
-
-   !> contact_action_tangent at a gap.
-   pure subroutine act(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
-      type(contact_type), intent(in) :: contact
-      type(normal_force_type), intent(in) :: normal, pressing
-      integer, intent(in) :: e
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3)
-      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
-                                  contact%axial, contact%rotary, contact%climbing, contact%radius, action, moment, &
-                                  by_point, moment_by_point)
-   end subroutine act
 
    !> Adds to a conservative tangent at `state` what friction and torque have besides, which makes it the whole one; elements
    !> without either are left out.

@@ -58,6 +58,7 @@ module dg_newton
       type(linear_solver_type) :: solver
       real(wp), allocatable :: residual(:, :)     !< (6,nodes), or in a plane (3,nodes)
       real(wp), allocatable :: step(:, :)         !< the same
+      logical :: compressed = .false.             !< so that the string may not stay where it is at rest
       logical :: planar = .false.                 !< only what moves the string in its plane is solved for
       type(plane_type) :: plane
       integer :: forces = 3                       !< rows of residual and step: forces come first, then moments

@@ -9,6 +9,7 @@ module dg_static_analysis
                              way_planar
    use dg_damped_newton, only: iterate_damped
    use dg_error, only: error_type
+   use dg_force_iteration, only: force_iteration_type, iterate_forces, new_force_iteration
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
@@ -47,13 +48,13 @@ module dg_static_analysis
    real(wp), parameter :: stage_tolerance = 1.0e-3_wp
    !> The same in damped Newton: a string settles among its next to unresisted modes much sooner against a soft wall [-].
    real(wp), parameter :: settled_tolerance = 1.0e-6_wp
-   !> Attempts at a case, each with its longest run. Plain Newton finds an ordinary string's rest; else it is tried with the other
-   !> place of the gaps, and at last damped. A compressed string, which may find rest where it cannot stay, goes to damped
-   !> Newton sooner, and where it will buckle over more than a few waves at once; at last with the other place of the gaps, or
-   !> where it rotates as it whirls: without what friction does to climb the wall where it is compressed.
-   integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, other_place = 3, by_damping = 4, &
-                         other_place_damped = 5, as_it_whirls = 6, damped_briefly = 7
-   integer, parameter :: longest_attempt(7) = [70, 25, 70, 150, 250, 400, 120]
+   !> Ways to iterate, each with its longest run, and the attempts at a case, at most three: plain Newton, which finds an ordinary
+   !> string's equilibrium in a few iterations, or damped Newton where the string will buckle over more than a few waves; then the
+   !> iteration with contact forces as unknowns, slower and surer; at last damped Newton. A compressed string, which may be at rest
+   !> where it cannot stay, is left by plain Newton sooner.
+   integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, by_damping = 3, other_place_damped = 4, damped_briefly = 5, &
+                         by_forces = 6
+   integer, parameter :: longest_attempt(6) = [70, 25, 150, 250, 120, 250]
    !> A lateral step over the clearance by which plain Newton shows that a compressed string's tangent is next to singular [-]:
    !> those that it solves take steps of less than one.
    real(wp), parameter :: wild = 3.0_wp
@@ -193,14 +194,16 @@ contains
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
          if (attempt == count(plan /= nothing)) numerics%max_iterations = most
          newton%wild_step = merge(wild*maxval(mesh%clearance), huge(wild), plan(attempt) == briefly)
-         damping = any(plan(attempt) == [by_damping, other_place_damped, as_it_whirls, damped_briefly])
-         if (damping .and. .not. allocated(damped%lump)) call new_damped(mesh, viscous_step, damped)
-         if (any(plan(attempt) == [other_place, other_place_damped])) &
-            numerics%gap_location = other_location(numerics%gap_location)
-         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, damping, mesh, &
+         damping = is_damped(plan(attempt))
+         if ((damping .or. plan(attempt) == by_forces) .and. .not. allocated(damped%lump)) &
+            call new_damped(mesh, viscous_step, damped)
+         if (plan(attempt) == other_place_damped) numerics%gap_location = other_location(numerics%gap_location)
+         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, &
+                                    plan(attempt), mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
          call enter_attempt(tried + attempt, newton)
-         if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping) then
+         if (outcome == newton_converged .and. compressed > watch_share .and. .not. damping .and. &
+             plan(attempt) /= by_forces) then
             call is_stable(newton, model%trajectory, mesh, loads, gaps, state, work, stable)
             known = stable
             if (.not. stable) then
@@ -209,7 +212,7 @@ contains
                if (outcome /= newton_converged) exit
                gap_states = gaps%state
                numerics%max_iterations = min(most, newton%iterations + longest_attempt(damped_briefly))
-               call go_through_increments(model, case_index, numerics, pressing, .true., gap_states, .true., mesh, newton, &
+               call go_through_increments(model, case_index, numerics, pressing, .true., gap_states, damped_briefly, mesh, newton, &
                                           damped, gaps, state, work, loads, outcome)
                call enter_attempt(tried + attempt, newton)
             end if
@@ -287,13 +290,14 @@ contains
       real(wp) :: residual, worst
       integer :: attempt, outcome, place
       integer :: tried             ! attempts on a mesh before
-      integer, parameter :: plan(2) = [by_newton, other_place]
+      integer, parameter :: plan(2) = [by_newton, by_newton]   ! the second with gaps at the other place
       tried = maxval([0, newton%history(:newton%iterations)%attempt])
       do attempt = 1, size(plan)
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
-         if (plan(attempt) == other_place) numerics%gap_location = other_location(numerics%gap_location)
-         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, .false., mesh, &
+         if (attempt == 2) numerics%gap_location = other_location(numerics%gap_location)
+         call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, &
+                                    plan(attempt), mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
          call enter_attempt(tried + attempt, newton)
          stays = outcome == newton_converged
@@ -320,15 +324,22 @@ contains
       logical, intent(in) :: straight_down    !< where every attempt is as it whirls
       integer :: plan(3)
       if (.not. may_buckle) then
-         plan = [by_newton, other_place, by_damping]
+         plan = [by_newton, by_forces, by_damping]
       else if (rotating .and. .not. straight_down) then
-         plan = [briefly, damped_briefly, other_place_damped]
+         plan = [briefly, by_forces, damped_briefly]
       else if (buckles .and. (straight_down .or. .not. rotating)) then
-         plan = [by_damping, other_place_damped, nothing]
+         plan = [by_damping, by_forces, other_place_damped]
       else
-         plan = [briefly, by_damping, other_place_damped]
+         plan = [briefly, by_forces, by_damping]
       end if
    end function plan_of
+
+   !> Whether a way to iterate is damped Newton's.
+   pure function is_damped(way) result(damped)
+      integer, intent(in) :: way
+      logical :: damped
+      damped = any(way == [by_damping, other_place_damped, damped_briefly])
+   end function is_damped
 
    !> Solves the case on the coarsest mesh that the local scale bears, where the mesh asked for is much finer and the string
    !> does not buckle, and takes its shape over as a start.
@@ -362,14 +373,14 @@ contains
       numerics%tolerance = max(numerics%tolerance, coarse_tolerance)
       call prepare(model, model%cases(case_index), coarse, compressed, newton, work, way)
       allocate (solved(6, coarse%nodes))
-      call go_through_increments(model, case_index, numerics, pressing, .false., none, .false., coarse, newton, damped, gaps, &
+      call go_through_increments(model, case_index, numerics, pressing, .false., none, by_newton, coarse, newton, damped, gaps, &
                                  solved, work, loads, outcome)
       started = outcome == newton_converged
       if (started) call take_over(model%trajectory, coarse, work, gaps, solved, mesh, state, gap_states)
    end subroutine start_from_coarse
 
    !> One attempt: from the soft string, increment by increment, wall by wall, to the end or to where it fails.
-   subroutine go_through_increments(model, case_index, numerics, pressing, started, gap_states, damping, mesh, newton, damped, &
+   subroutine go_through_increments(model, case_index, numerics, pressing, started, gap_states, way, mesh, newton, damped, &
                                     gaps, state, work, loads, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -377,7 +388,7 @@ contains
       real(wp), intent(in) :: pressing     !< largest expected contact load over its clearance [N/m2]
       logical, intent(in) :: started       !< `state` is a start already: one increment, from the middle walls on
       integer, intent(in) :: gap_states(:) !< of the gaps at such a start
-      logical, intent(in) :: damping       !< by damped Newton
+      integer, intent(in) :: way           !< to iterate: by_newton and its like
       type(mesh_type), intent(in) :: mesh
       type(newton_type), intent(inout) :: newton
       type(damped_type), intent(inout) :: damped
@@ -388,7 +399,10 @@ contains
       integer, intent(out) :: outcome
       real(wp), allocatable :: walls(:)
       real(wp) :: pressed(contact_places, mesh%elements), fraction, tolerance
-      integer :: increment, stage
+      type(force_iteration_type) :: by_force
+      logical :: damping
+      integer :: increment, stage, first
+      damping = is_damped(way)
       newton%gaps_taken_back = .false.
       work%carried = nothing_carried
       call lay_out_gaps(numerics, mesh, gaps)
@@ -398,7 +412,8 @@ contains
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, loads)
-         do stage = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1), size(walls)
+         first = merge(merge(max(1, size(walls) - 1), 1, started), size(walls), increment == 1)
+         do stage = first, size(walls)
             call set_walls(model, mesh, walls(stage), gaps)
             damped%continued = stage > 1
             if (increment == 1 .and. stage == 1 .and. .not. started) then
@@ -409,7 +424,12 @@ contains
             if (newton%planar) call flatten(newton%plane, state)
             tolerance = tolerance_at(numerics, gaps, newton%force_scale)
             if (stage < size(walls)) tolerance = max(tolerance, merge(settled_tolerance, stage_tolerance, damping))
-            if (damping) then
+            if (way == by_forces) then
+               if (stage < size(walls)) cycle          ! the soft wall was for the start
+               call new_force_iteration(mesh, loads, numerics, tolerance, pressing, newton%compressed, increment, by_force)
+               call iterate_forces(by_force, newton, damped, model%trajectory, mesh, gaps, state, work)
+               outcome = by_force%outcome
+            else if (damping) then
                call iterate_damped(newton, damped, model%trajectory, mesh, loads, numerics, tolerance, stage < size(walls), &
                                    increment, gaps, state, work, outcome)
             else
@@ -439,6 +459,7 @@ contains
          allocate (newton%history(numerics%max_iterations + 1))
          newton%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)
          newton%step_limit = numerics%step_limit*maxval(mesh%clearance)
+         newton%compressed = compressed > watch_share
       end associate
    end subroutine prepare
 

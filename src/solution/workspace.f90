@@ -35,6 +35,7 @@ module dg_workspace
       real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
       real(wp), allocatable :: pressing(:)          !< normal force that friction goes by, where it lags behind R (e) [N]
       real(wp), allocatable :: carried(:)           !< contact force that the tangent goes by (e) [N], or nothing_carried
+      logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
       ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]

@@ -1,0 +1,167 @@
+!> What a gap does to its beam element: the contact there, its forces, and the rows that it adds to a linear problem in which
+!> contact forces are unknowns of their own.
+module dg_gap_action
+   use dg_kinds, only: wp
+   use dg_director, only: director_gradient
+   use dg_gap_contact, only: contact_action_tangent, normal_force_type, sliding_couple
+   use dg_gap_element, only: gap_nodal_force
+   use dg_gap_state, only: contact_force
+   use dg_gap_table, only: gap_table_type
+   use dg_hermite, only: hermite_slope, hermite_value
+   use dg_mesh, only: mesh_type
+   use dg_scatter, only: element_type, part_energy
+   use dg_whirling, only: add_turning, turning_type
+   use dg_workspace, only: dof_axial, dof_twist, workspace_type
+   implicit none
+   private
+   public :: load_type, contact_type, find_contact, act, find_contact_rows
+
+   !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
+   real(wp), parameter :: near = 0.3_wp
+
+   !> Loads and supports of a load case at its present increment.
+   type :: load_type
+      real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
+      real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
+      real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
+      logical :: lagged = .false.           !< friction goes by the workspace's pressing force, not by R
+      real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
+      real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
+   end type load_type
+
+   !> Contact at a gap.
+   type :: contact_type
+      real(wp) :: shape(4), slope(4)        !< N and dN/dx there
+      real(wp) :: direction(3)              !< r' of the string
+      real(wp) :: axial, rotary             !< friction coefficients
+      real(wp) :: climbing                  !< what stands for the rotary one in the force
+      real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
+      logical :: sliding                    !< it is such a couple: the string slides without turning, or whirls
+      type(turning_type) :: turning         !< friction's torque where the string whirls
+      type(normal_force_type) :: normal     !< R
+      type(normal_force_type) :: pressing   !< that friction goes by
+   end type contact_type
+
+contains
+
+   !> Contact at a closed gap: what string and friction there are like.
+   pure subroutine find_contact(mesh, loads, gaps, e, work, contact)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      type(workspace_type), intent(inout) :: work   !< the normal force is entered, but where it is an unknown
+      type(contact_type), intent(out) :: contact
+      real(wp) :: stiffness
+      if (work%separate) then
+         stiffness = 0.0_wp
+      else
+         call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), stiffness)
+      end if
+      contact%axial = mesh%axial(e)*loads%friction_scale
+      contact%rotary = mesh%rotary(e)*loads%friction_scale
+      contact%shape = hermite_value(gaps%xi(e), mesh%length(e))
+      contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
+      contact%direction = contact%slope(1)*work%shift(:, e) + contact%slope(2)*work%d(:, e) &
+                          + contact%slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + contact%slope(4)*work%d(:, e + 1)
+      contact%climbing = work%climb(e)*contact%rotary
+      contact%turning%lever = 0.0_wp
+      if (work%climb(e) < 1.0_wp) then
+         contact%turning%lever = contact%rotary*mesh%radius(e)
+         contact%rotary = 0.0_wp
+      end if
+      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
+      contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
+      contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
+      contact%normal = normal_force_type(work%normal(e), stiffness, &
+                                         merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
+      contact%pressing = contact%normal
+      if (loads%lagged) contact%pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
+      if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
+         contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%pressing%force, &
+         contact%pressing%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &
+         work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
+   end subroutine find_contact
+
+   !> contact_action_tangent at a gap.
+   pure subroutine act(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
+      type(contact_type), intent(in) :: contact
+      type(normal_force_type), intent(in) :: normal, pressing
+      integer, intent(in) :: e
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3)
+      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
+                                  contact%axial, contact%rotary, contact%climbing, contact%radius, action, moment, &
+                                  by_point, moment_by_point)
+   end subroutine act
+
+   !> Of every gap near the wall: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m], and `on`(12,e), what a
+   !> newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change dR adds on*dR to the
+   !> residual, and dR = rho (h + by.d), h what the gap is too deep for its force. The held unknowns of the top have none.
+   pure subroutine find_contact_rows(mesh, loads, gaps, state, work, by, on)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work       !< placed and surveyed at `state`
+      real(wp), intent(out) :: by(:, :), on(:, :)
+      type(contact_type) :: contact
+      real(wp) :: nodal(12), twisting(2), outward(3), gradient(3, 2)
+      integer :: a, e, i, k
+      by = 0.0_wp
+      on = 0.0_wp
+      do e = 1, mesh%elements
+         if (work%displacement(e) < near*mesh%clearance(e)) cycle
+         call find_contact(mesh, loads, gaps, e, work, contact)
+         call unit_force(mesh, gaps, e, work, contact, nodal, twisting)
+         outward = work%gap(:, e)/work%displacement(e)
+         do i = 0, 1
+            k = 6*i
+            gradient = director_gradient(mesh%frame(:, :, e + i), state(5:6, e + i), work%d(:, e + i))
+            do a = 1, 3
+               on(k + a, e) = sum(nodal(k + 1:k + 3)*mesh%frame(:, a, e + i))
+               by(k + a, e) = contact%shape(2*i + 1)*sum(outward*mesh%frame(:, a, e + i))
+            end do
+            on(k + 4, e) = twisting(i + 1)
+            do a = 1, 2
+               on(k + 4 + a, e) = sum(nodal(k + 4:k + 6)*gradient(:, a))
+               by(k + 4 + a, e) = contact%shape(2*i + 2)*sum(outward*gradient(:, a))
+            end do
+         end do
+      end do
+      on([dof_axial, dof_twist], 1) = 0.0_wp
+      by([dof_axial, dof_twist], 1) = 0.0_wp
+   end subroutine find_contact_rows
+
+   !> What a contact force of 1 N adds to the forces on (x_i, d_i, x_j, d_j) and to the torques at both nodes, internal less
+   !> external.
+   pure subroutine unit_force(mesh, gaps, e, work, contact, nodal, twisting)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      type(workspace_type), intent(in) :: work
+      type(contact_type), intent(inout) :: contact
+      real(wp), intent(out) :: nodal(12), twisting(2)
+      type(normal_force_type), parameter :: one = normal_force_type(force=1.0_wp)
+      type(element_type) :: ignored
+      real(wp) :: action(3), moment(3), push(3), bend(3)
+      real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
+      integer :: a
+      call act(contact, one, one, e, work, action, moment, by_point, moment_by_point)
+      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
+                           moment, nodal, twisting)
+      nodal = -nodal
+      twisting = -twisting
+      if (contact%sliding) then
+         call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
+                             contact%axial*mesh%radius(e), 0.0_wp, push, bend, push_by_point, push_by_direction, bend_by_point, &
+                             bend_by_direction)
+         do a = 1, 4
+            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
+         end do
+      end if
+      if (.not. contact%turning%lever > 0.0_wp) return
+      contact%turning%force = 1.0_wp
+      call add_turning(contact%turning, work%d(:, e:e + 1), part_energy, .false., twisting, nodal, ignored)
+   end subroutine unit_force
+end module dg_gap_action
