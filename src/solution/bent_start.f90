@@ -31,7 +31,7 @@ contains
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
       real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
-      real(wp), intent(inout) :: y(:, :)
+      real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
       logical, intent(out) :: found
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
