@@ -128,7 +128,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(inout) :: y(:, :)
+      real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(in) :: settled
       logical, intent(out) :: found
       if (lying%anchored) then
@@ -254,7 +254,7 @@ contains
    !> them. The first are of higher order in the length of the elements. They are right where the difference is small.
    pure subroutine recover_moments(beam, y, bent, moments, differences)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
+      real(wp), contiguous, intent(in) :: y(:, :)
       type(bent_type), intent(out) :: bent
       real(wp), allocatable, intent(out) :: moments(:), differences(:)     !< 0 where the beam is held (n) [N.m]
       real(wp) :: bend(2, 2), above(2)

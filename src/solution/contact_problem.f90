@@ -4,9 +4,9 @@
 !> and then |f| = depth(R), the depth in the wall that carries R; else R = 0. To first order, with h = |f| - depth(R) what the gap
 !> is too deep for its force,
 !>   K d + on dR = -r(d, R),      dR = rho (h + by.d),
-!> r the residual with the forces as they are, K its tangent at given R, friction's directions in `on` (dg_gap_action). rho is the wall's stiffness in series with a softer one: a
-!> proximal step, the wall's own when that one is stiff. dR is eliminated element by element: K + rho on by^T keeps the blocks of
-!> the chain.
+!> r the residual with the forces as they are, K its tangent at given R, friction's directions in `on` (dg_gap_action). rho is
+!> the wall's stiffness in series with a softer one: a proximal step, the wall's own when that one is stiff. dR is eliminated
+!> element by element: K + rho on by^T keeps the blocks of the chain.
 !>
 !> Which gaps are closed is settled within the linear problem, before the string moves: a closed gap that would pull opens, an open
 !> one that would reach into the wall closes, and the problem is solved anew, which costs a third of an assembly (primal-dual

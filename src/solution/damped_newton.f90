@@ -108,6 +108,7 @@ contains
       margin = margin_of(mesh, loads)
       sliding = any(abs(mesh%axial) > 0.0_wp)
       lag = .false.
+      live = .false.
       rounds = 0
       round_start = newton%iterations
       wait = 0
