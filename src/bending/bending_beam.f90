@@ -104,7 +104,7 @@ contains
 
    !> Adds to a block what couples offset and slope of one direction with the same, and with those of the other direction.
    pure subroutine add_block(straight, turned, block)
-      real(wp), intent(in) :: straight(2, 2), turned(2, 2)
+      real(wp), intent(in) :: straight(:, :), turned(:, :)   !< (2,2), parts of larger ones: assumed shapes copy nothing
       real(wp), intent(inout) :: block(4, 4)
       block(1:3:2, 1:3:2) = block(1:3:2, 1:3:2) + straight
       block(2:4:2, 2:4:2) = block(2:4:2, 2:4:2) + straight

@@ -12,6 +12,7 @@ module dg_test_tangent
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: arc_at, frame_on_arc, interpolation_minimum_curvature, new_trajectory, point_on_arc, trajectory_type
+   use dg_gap_action, only: find_contact_rows
    use dg_gap_survey, only: survey_gaps
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
@@ -35,6 +36,7 @@ contains
       call suite%addTest(TestMethod('conservative_tangent_is_symmetric', conservative_tangent_is_symmetric))
       call suite%addTest(TestMethod('friction_makes_it_whole', friction_makes_it_whole))
       call suite%addTest(TestMethod('forces_alone_are_the_same', forces_alone_are_the_same))
+      call suite%addTest(TestMethod('contact_rows_match_differences', contact_rows_match_differences))
    end function tangent_suite
 
    !> K0 + KN + Ksigma is the derivative of the internal force.
@@ -251,6 +253,61 @@ contains
       call assertEqual(hookload, work%hookload)
       call assertEqual(0.0_wp, maxval(abs(other%lower)), message='no tangent')
    end subroutine forces_alone_are_the_same
+
+   !> Contact forces as unknowns: what one of them adds to the residual, and what moves its gap, against differences; with friction
+   !> in both directions, sliding and whirling.
+   subroutine contact_rows_match_differences()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(block_matrix_type) :: ignored
+      real(wp), allocatable :: state(:, :), residual(:, :), other(:, :), by(:, :), on(:, :)
+      real(wp), parameter :: newtons = 100.0_wp
+      real(wp) :: deeper(2), difference(12)
+      integer :: kind, e, i, j, closed
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      call new_workspace(mesh, work)
+      ignored = new_block_matrix(mesh%nodes)
+      allocate (residual, other, mold=state)
+      allocate (by(12, mesh%elements), on(12, mesh%elements))
+      work%separate = .true.
+      closed = 0
+      do kind = 0, 2
+         work%climb = merge(whirling, 1.0_wp, kind == 0)
+         if (kind > 1) mesh%rotary = 0.0_wp
+         work%normal = [(1000.0_wp + 100.0_wp*e, e=1, mesh%elements)]
+         call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, ignored)
+         call find_contact_rows(mesh, loads, gaps, state, work, by, on)
+         do e = 1, mesh%elements
+            if (gaps%state(e) == state_free) cycle
+            closed = closed + 1
+            work%normal(e) = work%normal(e) + newtons
+            call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, other, ignored)
+            work%normal(e) = work%normal(e) - newtons
+            difference = [other(:, e) - residual(:, e), other(:, e + 1) - residual(:, e + 1)]/newtons
+            call assertLessThan(maxval(abs(difference - on(:, e)))/maxval(abs(on(:, e))), 1.0e-6_wp, message='residual by force')
+            do i = 1, 12
+               if (e == 1 .and. (i == 1 .or. i == 4)) cycle       ! held
+               do j = 1, 2
+                  other = state
+                  associate (unknown => other(mod(i - 1, 6) + 1, e + (i - 1)/6))
+                     unknown = unknown + merge(step, -step, j == 1)
+                  end associate
+                  call place_nodes(mesh, other, work)
+                  call survey_gaps(trajectory, mesh, gaps, work)
+                  deeper(j) = work%displacement(e)
+               end do
+               difference(i) = (deeper(1) - deeper(2))/(2.0_wp*step) - by(i, e)
+               call assertLessThan(abs(difference(i)), 1.0e-6_wp, message='gap by unknown')
+            end do
+            call place_nodes(mesh, state, work)
+            call survey_gaps(trajectory, mesh, gaps, work)
+         end do
+      end do
+      call assertTrue(closed > 6, message='closed gaps')
+   end subroutine contact_rows_match_differences
 
    subroutine assemble_at(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
       type(trajectory_type), intent(in) :: trajectory
