@@ -23,6 +23,8 @@ module dg_test_columns
    real(wp), parameter :: mud = 1200.0_wp, gravity = 10.0_wp, hole = 0.2159_wp, steel = 7850.0_wp
    real(wp), parameter :: youngs = 206.0e9_wp, poisson = 0.3_wp, makeup = 40.0e3_wp, rig = 2.0e6_wp, wall = 1.0e8_wp
    real(wp), parameter :: area = 0.25_wp*pi*(od**2 - id**2), inertia = pi/64.0_wp*(od**4 - id**4)
+   real(wp), parameter :: joint_area = 0.25_wp*pi*(joint**2 - id**2), joint_inertia = pi/64.0_wp*(joint**4 - id**4)
+   real(wp), parameter :: spacing = 9.5_wp    !< of joints, the default [m]
    real(wp), parameter :: weight = mass*gravity*(1.0_wp - mud/steel)   !< in mud [N/m]
    !> Forces over the largest, and what follows from them; what contact makes over its own size: the string's ends hang free of the
    !> wall over some metres.
@@ -125,6 +127,8 @@ contains
             stress = hypot(axial/area, sqrt(3.0_wp)*shear_stress)
             call assertRelativelyEqual(stress, along%von_mises(i), contact_within, message='von Mises')
             call assertRelativelyEqual(yield/stress, along%safety_factor(i), contact_within, message='safety factor')
+            stress = hypot(axial/joint_area, sqrt(3.0_wp)*torque*0.25_wp*joint/joint_inertia)
+            call assertRelativelyEqual(stress, along%joint_von_mises(i), contact_within, message='von Mises in a joint')
             call assertRelativelyEqual(contact, p%side_force(i), contact_within, message='side force')
             call assertEqual(pi - atan(m), p%clock(i), 0.05_wp*degree, message='clock')
             call assertRelativelyEqual(clearance + contact/wall, p%displacement(i), 1.0e-5_wp, message='displacement')
@@ -213,6 +217,29 @@ contains
       ! Where the string comes to the wall it presses with some sqrt(EI T)/R at one place, over some half metre of yielding wall.
       call assertLessThan(whole%side_force, 10.0_wp*contact/depth, message='no spikes')
    end subroutine test_arc
+
+   !> Bending moment at a tool joint of pipe that hangs from joint to joint in a bend [N.m], by differences over half a span: its
+   !> offset y from the hole axis obeys EI y'''' = T (y'' + 1/R), with slope and shear none at joint and mid-span.
+   pure function moment_at_joint(radius, tension) result(moment)
+      real(wp), intent(in) :: radius, tension
+      real(wp) :: moment
+      integer, parameter :: n = 400
+      real(wp) :: h, pull, pivot(0:n), m(0:n)
+      integer :: i
+      ! The curvature k = y'' + 1/R obeys EI k'' = T k; none of slope at both ends is a mean of 1/R. Thomas' algorithm for k'' = p k
+      ! with k' = 0 at mid-span (0) and k = 1 at the joint (n), then scaled.
+      h = 0.5_wp*spacing/n
+      pull = tension/(youngs*inertia)*h**2
+      pivot(0) = 2.0_wp/(2.0_wp + pull)
+      do i = 1, n - 1
+         pivot(i) = 1.0_wp/(2.0_wp + pull - pivot(i - 1))
+      end do
+      m(n) = 1.0_wp
+      do i = n - 1, 0, -1
+         m(i) = pivot(i)*m(i + 1)
+      end do
+      moment = youngs*inertia/radius*m(n)*n/(sum(m) - 0.5_wp*(m(0) + m(n)))
+   end function moment_at_joint
 
    !> Side force along the string, summed up by trapezoids [N].
    pure function whole_contact(result) result(contact)
