@@ -17,7 +17,7 @@ module dg_test_bit_side_force
    !> The string touches at one place an element and sinks into the wall by micrometres: the place of tangency is known to an
    !> element of 0.25 m in 12 m. Seen: 7e-4 in the side force, 3e-3 in the moment.
    real(wp), parameter :: tolerance = 5.0e-3_wp
-   !> Side force over half the weight of the span, tilt over itself. Seen: 0.2 %; by the elements of the analysis 13 % and 22 %.
+   !> Side force over half the weight of the span, tilt over itself. Seen: 0.2 %; by the elements of the analysis 11 % and 22 %.
    real(wp), parameter :: at_default = 5.0e-3_wp
 
 contains
