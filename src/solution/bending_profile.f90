@@ -15,7 +15,7 @@ module dg_bending_profile
    use dg_bending_beam, only: bending_beam_type, bent_type, curvature_within, find_forces, length_of
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
-   use dg_bending_rows, only: contact_scale, merge_rows
+   use dg_bending_rows, only: clock_in_hole, contact_scale, merge_rows
    use dg_bending_solution, only: solve_bending
    use dg_case_result, only: case_result_type
    use dg_contact_edges, only: moments_of_misplacing
@@ -24,6 +24,7 @@ module dg_bending_profile
    use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
+   use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -79,10 +80,31 @@ contains
       end do
       if (is_missing(result%moment_error)) return
       result%beam_nodes = size(beam%md)
+      call take_bit(model%trajectory, mesh, beam, bent, result)
       scale = contact_scale(lying%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile
+
+   !> What the bit presses with across the hole, where it is held there, and where it points: those of the beam. In the last of the
+   !> analysis' elements the place of contact is known only as far as there are gaps.
+   pure subroutine take_bit(trajectory, mesh, beam, bent, result)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(bending_beam_type), intent(in) :: beam
+      type(bent_type), intent(in) :: bent
+      type(case_result_type), intent(inout) :: result
+      integer :: n
+      n = size(beam%md)
+      if (beam%held(n)) return
+      associate (arc => mesh%arc(mesh%elements), push => bent%forces(1:2, n), slope => bent%y(3:4, n))
+         result%bit_tilt = atan(length_of(slope))
+         result%bit_tilt_clock = clock_in_hole(trajectory, arc, beam%place(n), slope)
+         if (.not. beam%centred(n)) return
+         result%bit_side_force = length_of(push)
+         result%bit_side_clock = clock_in_hole(trajectory, arc, beam%place(n), push)
+      end associate
+   end subroutine take_bit
 
    !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
    !> or one that is not the analysis' string.

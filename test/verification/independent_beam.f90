@@ -17,7 +17,7 @@ module dg_independent_beam
    use dg_lapack, only: dgbtrf, dgbtrs
    implicit none
    private
-   public :: independent_well_type, independent_beam_type, bend_independently, value_at
+   public :: independent_well_type, independent_beam_type, bend_independently, push_at_bit, value_at
 
    real(wp), parameter :: pi = acos(-1.0_wp), steel = 7850.0_wp
 
@@ -374,6 +374,26 @@ contains
       share = x/beam%h - i
       value = (1.0_wp - share)*values(i) + share*values(i + 1)
    end function value_at
+
+   !> What the string presses with across the hole at its lower end [N], and its slope there [-], along the axes of the frame at the
+   !> high side (1) and right of it (2). Without an offset the clock of the last node is minus that of the frame's axis.
+   pure subroutine push_at_bit(beam, push, slope)
+      type(independent_beam_type), intent(in) :: beam
+      real(wp), intent(out) :: push(2), slope(2)
+      integer :: n
+      n = beam%n
+      slope = (beam%y(:, n) - beam%y(:, n - 1))/beam%h
+      push = -beam%tension(n)*slope - beam%shear(:, n) + 0.5_wp*beam%h*(beam%weight(:, n) + beam%tension(n)*beam%k_node(:, n))
+      slope = slope - 0.5_wp*beam%h*beam%k_node(:, n)           ! the end is not bent
+      push = to_high_side(push, beam%clock(n))
+      slope = to_high_side(slope, beam%clock(n))
+   contains
+      pure function to_high_side(v, angle) result(w)
+         real(wp), intent(in) :: v(2), angle
+         real(wp) :: w(2)
+         w = [cos(angle)*v(1) - sin(angle)*v(2), sin(angle)*v(1) + cos(angle)*v(2)]
+      end function to_high_side
+   end subroutine push_at_bit
 
    pure function cross(a, b) result(c)
       real(wp), intent(in) :: a(3), b(3)

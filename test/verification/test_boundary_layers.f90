@@ -10,7 +10,7 @@ module dg_test_boundary_layers
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type
    use dg_component, only: axial_stiffness, bending_stiffness, component_type
-   use dg_constants, only: degree
+   use dg_constants, only: degree, pi
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out
@@ -244,8 +244,9 @@ contains
       real(wp), parameter :: kl(4) = [1.0_wp, 2.0_wp, 3.0_wp, 3.8_wp], lengths(2) = [0.1_wp, 0.5_wp]
       type(model_type) :: model
       type(case_result_type) :: result
+      type(along_string_type) :: along
       real(wp) :: at_joint
-      integer :: i, j
+      integer :: i, j, row
       do j = 1, size(lengths)
          do i = 1, size(kl)
             call jointed(model, kl(i), lengths(j))
@@ -257,6 +258,12 @@ contains
             call note('at the joint', at_joint)
             call note('over kL/tanh(kL)', at_joint*tanh(kl(i))/kl(i))
             call assertRelativelyEqual(kl(i)/tanh(kl(i)), at_joint, joint_within, message='at the joint')
+            result%model = model_mcge
+            call find_along_string(model, result, along)
+            row = minloc(abs(result%profile%md - 12.0_wp*9.5_wp), dim=1)
+            call note('stress in the joint over that', along%joint_von_mises(row)/stress_in_joint(model, kl(i)))
+            call assertRelativelyEqual(stress_in_joint(model, kl(i)), along%joint_von_mises(row), joint_within, &
+                                       message='stress in the joint')
          end do
       end do
    end subroutine test_joints
@@ -283,6 +290,21 @@ contains
          call note('over kL/tanh(kL)', at_joint*tanh(kl(i))/kl(i))
          call assertRelativelyEqual(kl(i)/tanh(kl(i)), at_joint, smeared_within, message='magnification')
          call assertRelativelyEqual(kl(i)/tanh(kl(i)), stress, smeared_within, message='stress in the body')
+         call note('stress in the joint over that', along%joint_von_mises(row)/stress_in_joint(model, kl(i)))
+         call assertRelativelyEqual(stress_in_joint(model, kl(i)), along%joint_von_mises(row), smeared_within, &
+                                    message='stress in the joint')
       end do
    end subroutine test_smeared
+
+   !> Tension and the moment kL/tanh(kL) EI/R on a joint as thick as it is, with the bore of the pipe [Pa].
+   function stress_in_joint(model, kl) result(stress)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: kl
+      real(wp) :: stress, moment
+      associate (part => model%strings(1)%components(1))
+         moment = kl/tanh(kl)*bending_stiffness(part)/600.0_wp
+         stress = -model%cases(1)%wob/(0.25_wp*pi*(part%joint_od**2 - part%id**2)) &
+                  + moment*0.5_wp*part%joint_od/(pi/64.0_wp*(part%joint_od**4 - part%id**4))
+      end associate
+   end function stress_in_joint
 end module dg_test_boundary_layers

@@ -9,7 +9,7 @@ module dg_test_columns
    use dg_constants, only: degree, pi
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_static
+   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_test_wells, only: new_well, note, part, solve
@@ -23,6 +23,8 @@ module dg_test_columns
    real(wp), parameter :: mud = 1200.0_wp, gravity = 10.0_wp, hole = 0.2159_wp, steel = 7850.0_wp
    real(wp), parameter :: youngs = 206.0e9_wp, poisson = 0.3_wp, makeup = 40.0e3_wp, rig = 2.0e6_wp, wall = 1.0e8_wp
    real(wp), parameter :: area = 0.25_wp*pi*(od**2 - id**2), inertia = pi/64.0_wp*(od**4 - id**4)
+   real(wp), parameter :: joint_area = 0.25_wp*pi*(joint**2 - id**2), joint_inertia = pi/64.0_wp*(joint**4 - id**4)
+   real(wp), parameter :: spacing = 9.5_wp    !< of joints, the default [m]
    real(wp), parameter :: weight = mass*gravity*(1.0_wp - mud/steel)   !< in mud [N/m]
    !> Forces over the largest, and what follows from them; what contact makes over its own size: the string's ends hang free of the
    !> wall over some metres.
@@ -31,6 +33,9 @@ module dg_test_columns
    real(wp), parameter :: torque_within = 0.01_wp
    !> Sum of contact in an arc: the centred ends hang off the wall over some metres of 600 m.
    real(wp), parameter :: ends_within = 0.03_wp
+   !> Compression at which the margin of stability is used up, over Dawson and Paslay's. Seen: 3 % low; the elements are only
+   !> as short as the compression that is there needs.
+   real(wp), parameter :: margin_within = 0.04_wp
    !> Rows nearer than this to an end of the string or of a bend are not compared [m].
    real(wp), parameter :: end_part = 40.0_wp
    !> What the tables of the trajectory give [m, rad].
@@ -44,6 +49,9 @@ contains
       call suite%addTest(TestMethod('rotating_in_straight_hole', test_straight))
       call suite%addTest(TestMethod('hanging_in_an_arc', test_arc))
       call suite%addTest(TestMethod('pushed_beyond_buckling', test_pushed))
+      call suite%addTest(TestMethod('margin_of_stability', test_margin))
+      call suite%addTest(TestMethod('turns_of_a_coil', test_coil))
+      call suite%addTest(TestMethod('weight_before_lock_up', test_lock_up))
    end function columns_suite
 
    subroutine build(model, md, inclination, azimuth, friction)
@@ -125,6 +133,8 @@ contains
             stress = hypot(axial/area, sqrt(3.0_wp)*shear_stress)
             call assertRelativelyEqual(stress, along%von_mises(i), contact_within, message='von Mises')
             call assertRelativelyEqual(yield/stress, along%safety_factor(i), contact_within, message='safety factor')
+            stress = hypot(axial/joint_area, sqrt(3.0_wp)*torque*0.25_wp*joint/joint_inertia)
+            call assertRelativelyEqual(stress, along%joint_von_mises(i), contact_within, message='von Mises in a joint')
             call assertRelativelyEqual(contact, p%side_force(i), contact_within, message='side force')
             call assertEqual(pi - atan(m), p%clock(i), 0.05_wp*degree, message='clock')
             call assertRelativelyEqual(clearance + contact/wall, p%displacement(i), 1.0e-5_wp, message='displacement')
@@ -214,6 +224,29 @@ contains
       call assertLessThan(whole%side_force, 10.0_wp*contact/depth, message='no spikes')
    end subroutine test_arc
 
+   !> Bending moment at a tool joint of pipe that hangs from joint to joint in a bend [N.m], by differences over half a span: its
+   !> offset y from the hole axis obeys EI y'''' = T (y'' + 1/R), with slope and shear none at joint and mid-span.
+   pure function moment_at_joint(radius, tension) result(moment)
+      real(wp), intent(in) :: radius, tension
+      real(wp) :: moment
+      integer, parameter :: n = 400
+      real(wp) :: h, pull, pivot(0:n), m(0:n)
+      integer :: i
+      ! The curvature k = y'' + 1/R obeys EI k'' = T k; none of slope at both ends is a mean of 1/R. Thomas' algorithm for k'' = p k
+      ! with k' = 0 at mid-span (0) and k = 1 at the joint (n), then scaled.
+      h = 0.5_wp*spacing/n
+      pull = tension/(youngs*inertia)*h**2
+      pivot(0) = 2.0_wp/(2.0_wp + pull)
+      do i = 1, n - 1
+         pivot(i) = 1.0_wp/(2.0_wp + pull - pivot(i - 1))
+      end do
+      m(n) = 1.0_wp
+      do i = n - 1, 0, -1
+         m(i) = pivot(i)*m(i + 1)
+      end do
+      moment = youngs*inertia/radius*m(n)*n/(sum(m) - 0.5_wp*(m(0) + m(n)))
+   end function moment_at_joint
+
    !> Side force along the string, summed up by trapezoids [N].
    pure function whole_contact(result) result(contact)
       type(case_result_type), intent(in) :: result
@@ -248,4 +281,73 @@ contains
       call assertTrue(whole%snaking_length > 0.0_wp, message='snakes')
       call assertRelativelyEqual(wob, whole%wob_buckling%value*1.2_wp, 1.0e-6_wp, message='weight on bit to buckle')
    end subroutine test_pushed
+   !> At 90 deg, without friction, the string leaves the low side at Dawson and Paslay's load.
+   subroutine test_margin()
+      real(wp), parameter :: depth = 800.0_wp, clearance = 0.5_wp*(hole - joint), share(4) = [0.5_wp, 0.6_wp, 0.8_wp, 0.95_wp]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: sine, lost
+      integer :: i
+      sine = 2.0_wp*sqrt(youngs*inertia*weight/clearance)
+      do i = 1, size(share)
+         call build(model, [0.0_wp, depth], [90.0_wp, 90.0_wp], [30.0_wp, 30.0_wp], 0.0_wp)
+         call solve_all(model, operation_static, share(i)*sine, 0.0_wp, result, along, whole)
+         call assertTrue(whole%stability_margin%present .neqv. share(i) < 0.55_wp, message='told where it is compressed enough')
+         if (.not. whole%stability_margin%present) cycle
+         lost = (1.0_wp + whole%stability_margin%value)*share(i)
+         call note('lost at, over the closed form', lost)
+         call assertEqual(1.0_wp, lost, margin_within, message='margin')
+      end do
+   end subroutine test_margin
+
+   !> Coils at the default settings: pushed through a horizontal hole with next to no weight, depth/(2 pi) sqrt(F/(2 EI)) turns
+   !> (Lubinski); hanging in a vertical one, where compression w s grows to the bit, the integral of that.
+   subroutine test_coil()
+      real(wp), parameter :: depth = 1500.0_wp, force(2) = [150.0e3_wp, 300.0e3_wp]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: turns
+      integer :: i
+      do i = 1, 3
+         call build(model, [0.0_wp, depth], merge(0.0_wp, 90.0_wp, i == 3)*[1.0_wp, 1.0_wp], [30.0_wp, 30.0_wp], 0.0_wp)
+         if (i < 3) then
+            model%strings(1)%components(1)%mass = 0.01_wp
+            turns = depth/(2.0_wp*pi)*sqrt(force(i)/(2.0_wp*youngs*inertia))
+         else
+            turns = (force(2)/weight)*2.0_wp/3.0_wp/(2.0_wp*pi)*sqrt(force(2)/(2.0_wp*youngs*inertia))
+         end if
+         call solve_all(model, operation_static, force(min(i, 2)), 0.0_wp, result, along, whole)
+         call note('turns', turns)
+         call note('more turns than that', whole%coil_turns - turns)
+         call assertEqual(turns, whole%coil_turns, 1.0_wp, message='turns')
+      end do
+   end subroutine test_coil
+
+   !> A string that slides into a vertical hole: it coils where its weight has compressed it enough, and from there friction of the
+   !> coil takes a F^2 a metre, a = friction c/(4 EI), so that F' = w - a F^2.
+   subroutine test_lock_up()
+      real(wp), parameter :: depth = 3000.0_wp, friction = 0.3_wp, clearance = 0.5_wp*(hole - joint)
+      !> Loads at which it begins, over (EI w^2)^(1/3): twice Lubinski's, which the program takes, and Wu and Juvkam-Wold's.
+      real(wp), parameter :: begins(2) = [3.88_wp, 5.55_wp]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: most, start, force(size(begins))
+      integer :: i
+      call build(model, [0.0_wp, depth], [0.0_wp, 0.0_wp], [30.0_wp, 30.0_wp], friction)
+      call solve_all(model, operation_sliding_drilling, 10.0e3_wp, 0.0_wp, result, along, whole)
+      most = sqrt(4.0_wp*youngs*inertia*weight/(friction*clearance))
+      do i = 1, size(begins)
+         start = begins(i)*(youngs*inertia*weight**2)**(1.0_wp/3.0_wp)
+         force(i) = most*tanh(atanh(start/most) + (depth - start/weight)*weight/most)
+         call note('weight before lock-up over the closed form', whole%wob_lockup%value/force(i) - 1.0_wp)
+      end do
+      call note('of the weight of the string', force(1)/(weight*depth))
+      call assertRelativelyEqual(force(1), whole%wob_lockup%value, contact_within, message='weight before lock-up')
+   end subroutine test_lock_up
 end module dg_test_columns

@@ -5,7 +5,8 @@ module dg_test_moments
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
-   use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, value_at
+   use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, &
+                                  push_at_bit, value_at
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
@@ -23,6 +24,8 @@ module dg_test_moments
    !> every row, root mean square; over their own size hook load, torque, sum of contact.
    real(wp), parameter :: largest_within = 0.03_wp, never_below = 0.02_wp, everywhere_within = 0.05_wp, mean_within = 0.01_wp
    real(wp), parameter :: hookload_within = 1.0e-3_wp, contact_within = 5.0e-3_wp, torque_within = 2.0e-3_wp
+   !> Force and tilt of the bit as vectors, over their own size. Seen: 0.2 %; by the elements of the analysis 3 to 5 %.
+   real(wp), parameter :: bit_within = 5.0e-3_wp
    !> What the result tells of its own error is more than that error, and less than what it warns of.
    real(wp), parameter :: told_within = 0.05_wp
    !> The rest of the columns. Axial force over the largest and torque over that at the top: between the nodes of the analysis
@@ -206,7 +209,23 @@ contains
       if (present(closely)) call assertRelativelyEqual(maxval(norm2(beam%moment, dim=1)), maxval(result%profile%bending), closely, &
                                                        message=what//': largest moment')
       if (.not. present(closely)) call compare_columns(beam, result, place, what)
+      call compare_bit(beam, result, what)
    end subroutine compare
+
+   !> Force and tilt of the bit with their directions, over their own size.
+   subroutine compare_bit(beam, result, what)
+      type(independent_beam_type), intent(in) :: beam
+      type(case_result_type), intent(in) :: result
+      character(*), intent(in) :: what
+      real(wp) :: push(2), slope(2)
+      call push_at_bit(beam, push, slope)
+      push = result%bit_side_force*direction(result%bit_side_clock)/norm2(push) - push/norm2(push)
+      slope = tan(result%bit_tilt)*direction(result%bit_tilt_clock)/norm2(slope) - slope/norm2(slope)
+      call note(what//': side force of the bit off', norm2(push))
+      call note(what//': tilt of the bit off', norm2(slope))
+      call assertLessThan(norm2(push), bit_within, message=what//': side force of the bit')
+      call assertLessThan(norm2(slope), bit_within, message=what//': tilt of the bit')
+   end subroutine compare_bit
 
    !> The other solution for a string that is as long as this one when it has stretched, so that both bits are at one place.
    subroutine bend_stretched(well, beam, what)
