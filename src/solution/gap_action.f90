@@ -111,7 +111,7 @@ contains
       by = 0.0_wp
       on = 0.0_wp
       do e = 1, mesh%elements
-         if (work%displacement(e) < near*mesh%clearance(e)) cycle
+         if (work%displacement(e) < near*gaps%law(e)%clearance) cycle
          call find_contact(mesh, loads, gaps, e, work, contact)
          call unit_force(mesh, gaps, e, work, contact, nodal, twisting)
          outward = work%gap(:, e)/work%displacement(e)
