@@ -113,7 +113,7 @@ contains
       end if
       result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
       result%torque = work%top_torque
-      result%normal_force = sum(work%normal)
+      result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
       result%iterations = newton%iterations
       result%elements = mesh%elements
       result%states = count_states(gaps)
