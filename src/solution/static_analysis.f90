@@ -49,11 +49,13 @@ module dg_static_analysis
    !> The same in damped Newton: a string settles among its next to unresisted modes much sooner against a soft wall [-].
    real(wp), parameter :: settled_tolerance = 1.0e-6_wp
    !> Ways to iterate, each with its longest run, and the attempts at a case, at most three: plain Newton, which finds an ordinary
-   !> string's equilibrium in a few iterations, and in most of the others with gaps at the other place; or damped Newton where the
-   !> string will buckle over more than a few waves; then the iteration with contact forces as unknowns, slower and surer. A
-   !> compressed string, which may be at rest where it cannot stay, is left by plain Newton sooner, and may have damped Newton last.
+   !> string's equilibrium in a few iterations from the soft string's line, and most of the others' from that line bent into the
+   !> hole; or damped Newton where the string will buckle over more than a few waves; then the iteration with contact forces as
+   !> unknowns, slower and surer. A compressed string, which may be at rest where it cannot stay, is left by plain Newton sooner,
+   !> and may have damped Newton last. The bent line is not for the first attempt of a string that lies: with it gaps find fewer
+   !> reasons to move to the extremum of their element, and the torque of a short-radius lateral is 1.4 % off instead of 0.2 %.
    integer, parameter :: nothing = 0, by_newton = 1, briefly = 2, by_damping = 3, other_place_damped = 4, damped_briefly = 5, &
-                         by_forces = 6, other_place = 7
+                         by_forces = 6, from_bent = 7
    integer, parameter :: longest_attempt(7) = [70, 25, 150, 250, 120, 250, 70]
    !> A lateral step over the clearance by which plain Newton shows that a compressed string's tangent is next to singular [-]:
    !> those that it solves take steps of less than one.
@@ -197,8 +199,7 @@ contains
          damping = is_damped(plan(attempt))
          if ((damping .or. plan(attempt) == by_forces) .and. .not. allocated(damped%lump)) &
             call new_damped(mesh, viscous_step, damped)
-         if (any(plan(attempt) == [other_place, other_place_damped])) &
-            numerics%gap_location = other_location(numerics%gap_location)
+         if (plan(attempt) == other_place_damped) numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, &
                                     plan(attempt), mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
@@ -325,7 +326,7 @@ contains
       logical, intent(in) :: straight_down    !< where every attempt is as it whirls
       integer :: plan(3)
       if (.not. may_buckle) then
-         plan = [by_newton, other_place, by_forces]
+         plan = [by_newton, from_bent, by_forces]
       else if (rotating .and. .not. straight_down) then
          plan = [briefly, by_forces, damped_briefly]
       else if (buckles .and. (straight_down .or. .not. rotating)) then
@@ -418,9 +419,13 @@ contains
             call set_walls(model, mesh, walls(stage), gaps)
             damped%continued = stage > 1
             if (increment == 1 .and. stage == 1 .and. .not. started) then
-               call predict(model, case_index, mesh, fraction, walls(1)*mesh%wall, work%climb, state, gaps, pressed)
-               call press_start(model%trajectory, mesh, numerics, pressed, gaps, state, work)
-               damped%continued = .true.
+               if (way == by_newton) then
+                  call predict(model, case_index, mesh, fraction, walls(1)*mesh%wall, work%climb, state, gaps)
+               else
+                  call predict(model, case_index, mesh, fraction, walls(1)*mesh%wall, work%climb, state, gaps, pressed)
+                  call press_start(model%trajectory, mesh, numerics, pressed, gaps, state, work)
+                  damped%continued = .true.
+               end if
             end if
             if (newton%planar) call flatten(newton%plane, state)
             tolerance = tolerance_at(numerics, gaps, newton%force_scale)
