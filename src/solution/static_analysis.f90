@@ -270,7 +270,7 @@ contains
       end if
    end subroutine find_moments
 
-   !> Solves the case in the plane of its hole by Newton, with the gaps where they are asked for or at the other place. The string
+   !> Solves the case in the plane of its hole by Newton, from the soft string's line or from that line bent. The string
    !> stays there when it finds rest within the hole, and when that is rest in space too: with every force out of the plane within
    !> the tolerance.
    subroutine try_in_plane(model, case_index, most, pressing, started, gap_states, mesh, numerics, newton, gaps, state, work, &
@@ -292,12 +292,11 @@ contains
       real(wp) :: residual, worst
       integer :: attempt, outcome, place
       integer :: tried             ! attempts on a mesh before
-      integer, parameter :: plan(2) = [by_newton, by_newton]   ! the second with gaps at the other place
+      integer, parameter :: plan(2) = [by_newton, from_bent]
       tried = maxval([0, newton%history(:newton%iterations)%attempt])
       do attempt = 1, size(plan)
          numerics = model%numerics
          numerics%max_iterations = min(most, newton%iterations + longest_attempt(plan(attempt)))
-         if (attempt == 2) numerics%gap_location = other_location(numerics%gap_location)
          call go_through_increments(model, case_index, numerics, pressing, started .and. attempt == 1, gap_states, &
                                     plan(attempt), mesh, &
                                     newton, damped, gaps, state, work, loads, outcome)
