@@ -23,18 +23,16 @@ module dg_contact_problem
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
    use dg_newton, only: newton_type
-   use dg_viscosity, only: add_viscosity, damped_type, until_definite, viscosity_start
+   use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity
    use dg_workspace, only: workspace_type
    implicit none
    private
    public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
-   public :: prepare_problem, solve_problem, change_of_gap
+   public :: prepare_problem, solve_problem, change_of_gap, in_series
 
    !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard wells
    !> found no equilibrium, with ten 11.
    integer, parameter :: most_rounds = 10
-   !> Doublings of viscosity until the tangent is positive definite.
-   integer, parameter :: most_doublings = 60
 
    type :: contact_problem_type
       real(wp), allocatable :: by(:, :)        !< change of |f| by the element's unknowns (12,e)
@@ -73,7 +71,7 @@ contains
       call find_contact_rows(mesh, loads, gaps, state, work, problem%by, problem%on)
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)
-         problem%penalty(e) = 1.0_wp/(1.0_wp/wall + 1.0_wp/(soft*mesh%length(e)))
+         problem%penalty(e) = in_series(wall, soft*mesh%length(e))
          problem%deep(e) = work%displacement(e) - depth_of(gaps%law(e), work%normal(e))
       end do
    end subroutine measure_contacts
@@ -96,33 +94,43 @@ contains
       end do
    end subroutine add_pushes
 
-   !> Whether the energy's tangent, with the closed gaps' stiffness and so much viscosity, is positive definite.
-   subroutine is_definite(damped, problem, viscosity, matrix, definite)
+   !> Stiffness of two springs in series [N/m].
+   elemental function in_series(a, b) result(stiffness)
+      real(wp), intent(in) :: a, b
+      real(wp) :: stiffness
+      stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
+   end function in_series
+
+   !> The energy's tangent with the closed gaps' stiffness.
+   pure subroutine add_closed(energy, problem, matrix)
+      type(block_matrix_type), intent(in) :: energy
+      type(contact_problem_type), intent(in) :: problem
+      type(block_matrix_type), intent(inout) :: matrix
+      integer :: e
+      call copy_matrix(energy, matrix)
+      do e = 1, size(problem%closed)
+         if (problem%closed(e)) call add_dyad(problem%penalty(e)*problem%by(:, e), problem%by(:, e), e, matrix)
+      end do
+   end subroutine add_closed
+
+   !> Whether that tangent, with so much viscosity, is positive definite.
+   pure subroutine is_definite(damped, problem, viscosity, matrix, definite)
       type(damped_type), intent(in) :: damped
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(in) :: viscosity               !< in units of damped%lump [-]
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(out) :: definite
-      integer :: e
-      call copy_matrix(damped%energy, matrix)
-      do e = 1, size(problem%closed)
-         if (problem%closed(e)) call add_dyad(problem%penalty(e)*problem%by(:, e), problem%by(:, e), e, matrix)
-      end do
+      call add_closed(damped%energy, problem, matrix)
       call block_positive_definite(matrix, viscosity, damped%lump, definite)
    end subroutine is_definite
 
    !> Raises viscosity until that tangent is positive definite with it.
-   subroutine hold_by_viscosity(problem, matrix, damped)
+   pure subroutine hold_by_viscosity(problem, matrix, damped)
       type(contact_problem_type), intent(in) :: problem
       type(block_matrix_type), intent(inout) :: matrix
       type(damped_type), intent(inout) :: damped
-      logical :: definite
-      integer :: doubling
-      do doubling = 1, most_doublings
-         call is_definite(damped, problem, damped%viscosity, matrix, definite)
-         if (definite) return
-         damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
-      end do
+      call add_closed(damped%energy, problem, matrix)
+      call raise_viscosity(matrix, damped%lump, 0.0_wp, damped%viscosity)
    end subroutine hold_by_viscosity
 
    !> The matrix without closed gaps: energy's tangent, friction's where it is `live`, and viscosity.

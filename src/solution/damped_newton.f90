@@ -38,7 +38,7 @@ module dg_damped_newton
    use dg_trajectory, only: trajectory_type
    use dg_turning_step, only: axis_of, is_straight_down, phase_type, take_off_drive, turn_along_wall, turning_mode, &
                               turn_to_rest
-   use dg_viscosity, only: damped_type, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh
+   use dg_viscosity, only: damped_type, ease_viscosity, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
@@ -49,9 +49,6 @@ module dg_damped_newton
    !> The same at which gaps are first given the places that they want: their moves are no less good for it, and what is left to do
    !> is done with them.
    real(wp), parameter :: settling_residual = 1.0e-3_wp
-   !> Viscosity after a step that was good at first try, after one that was not, and on indefiniteness; each refusal doubles
-   !> its own factor (Nielsen 1999).
-   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
    !> Slope at a step's end over that at its start, both of the energy [-]: a rise less than this is accepted; a fall this many
    !> times as steep is friction running away.
    real(wp), parameter :: largest_rise = 0.6_wp, largest_fall = 3.0_wp
@@ -183,8 +180,7 @@ contains
             stalled = merge(stalled + 1, 0, row%flips > 0)
             if (damped%viscosity > 0.0_wp .and. slope < 0.0_wp) call draw_out()
             wait = max(wait - 1, 0)
-            damped%viscosity = damped%viscosity*merge(after_success, after_refusal, growth < 1.5_wp*until_definite)
-            if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
+            call ease_viscosity(growth < 1.5_wp*until_definite, damped%viscosity)
             growth = until_definite
             if (soft) call judge_surveyed(trajectory, mesh, numerics, .true., row%flips == 0, .false., gaps, work, row)
             moving = row%moves > 0 .or. (soft .and. row%flips > 0)

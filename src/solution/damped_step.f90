@@ -36,9 +36,9 @@ contains
       slope = 0.0_wp
       factored = .false.
       if (vertical .or. friction .or. newton%solver%kind /= solver_block) then
-         call raise_viscosity(damped, least)
+         call raise_viscosity(damped%energy, damped%lump, least, damped%viscosity)
       else
-         call raise_viscosity(damped, least, newton%solver%block, factored)
+         call raise_viscosity(damped%energy, damped%lump, least, damped%viscosity, newton%solver%block, factored)
       end if
       call copy_matrix(damped%energy, newton%matrix)
       if (friction) call add_friction(mesh, loads, gaps, state, work, newton%matrix)

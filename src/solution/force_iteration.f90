@@ -26,7 +26,7 @@ module dg_force_iteration
    use dg_mesh, only: mesh_type
    use dg_newton, only: longest_round, most_rounds, newton_converged, newton_exhausted, newton_singular, newton_type
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: damped_type, until_definite, viscosity_least, viscosity_most, viscosity_start, weigh_all
+   use dg_viscosity, only: damped_type, ease_viscosity, until_definite, viscosity_most, viscosity_start, weigh_all
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -34,8 +34,6 @@ module dg_force_iteration
 
    !> A slope at a step's end over that at its start by which the step is refused [-].
    real(wp), parameter :: refused = 0.6_wp
-   !> Viscosity after a step that was good at first try, and after one that was not.
-   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
    !> Viscosity that a compressed equilibrium may need and still count as stable [-].
    real(wp), parameter :: stable = 0.02_wp
 
@@ -156,8 +154,7 @@ contains
       if (.not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < refused*abs(it%slope)) .or. after < it%before) then
          call swap_matrices(newton%matrix, damped%energy)
          it%before = after
-         damped%viscosity = damped%viscosity*merge(after_success, after_refusal, it%raised <= until_definite)
-         if (damped%viscosity < viscosity_least) damped%viscosity = 0.0_wp
+         call ease_viscosity(it%raised <= until_definite, damped%viscosity)
          it%raised = until_definite
       else
          it%growth = it%old_growth

@@ -4,8 +4,8 @@ module dg_force_step
    use dg_assembly, only: assemble
    use dg_block_matrix, only: block_matrix_type
    use dg_case_result, only: iteration_type
-   use dg_contact_problem, only: add_pushes, change_of_gap, contact_problem_type, hold_by_viscosity, measure_contacts, &
-                                 new_contact_problem, prepare_problem, solve_problem
+   use dg_contact_problem, only: add_pushes, change_of_gap, contact_problem_type, hold_by_viscosity, in_series, &
+                                 measure_contacts, new_contact_problem, prepare_problem, solve_problem
    use dg_gap_action, only: load_type
    use dg_gap_depths, only: depth_of
    use dg_gap_state, only: state_elastic, state_free, state_rigid
@@ -17,14 +17,13 @@ module dg_force_step
    use dg_trajectory, only: trajectory_type
    use dg_turning_step, only: turn_along_wall
    use dg_viscosity, only: damped_type, until_definite, viscosity_start, weigh_all
+   use dg_wall_stages, only: soft_penetration
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, place_nodes, workspace_type
    implicit none
    private
    public :: force_iteration_type, new_force_iteration, find_step, search_along, go_back, look, move_gaps, measure
    public :: rigid, stiff
 
-   !> rho begins as that of a wall that the expected load presses in by this part of the clearance, as in the first stage of walls.
-   real(wp), parameter :: soft_penetration = 0.1_wp
    !> It grows by this factor when few gaps change, this part of the closed ones, and the residual is below this part of the force
    !> scale; so much stiffer than it began it is the wall's own [-].
    real(wp), parameter :: stiffening = 10.0_wp, few = 0.05_wp, calm = 1.0e-2_wp, stiff = 1.0e4_wp
@@ -43,14 +42,13 @@ module dg_force_step
       type(numerics_type) :: numerics
       type(load_type) :: loads
       real(wp) :: tolerance = 0.0_wp          !< of the residual over the force scale [-]
-      real(wp) :: soft = 0.0_wp               !< stiffness that rho begins with [N/m2]
+      real(wp) :: soft = 0.0_wp               !< stiffness that rho begins with: that of the first stage of walls [N/m2]
       logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
-      integer :: increment = 0
       integer :: outcome = newton_exhausted   !< one of the numbers of dg_newton
       ! state
       type(contact_problem_type) :: problem
       type(iteration_type) :: row
-      logical :: friction = .false., live = .false.
+      logical :: friction = .false.
       real(wp) :: growth = 1.0_wp             !< of rho since the start [-]
       real(wp) :: raised = until_definite     !< what a refusal raises viscosity by
       real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
@@ -83,7 +81,6 @@ contains
       it%tolerance = tolerance
       it%soft = max(pressing, least*maxval(mesh%wall))/soft_penetration
       it%watched = watched
-      it%increment = increment
       it%row%increment = increment
       it%friction = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
       call new_contact_problem(mesh, it%problem)
@@ -101,22 +98,23 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp) :: reach
+      logical :: live          ! friction follows the contact forces within the step
       integer :: hold, fault
       call weigh_all(mesh, work, it%soft, damped%lump)
-      it%live = it%friction
+      live = it%friction
       it%problem%closed = gaps%state /= state_free
       do hold = 0, most_holds
          if (it%watched) call hold_by_viscosity(it%problem, newton%matrix, damped)
          do
-            call prepare_problem(damped, mesh, it%loads, gaps, state, it%live, work, it%problem)
+            call prepare_problem(damped, mesh, it%loads, gaps, state, live, work, it%problem)
             call add_gap_rigidity(mesh, it%numerics%gk_min, it%problem%base, newton%laterals)
-            call solve_problem(newton, gaps, it%residual, work%normal, it%live, it%problem, it%slope, fault)
+            call solve_problem(newton, gaps, it%residual, work%normal, live, it%problem, it%slope, fault)
             if (fault /= 0) then
                it%outcome = newton_singular
                return
             end if
-            if (.not. (it%watched .and. it%live) .or. it%slope < 0.0_wp) exit
-            it%live = .false.          ! friction's tangent leads uphill: its forces are left as they are
+            if (.not. (it%watched .and. live) .or. it%slope < 0.0_wp) exit
+            live = .false.          ! friction's tangent leads uphill: its forces are left as they are
             it%problem%closed = gaps%state /= state_free
          end do
          reach = reach_of(newton%step, mesh)
@@ -218,7 +216,7 @@ contains
       call survey_gaps(trajectory, mesh, gaps, work)
       associate (problem => it%problem)
          do e = 1, mesh%elements
-            soft = min(problem%penalty(e), 1.0_wp/(1.0_wp/gaps%law(e)%contact + 1.0_wp/(it%soft*mesh%length(e))))
+            soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
             deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
             if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
                linear = problem%deep(e) + it%share*moved(e)

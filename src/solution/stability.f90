@@ -70,7 +70,7 @@ contains
       damped%energy = newton%matrix
       call weigh(mesh, work, damped%lump)
       damped%viscosity = 0.0_wp
-      call raise_viscosity(damped, 0.0_wp)
+      call raise_viscosity(damped%energy, damped%lump, 0.0_wp, damped%viscosity)
       newton%step = 0.0_wp
       do n = 1, mesh%nodes      ! anything but a mode
          newton%step(dof_lateral_1:dof_lateral_2, n) = [cos(real(n**2, wp)), sin(real(n**2, wp))]

@@ -11,7 +11,7 @@ module dg_viscosity
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: damped_type, new_damped, weigh, weigh_all, add_viscosity, raise_viscosity
+   public :: damped_type, new_damped, weigh, weigh_all, add_viscosity, ease_viscosity, raise_viscosity
    public :: until_definite, viscosity_least, viscosity_start, viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
@@ -27,6 +27,9 @@ module dg_viscosity
 
    !> Below the least it is none; where it is called for anew it starts so, and beyond the most it is given up.
    real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
+   !> What is left of it after a step that was good at first try, and after one that was not; each refusal doubles its own factor
+   !> (Nielsen 1999) [-].
+   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
    !> What it grows by while the tangent is indefinite [-].
    real(wp), parameter :: until_definite = 2.0_wp
 
@@ -69,17 +72,9 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(inout) :: lump(:, :)
-      real(wp) :: least, force, lateral, slope
-      integer :: e
+      real(wp) :: least
       least = viscosity_everywhere*maxval(min(work%axial, 0.0_wp)**2/(4.0_wp*mesh%ei))
-      lump = 0.0_wp
-      do e = 1, mesh%elements
-         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), least)
-         lateral = 0.5_wp*force*mesh%length(e)
-         slope = slope_lump*force*mesh%length(e)**3
-         lump(dof_lateral_1:dof_lateral_2, e:e + 1) = lump(dof_lateral_1:dof_lateral_2, e:e + 1) + lateral
-         lump(dof_slope_1:dof_slope_2, e:e + 1) = lump(dof_slope_1:dof_slope_2, e:e + 1) + slope
-      end do
+      call lay_weights(mesh, work, least, 0.0_wp, lump)
    end subroutine weigh
 
    !> The same for strings that may be all in tension, and along the hole.
@@ -88,18 +83,28 @@ contains
       type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: soft                 !< stiffness of a wall that yields visibly [N/m2]
       real(wp), intent(inout) :: lump(:, :)
+      call lay_weights(mesh, work, of_soft_wall*soft, along_hole, lump)
+   end subroutine weigh_all
+
+   !> Weights of a string whose places have a least stiffness, with a part of the lateral one along the hole.
+   pure subroutine lay_weights(mesh, work, least, along, lump)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(in) :: least                !< [N/m2]
+      real(wp), intent(in) :: along                !< [-]
+      real(wp), intent(inout) :: lump(:, :)
       real(wp) :: force, lateral, slope
       integer :: e
       lump = 0.0_wp
       do e = 1, mesh%elements
-         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), of_soft_wall*soft)
+         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), least)
          lateral = 0.5_wp*force*mesh%length(e)
          slope = slope_lump*force*mesh%length(e)**3
-         lump(dof_axial, e:e + 1) = lump(dof_axial, e:e + 1) + along_hole*lateral
+         lump(dof_axial, e:e + 1) = lump(dof_axial, e:e + 1) + along*lateral
          lump(dof_lateral_1:dof_lateral_2, e:e + 1) = lump(dof_lateral_1:dof_lateral_2, e:e + 1) + lateral
          lump(dof_slope_1:dof_slope_2, e:e + 1) = lump(dof_slope_1:dof_slope_2, e:e + 1) + slope
       end do
-   end subroutine weigh_all
+   end subroutine lay_weights
 
    !> Adds the present viscosity to a matrix.
    pure subroutine add_viscosity(damped, matrix)
@@ -113,24 +118,34 @@ contains
       end do
    end subroutine add_viscosity
 
-   !> Raises viscosity until the energy's tangent is positive definite with it, or with the margin. Where a solver is given that has
-   !> then the factors of the tangent with viscosity, if that is definite: `factored`.
-   pure subroutine raise_viscosity(damped, margin, solver, factored)
-      type(damped_type), intent(inout) :: damped
+   !> Viscosity after a step that was good, at first try or not.
+   elemental subroutine ease_viscosity(first_try, viscosity)
+      logical, intent(in) :: first_try
+      real(wp), intent(inout) :: viscosity
+      viscosity = viscosity*merge(after_success, after_refusal, first_try)
+      if (viscosity < viscosity_least) viscosity = 0.0_wp
+   end subroutine ease_viscosity
+
+   !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin. Where a solver is given that
+   !> has then the factors of the tangent with viscosity, if that is definite: `factored`.
+   pure subroutine raise_viscosity(energy, lump, margin, viscosity, solver, factored)
+      type(block_matrix_type), intent(in) :: energy
+      real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to its diagonal
       real(wp), intent(in) :: margin
+      real(wp), intent(inout) :: viscosity
       type(block_solver_type), intent(inout), optional :: solver
       logical, intent(out), optional :: factored
       logical :: definite
       do
          definite = .false.
          if (present(solver)) then
-            call block_positive_definite(damped%energy, damped%viscosity, damped%lump, definite, solver)
+            call block_positive_definite(energy, viscosity, lump, definite, solver)
             factored = definite
          end if
-         if (.not. definite .and. (margin > damped%viscosity .or. .not. present(solver))) &
-            call block_positive_definite(damped%energy, max(damped%viscosity, margin), damped%lump, definite)
-         if (definite .or. damped%viscosity > viscosity_most) return
-         damped%viscosity = until_definite*max(damped%viscosity, viscosity_start)
+         if (.not. definite .and. (margin > viscosity .or. .not. present(solver))) &
+            call block_positive_definite(energy, max(viscosity, margin), lump, definite)
+         if (definite .or. viscosity > viscosity_most) return
+         viscosity = until_definite*max(viscosity, viscosity_start)
       end do
    end subroutine raise_viscosity
 end module dg_viscosity

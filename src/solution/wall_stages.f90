@@ -9,6 +9,7 @@ module dg_wall_stages
    implicit none
    private
    public :: stage_walls, set_walls, lay_out_gaps, tolerance_at
+   public :: soft_penetration
 
    !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
    !> are between two contacts, so that no single gap matters.
