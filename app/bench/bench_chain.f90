@@ -55,7 +55,7 @@ contains
          call new_workspace(mesh, chain%work)
          chain%matrix = new_block_matrix(mesh%nodes)
          allocate (chain%state(6, mesh%nodes), chain%residual(6, mesh%nodes))
-         call predict(model, case_index, mesh, 1.0_wp, mesh%wall, chain%work%climb, chain%state, chain%gaps)
+         call predict(model, case_index, mesh, 1.0_wp, mesh%wall, chain%work%climb, chain%state, chain%gaps, chain%work%normal)
       end associate
       chain%loads = load_type(wob=model%cases(case_index)%wob, top_support=support, bit_support=support)
       call survey_chain(model, chain)

@@ -27,7 +27,7 @@ module dg_beam_element
    use dg_vector, only: cross, outer, skew
    implicit none
    private
-   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, membrane_length
+   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, membrane_length, membrane_change
    public :: torque_force, torque_tangent, energy_weights
 
    !> What an element is made of.
@@ -61,6 +61,18 @@ contains
       m = measure(chord, d_i, d_j)
       length = m%length*(1.0_wp + m%bowing)
    end function membrane_length
+
+   !> Its change to first order by changes of (x_i, d_i, x_j, d_j) [m].
+   pure function membrane_change(chord, d_i, d_j, moved) result(change)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(in) :: moved(12)
+      real(wp) :: change
+      type(measure_type) :: m
+      real(wp) :: by(12)
+      m = measure(chord, d_i, d_j)
+      call gradient(m, d_i, d_j, 1.0_wp, m%length/15.0_wp, -m%length/30.0_wp, by)
+      change = dot_product(by, moved)
+   end function membrane_change
 
    pure function measure(chord, d_i, d_j) result(m)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)

@@ -155,7 +155,7 @@ module dg_deck_keys
          meaning='another calculation''s, for comparison')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(23) = [ &
+   type(key_rule_type), parameter :: solver_keys(21) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='longest element 30, 60, 10, 1 m; auto and fast: in_plane; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
@@ -183,10 +183,7 @@ module dg_deck_keys
       key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
          meaning='a gap moves to an extremum deeper by this part of the clearance'), &
       key_rule_type('solver', 'step_limit', low=least_step, high=1.0e3_wp, &
-         meaning='largest lateral change in an iteration over the clearance'), &
-      key_rule_type('solver', 'viscous_limit', low=0.0_wp, open=.true., high=1.0e3_wp, &
-         meaning='the same while a buckling string is held by viscosity'), &
-      key_rule_type('solver', 'soften', kind_logical, default='.true.', meaning='reach the stiffness of the wall in stages'), &
+         meaning='largest lateral change of a node in an iteration over its clearance'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
          meaning='lateral offset seeded in compressed parts over the clearance'), &
       key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &

@@ -201,8 +201,6 @@ contains
       numerics%r_n0 = real_of(group, 'r_n0', numerics%r_n0)
       numerics%relocation = real_of(group, 'relocation', numerics%relocation)
       numerics%step_limit = real_of(group, 'step_limit', numerics%step_limit)
-      numerics%viscous_limit = real_of(group, 'viscous_limit', numerics%viscous_limit)
-      numerics%soften = logical_of(group, 'soften', numerics%soften)
       numerics%imperfection = real_of(group, 'imperfection', numerics%imperfection)
       numerics%history = logical_of(group, 'history', numerics%history)
       numerics%mixed_elements = is_sound(group, 'mixed_parts') .and. text_of(group, 'mixed_parts', '') == 'elements'

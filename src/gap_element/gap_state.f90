@@ -12,7 +12,7 @@ module dg_gap_state
    implicit none
    private
    public :: state_free, state_elastic, state_rigid, state_name
-   public :: gap_law_type, next_state, contact_force, relative_compression
+   public :: gap_law_type, next_state, contact_force, depth_of, relative_compression
 
    integer, parameter :: state_free = 0    !< Eq. 7
    integer, parameter :: state_elastic = 1 !< Eq. 8
@@ -87,4 +87,13 @@ contains
          force = 0.0_wp
       end select
    end subroutine contact_force
+
+   !> |f| [m] at which a closed gap carries a force [N]: the inverse of contact_force.
+   pure function depth_of(law, force) result(depth)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: force
+      real(wp) :: depth, elastic
+      elastic = law%contact*law%clearance*law%eps_nmax
+      depth = law%clearance + min(force, elastic)/law%contact + max(force - elastic, 0.0_wp)/law%maximum
+   end function depth_of
 end module dg_gap_state

@@ -14,7 +14,7 @@ module dg_mesh
    use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths, subdivided, graded
+   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, upright
 
    type :: mesh_type
       integer :: nodes = 0
@@ -49,7 +49,17 @@ module dg_mesh
    !> pieces of some decimetres, and with elements of 1000 m their ends were lost, and weight with them.
    real(wp), parameter :: longest_merge = 0.06_wp
 
+   !> Vertical to round-off: cosine of the inclination.
+   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
+
 contains
+
+   !> Whether the hole is vertical along the whole string.
+   pure function is_straight_down(mesh) result(straight)
+      type(mesh_type), intent(in) :: mesh
+      logical :: straight
+      straight = all(mesh%frame(3, 1, :) > upright)
+   end function is_straight_down
 
    !> The mesh of a load case on given nodes. The case's string and depths have been checked with the deck.
    pure subroutine new_mesh(model, load_case, depths, mesh)

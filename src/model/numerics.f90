@@ -50,9 +50,7 @@ module dg_numerics
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
       real(wp) :: relocation = 0.5_wp          !< a closed MCGE moves when its element is deeper elsewhere by this part of c [-]
-      real(wp) :: step_limit = 20.0_wp         !< largest lateral change in one iteration over the clearance [-]
-      real(wp) :: viscous_limit = 1.0_wp       !< the same while the string is held from buckling further by viscosity [-]
-      logical :: soften = .true.               !< reach the wall's stiffness in stages
+      real(wp) :: step_limit = 2.0_wp          !< largest lateral change of a node in one iteration over its clearance [-]
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string

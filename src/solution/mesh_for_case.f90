@@ -8,11 +8,10 @@ module dg_mesh_for_case
    use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load, &
                              scale_neighbour
    use dg_constants, only: pi
-   use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
+   use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
-   use dg_turning_step, only: is_straight_down
    implicit none
    private
    public :: mesh_for_case, shortest

@@ -3,12 +3,12 @@ module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_locked_up, result_not_converged
+   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_newton, only: most_pulled, newton_converged, newton_exhausted, newton_type
    use dg_numerics, only: numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
@@ -16,7 +16,7 @@ module dg_static_result
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
-   use dg_wall_stages, only: tolerance_at
+   use dg_walls, only: tolerance_at
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
@@ -37,6 +37,8 @@ module dg_static_result
    !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
    !> to 1e-6, those at walls of 1e12 kN/m2, with contact force a percent off, 1e-3 to 3e-3, ten times stiffer ones, 6 % off, 1e-2.
    real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
+   !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
+   real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits of a weight in a message, in kilonewtons.
@@ -46,13 +48,12 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not.
-   subroutine fill_result(model, case_index, mesh, gaps, newton, drive, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, mesh, gaps, equations, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      type(newton_type), intent(in) :: newton
-      real(wp), intent(in) :: drive        !< taken off the residual: what turns a string about a vertical hole's axis [N]
+      type(equations_type), intent(in) :: equations
       type(load_type), intent(in) :: loads
       integer, intent(in) :: outcome
       type(workspace_type), intent(in) :: work
@@ -65,29 +66,24 @@ contains
       character(200) :: text
       result%case_index = case_index
       result%model = model_mcge
-      last = newton%history(newton%iterations + 1)
+      last = equations%history(equations%iterations + 1)
       result%message = ''
       whirls = any(work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
       select case (outcome)
-      case (newton_converged)
+      case (outcome_converged)
          result%status = result_converged
-         if (whirls) then
-            call tell_whirling(mesh, work%climb, result)
-         else if (drive > model%numerics%tolerance*newton%force_scale) then
-            result%message = 'the string whirls: in a vertical hole nothing static balances torque that turns its bends '// &
-               'about the axis; forces are those of the string as it turns'
-         end if
+         if (whirls) call tell_whirling(mesh, work%climb, result)
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
          write (text, '(a,f0.1,a,f0.1,a)') 'the string lies outside the hole by ', worst, ' clearances at ', mesh%md(place), &
             ' m, between two gap elements; try shorter elements'
          result%message = trim(text)
-      case (newton_exhausted)
+      case (outcome_exhausted)
          result%status = result_not_converged
-         write (text, '(a,i0,a,i0,a,es9.2,a,i0,a)') ' after ', newton%iterations, ' iterations in load step ', last%increment, &
+         write (text, '(a,i0,a,i0,a,es9.2,a,i0,a)') ' after ', equations%iterations, ' iterations in load step ', last%increment, &
             ': residual ', last%residual_force, ' N, ', last%flips, ' gaps still changing; '
-         if (newton%iterations >= model%numerics%max_iterations) then
+         if (equations%iterations >= model%numerics%max_iterations) then
             result%message = 'iterations used up'//trim(text)//' try more max_iterations, or '//other_ways
          else
             result%message = 'no rest found'//trim(text)//' try '//other_ways
@@ -101,20 +97,20 @@ contains
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)
       result%hookload = work%hookload
-      if (outcome == newton_converged .and. work%hookload < 0.0_wp) &
+      if (outcome == outcome_converged .and. work%hookload < 0.0_wp) &
          call add_message(result, 'the weight of the string does not overcome friction and bit load: '// &
                           'the string would have to be pushed at surface')
-      if (outcome == newton_converged .and. newton%gaps_taken_back) &
+      if (outcome == outcome_converged .and. equations%gaps_taken_back) &
          call add_message(result, 'gaps that were moved to where the string lies deepest found no rest there and stand '// &
                           'where they first touched: '//touched)
-      if (outcome == newton_converged) then
+      if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
          if (outside%elements > 0) call add_outside(outside, result)
       end if
       result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
       result%torque = work%top_torque
       result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
-      result%iterations = newton%iterations
+      result%iterations = equations%iterations
       result%elements = mesh%elements
       result%states = count_states(gaps)
       result%flips = sum(gaps%flips)
@@ -122,15 +118,15 @@ contains
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
       call check_equilibrium(model%trajectory, mesh, gaps, work, result%equilibrium_force, &
                              result%equilibrium_moment)
-      if (outcome == newton_converged) call judge_balance(model%numerics, gaps, newton%force_scale, work%normal, &
-         whirls .or. drive > model%numerics%tolerance*newton%force_scale, result)
+      if (outcome == outcome_converged) call judge_balance(model%numerics, gaps, equations%force_scale, work%normal, &
+         whirls, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
       if (model%boundary%bit_centred) then
          result%bit_side_force = side_force
          result%bit_side_clock = side_clock
       end if
-      result%history = newton%history(:newton%iterations + 1)
+      result%history = equations%history(:equations%iterations + 1)
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.

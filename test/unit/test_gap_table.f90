@@ -4,7 +4,6 @@ module dg_test_gap_table
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
    use dg_gap_table, only: count_states, gap_table_type, judge_states, lone_contacts, move_gap, new_gap_table
    use dg_kinds, only: wp
-   use dg_release_front, only: forget_fronts, new_release_front, release_ahead, release_front_type
    implicit none
    private
    public :: gap_table_suite
@@ -21,7 +20,6 @@ contains
       call suite%addTest(TestMethod('judge_and_count', test_judge_and_count))
       call suite%addTest(TestMethod('move_rule', test_move_rule))
       call suite%addTest(TestMethod('moves_end', test_moves_end))
-      call suite%addTest(TestMethod('release_front', test_release_front))
    end function gap_table_suite
 
    subroutine test_judge_and_count()
@@ -77,60 +75,6 @@ contains
       ! 2**n 0.1 c < c for n = 0 to 3
       call assertEqual(4, table%moves(1))
    end subroutine test_moves_end
-
-   !> Gaps that open one by one: five times nothing more happens, then 2, 4, 8... open ahead, up to a free one; gaps that were
-   !> opened ahead and closed again are left alone; several changes at once are no front.
-   subroutine test_release_front()
-      type(gap_table_type) :: table
-      type(release_front_type) :: front
-      integer :: i, opened
-      table = new_gap_table([(law, i=1, 40)], 0.5_wp)
-      table%state = state_elastic
-      table%state(1) = state_free
-      call new_release_front(40, front)
-      call forget_fronts(front)
-      do i = 40, 36, -1
-         call open(i)
-         call assertEqual(0, opened, message='too soon')
-      end do
-      call open(35)
-      call assertEqual(2, opened, message='two ahead')
-      call assertEqual([state_elastic, state_free, state_free], table%state(32:34))
-      call open(32)
-      call assertEqual(4, opened, message='four ahead of the last')
-      table%state(28:31) = state_elastic
-      call open(31)
-      call assertEqual(0, opened, message='tried before')
-      call open(30)
-      call open(29)
-      call open(28)
-      call open(27)
-      call assertEqual(0, opened, message='a front begins anew where it turned back')
-      call open(26)
-      call assertEqual(2, opened)
-      call open(23)
-      call open(18)
-      call assertEqual(8, opened)
-      call open(9)
-      call assertEqual(7, opened, message='to the free one')
-      table%state = state_elastic
-      call forget_fronts(front)
-      do i = 2, 30, 3
-         front%before = table%state
-         table%state(i:i + 2) = state_free
-         call release_ahead(front, 3, table, opened)
-         call assertEqual(0, opened, message='three at once')
-      end do
-
-   contains
-
-      subroutine open(e)
-         integer, intent(in) :: e
-         front%before = table%state
-         table%state(e) = state_free
-         call release_ahead(front, 1, table, opened)
-      end subroutine open
-   end subroutine test_release_front
 
    !> States from the top down to the bit; 1 is closed. Three closed gaps in a row are a string that lies on the wall.
    subroutine test_lone_contacts()

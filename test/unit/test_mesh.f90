@@ -237,7 +237,7 @@ contains
       type(workspace_type) :: work
       type(block_matrix_type) :: matrix
       type(gap_law_type) :: law
-      real(wp), allocatable :: state(:, :), residual(:, :), axial(:), torque(:), contact(:, :)
+      real(wp), allocatable :: state(:, :), residual(:, :), axial(:), torque(:), contact(:, :), pressed(:)
       real(wp) :: force
       integer :: e, n, i, bending
       call build(model)
@@ -248,8 +248,9 @@ contains
       call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
       law = gap_law_type(clearance=1.0_wp)
       gaps = new_gap_table([(law, e=1, mesh%elements)], 0.5_wp)
-      allocate (state(6, mesh%nodes), residual(6, mesh%nodes), axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes))
-      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps)
+      allocate (state(6, mesh%nodes), residual(6, mesh%nodes), axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), &
+                pressed(mesh%elements))
+      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
       call soft_string_at(model, 1, mesh%md, axial, torque, contact)
       call assertTrue(all(gaps%state == state_elastic), message='an inclined string touches everywhere')
       gaps%state = state_free

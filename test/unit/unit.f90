@@ -40,7 +40,6 @@ contains
       use dg_test_gap_table, only: gap_table_suite
       use dg_test_hermite, only: hermite_suite
       use dg_test_mesh, only: mesh_suite
-      use dg_test_end_span, only: end_span_suite
       use dg_test_snake, only: snake_suite
       use dg_test_curvature_change, only: curvature_change_suite
       use dg_test_model_table, only: model_table_suite
@@ -93,7 +92,6 @@ contains
       call suite%addTest(gap_table_suite())
       call suite%addTest(hermite_suite())
       call suite%addTest(mesh_suite())
-      call suite%addTest(end_span_suite())
       call suite%addTest(snake_suite())
       call suite%addTest(curvature_change_suite())
       call suite%addTest(model_table_suite())

@@ -16,7 +16,7 @@ module dg_test_buckled_start
    use dg_soft_string_loads, only: soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe
-   use dg_wall_stages, only: lay_out_gaps
+   use dg_walls, only: lay_out_gaps
    implicit none
    private
    public :: buckled_start_suite
@@ -56,14 +56,14 @@ contains
       type(gap_table_type) :: gaps
       type(soft_totals_type) :: totals
       type(error_type), allocatable :: error
-      real(wp), allocatable :: state(:, :)
+      real(wp), allocatable :: state(:, :), pressed(:)
       real(wp) :: compressed, waves, pressing
       integer :: shortened(scale_count)
       call pushed(ratio, model)
       call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
       call lay_out_gaps(model%numerics, mesh, gaps)
-      allocate (state(6, mesh%nodes))
-      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps)
+      allocate (state(6, mesh%nodes), pressed(mesh%elements))
+      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
       md = mesh%md
       predicted = atan2(state(3, :), -state(2, :))      ! n_1 is the high side here
       call solve_static_analysis(model, 1, result, error)

@@ -333,7 +333,7 @@ contains
       do i = 1, size(limit)
          call hole_with_pipe(model, [0.0_wp, length], [90.0_wp, 90.0_wp], weight, 0.1_wp, clearance, component)
          onset = 2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
-         model%numerics%viscous_limit = limit(i)
+         model%numerics%step_limit = limit(i)
          model%numerics%gap_location = gap_at_nodes
          call solve(model, operation_sliding_drilling, 1.15_wp*onset, 0.0_wp, result, 'snake with friction')
          call note('hook load', result%hookload)

@@ -19,7 +19,7 @@ module dg_test_plane
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, settings_of
-   use dg_plane, only: find_plane, flatten, move_in_plane, plane_type
+   use dg_plane, only: find_plane, flatten, plane_type, unfold
    use dg_plane_assembly, only: assemble_in_plane
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, part, pipe, string_weight, three_part_well
@@ -82,7 +82,7 @@ contains
       do n = 1, mesh%nodes
          step(:, n) = [0.002_wp*(n - 1), 0.038_wp*cos(1.3_wp*n), 0.03_wp*sin(2.0_wp*n)]
       end do
-      call move_in_plane(plane, step, 1.0_wp, state)
+      call unfold(plane, step, state)
       call new_workspace(mesh, work)
    end subroutine planar_string
 
@@ -178,8 +178,9 @@ contains
          real(wp), intent(inout) :: r(:, :)
          logical, intent(in) :: forces_only
          real(wp), allocatable :: moved(:, :)
-         moved = state
-         if (abs(share) > 0.0_wp) call move_in_plane(plane, step, share, moved)
+         allocate (moved(6, mesh%nodes))
+         call unfold(plane, step, moved)
+         moved = state + share*moved
          call place_nodes(mesh, moved, work)
          call survey_gaps(model%trajectory, mesh, gaps, work)
          call assemble_in_plane(model%trajectory, mesh, plane, loads, gaps, moved, forces_only, work, r, matrix)

@@ -22,7 +22,6 @@ contains
       use dg_test_stiff_wells, only: stiff_wells_suite
       use dg_test_bit_side_force, only: bit_side_force_suite
       use dg_test_buckling, only: buckling_suite
-      use dg_test_force_iteration, only: force_iteration_suite
       use dg_test_buckled_start, only: buckled_start_suite
       use dg_test_loss_of_definiteness, only: loss_of_definiteness_suite
       use dg_test_tool_joints, only: tool_joints_suite
@@ -50,7 +49,6 @@ contains
       call suite%addTest(stiff_wells_suite())
       call suite%addTest(bit_side_force_suite())
       call suite%addTest(buckling_suite())
-      call suite%addTest(force_iteration_suite())
       call suite%addTest(buckled_start_suite())
       call suite%addTest(loss_of_definiteness_suite())
       call suite%addTest(tool_joints_suite())

@@ -1,30 +1,26 @@
-!> Viscosity on the lateral unknowns of a compressed string, in units of F^2/(4 EI) of the place [-]: the most by which an
+!> Viscosity: what holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
 !> axial compression F can make a beam's lateral stiffness negative, EI v'''' + F v'' + F^2/(4 EI) v being never so. One is
 !> therefore enough where the string is uniform; each zone gets what it needs, and weakly compressed ones grow as fast as
 !> others.
 module dg_viscosity
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix
-   use dg_block_solver, only: block_positive_definite, block_solver_type
-   use dg_gap_depths, only: depths_type, new_depths
+   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_block_solver, only: block_positive_definite
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: damped_type, new_damped, weigh, weigh_all, add_viscosity, ease_viscosity, raise_viscosity
-   public :: until_definite, viscosity_least, viscosity_start, viscosity_most
+   public :: weigh, weigh_all, add_viscosity, ease_viscosity, raise_viscosity
+   public :: until_definite, viscosity_start, viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
    !> cubic element, rounded.
    real(wp), parameter :: slope_lump = 0.01_wp
    !> What every place gets of the largest F^2/(4 EI) [-], lest something else than compression be unstable.
    real(wp), parameter :: viscosity_everywhere = 1.0e-4_wp
-
    !> The least of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly, and
-   !> the part of viscosity that holds nodes back along the hole: friction that slides them drives that, too [-]. With 0.01 along
-   !> the hole two more of 53 hard wells find no equilibrium.
+   !> the part of viscosity that holds nodes back along the hole: friction that slides them drives that, too [-].
    real(wp), parameter :: of_soft_wall = 1.0e-2_wp, along_hole = 0.1_wp
-
    !> Below the least it is none; where it is called for anew it starts so, and beyond the most it is given up.
    real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
    !> What is left of it after a step that was good at first try, and after one that was not; each refusal doubles its own factor
@@ -33,37 +29,7 @@ module dg_viscosity
    !> What it grows by while the tangent is indefinite [-].
    real(wp), parameter :: until_definite = 2.0_wp
 
-   !> Room of a damped iteration, made once a case; (6,nodes) unless told.
-   type :: damped_type
-      type(block_matrix_type) :: energy            !< the tangent without friction and torque
-      real(wp), allocatable :: lump(:, :)          !< what a unit of viscosity adds to the diagonal
-      real(wp), allocatable :: mode(:, :)          !< turn of the string about a vertical hole's axis
-      real(wp), allocatable :: old(:, :)           !< state before a step
-      real(wp), allocatable :: drawn_from(:, :)    !< state before a step is drawn out
-      real(wp), allocatable :: trial(:, :)         !< residual after a step
-      integer, allocatable :: states(:), flips(:)  !< of the gaps before a step (elements)
-      real(wp) :: viscosity = 0.0_wp               !< in units of F^2/(4 EI) [-]
-      real(wp) :: step_limit = 0.0_wp              !< largest lateral change in one iteration [m]
-      type(depths_type) :: depth                   !< that closed gaps are to have
-      real(wp) :: drive = 0.0_wp                   !< largest force taken off the residual in a vertical hole [N]
-      real(wp) :: pull = 0.0_wp                    !< it over the weights `lump` times `mode` [-]
-      logical :: continued = .false.               !< the state is at rest against a softer wall
-   end type damped_type
-
 contains
-
-   !> Room for a mesh.
-   pure subroutine new_damped(mesh, step_limit, damped)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: step_limit   !< [m]
-      type(damped_type), intent(out) :: damped
-      damped%energy = new_block_matrix(mesh%nodes)
-      allocate (damped%lump(6, mesh%nodes), damped%mode(6, mesh%nodes), damped%old(6, mesh%nodes), &
-                damped%drawn_from(6, mesh%nodes), damped%trial(6, mesh%nodes), source=0.0_wp)
-      allocate (damped%states(mesh%elements), damped%flips(mesh%elements), source=0)
-      call new_depths(mesh%elements, damped%depth)
-      damped%step_limit = step_limit
-   end subroutine new_damped
 
    !> What a unit of viscosity adds to the diagonal: F^2/(4 EI) of the place times the node's length for lateral unknowns,
    !> times a part of its cube for slopes, as the consistent matrix of a line load has it, so that no pattern of slopes
@@ -106,14 +72,15 @@ contains
       end do
    end subroutine lay_weights
 
-   !> Adds the present viscosity to a matrix.
-   pure subroutine add_viscosity(damped, matrix)
-      type(damped_type), intent(in) :: damped
+   !> Adds viscosity to a matrix.
+   pure subroutine add_viscosity(viscosity, lump, matrix)
+      real(wp), intent(in) :: viscosity
+      real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to the diagonal
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i
-      do n = 1, size(damped%lump, 2)
+      do n = 1, size(lump, 2)
          do i = 1, block_size
-            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + damped%viscosity*damped%lump(i, n)
+            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + viscosity*lump(i, n)
          end do
       end do
    end subroutine add_viscosity
@@ -126,24 +93,14 @@ contains
       if (viscosity < viscosity_least) viscosity = 0.0_wp
    end subroutine ease_viscosity
 
-   !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin. Where a solver is given that
-   !> has then the factors of the tangent with viscosity, if that is definite: `factored`.
-   pure subroutine raise_viscosity(energy, lump, margin, viscosity, solver, factored)
+   !> Raises viscosity until a tangent of the energy is positive definite with it.
+   pure subroutine raise_viscosity(energy, lump, viscosity)
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to its diagonal
-      real(wp), intent(in) :: margin
       real(wp), intent(inout) :: viscosity
-      type(block_solver_type), intent(inout), optional :: solver
-      logical, intent(out), optional :: factored
       logical :: definite
       do
-         definite = .false.
-         if (present(solver)) then
-            call block_positive_definite(energy, viscosity, lump, definite, solver)
-            factored = definite
-         end if
-         if (.not. definite .and. (margin > viscosity .or. .not. present(solver))) &
-            call block_positive_definite(energy, max(viscosity, margin), lump, definite)
+         call block_positive_definite(energy, viscosity, lump, definite)
          if (definite .or. viscosity > viscosity_most) return
          viscosity = until_definite*max(viscosity, viscosity_start)
       end do

@@ -6,59 +6,61 @@
 !>   K d + on dR = -r(d, R),      dR = rho (h + by.d),
 !> r the residual with the forces as they are, K its tangent at given R, friction's directions in `on` (dg_gap_action). rho is
 !> the wall's stiffness in series with a softer one: a proximal step, the wall's own when that one is stiff. dR is eliminated
-!> element by element: K + rho on by^T keeps the blocks of the chain.
+!> element by element: K + rho on by^T keeps the blocks of the chain. Where friction is frozen `on` is `by`: friction's forces stay
+!> as they are.
 !>
 !> Which gaps are closed is settled within the linear problem, before the string moves: a closed gap that would pull opens, an open
 !> one that would reach into the wall closes, and the problem is solved anew, which costs a third of an assembly (primal-dual
 !> active set: Hintermueller, Ito & Kunisch 2002, SIAM J. Optim. 13, 865).
 module dg_contact_problem
    use dg_kinds, only: wp
-   use dg_assembly, only: add_friction
-   use dg_block_matrix, only: block_matrix_type, copy_matrix, new_block_matrix
+   use dg_block_matrix, only: block_matrix_type, block_size, copy_matrix
    use dg_block_solver, only: block_positive_definite
+   use dg_equations, only: equations_type
    use dg_gap_action, only: find_contact_rows, load_type
-   use dg_gap_depths, only: depth_of
-   use dg_gap_state, only: state_free, state_rigid
+   use dg_gap_state, only: depth_of, state_free, state_rigid
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_newton, only: newton_type
-   use dg_viscosity, only: add_viscosity, damped_type, raise_viscosity
+   use dg_plane, only: fold_rows
+   use dg_viscosity, only: raise_viscosity
    use dg_workspace, only: workspace_type
    implicit none
    private
    public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
-   public :: prepare_problem, solve_problem, change_of_gap, in_series
+   public :: add_closed, solve_problem, change_of_gap, in_series
 
    !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard wells
    !> found no equilibrium, with ten 11.
    integer, parameter :: most_rounds = 10
 
    type :: contact_problem_type
-      real(wp), allocatable :: by(:, :)        !< change of |f| by the element's unknowns (12,e)
-      real(wp), allocatable :: on(:, :)        !< residual by the contact force (12,e)
+      integer :: unknowns = block_size         !< of a node
+      real(wp), allocatable :: by(:, :)        !< change of |f| by the element's unknowns (12,e), in a plane in the first six
+      real(wp), allocatable :: on(:, :)        !< residual by the contact force, the same
       real(wp), allocatable :: penalty(:)      !< rho (e) [N/m]
       real(wp), allocatable :: deep(:)         !< h (e) [m]
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
-      real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included (6,nodes)
-      type(block_matrix_type) :: base          !< its matrix without closed gaps
+      real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included (unknowns,nodes)
    end type contact_problem_type
 
 contains
 
    !> Room for a mesh.
-   pure subroutine new_contact_problem(mesh, problem)
+   pure subroutine new_contact_problem(mesh, unknowns, problem)
       type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: unknowns          !< of a node
       type(contact_problem_type), intent(out) :: problem
+      problem%unknowns = unknowns
       allocate (problem%by(12, mesh%elements), problem%on(12, mesh%elements), problem%penalty(mesh%elements), &
-                problem%deep(mesh%elements), problem%wanted(mesh%elements), problem%load(6, mesh%nodes), source=0.0_wp)
+                problem%deep(mesh%elements), problem%wanted(mesh%elements), problem%load(unknowns, mesh%nodes), source=0.0_wp)
       allocate (problem%closed(mesh%elements), source=.false.)
-      problem%base = new_block_matrix(mesh%nodes)
    end subroutine new_contact_problem
 
    !> Rows, penalties and depths at `state`, at which `work` has been placed and surveyed.
-   pure subroutine measure_contacts(mesh, loads, gaps, state, soft, work, problem)
+   pure subroutine measure_contacts(equations, mesh, loads, gaps, state, soft, work, problem)
+      type(equations_type), intent(in) :: equations
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
@@ -69,6 +71,10 @@ contains
       real(wp) :: wall
       integer :: e
       call find_contact_rows(mesh, loads, gaps, state, work, problem%by, problem%on)
+      if (equations%planar) then
+         call fold_rows(equations%plane, problem%by)
+         call fold_rows(equations%plane, problem%on)
+      end if
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)
          problem%penalty(e) = in_series(wall, soft*mesh%length(e))
@@ -76,23 +82,30 @@ contains
       end do
    end subroutine measure_contacts
 
-   !> load(6,nodes) = residual + rho h on, of the gaps that are closed: the residual were contact forces those that belong to the
-   !> depths, with rho for the wall.
+   !> load(unknowns,nodes) = residual + rho h on, of the gaps that are closed: the residual were contact forces those that belong to
+   !> the depths, with rho for the wall.
    pure subroutine add_pushes(gaps, residual, problem, load)
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(out) :: load(:, :)
-      real(wp) :: push
       integer :: e
       load = residual
       do e = 1, size(gaps%state)
-         if (gaps%state(e) == state_free) cycle
-         push = problem%penalty(e)*problem%deep(e)
-         load(:, e) = load(:, e) + push*problem%on(1:6, e)
-         load(:, e + 1) = load(:, e + 1) + push*problem%on(7:12, e)
+         if (gaps%state(e) /= state_free) call add_row(problem%penalty(e)*problem%deep(e), problem%on(:, e), e, load)
       end do
    end subroutine add_pushes
+
+   !> Adds factor times a row of an element's unknowns to both nodes of a load.
+   pure subroutine add_row(factor, row, e, load)
+      real(wp), intent(in) :: factor, row(12)
+      integer, intent(in) :: e
+      real(wp), intent(inout) :: load(:, :)
+      integer :: u
+      u = size(load, 1)
+      load(:, e) = load(:, e) + factor*row(:u)
+      load(:, e + 1) = load(:, e + 1) + factor*row(u + 1:2*u)
+   end subroutine add_row
 
    !> Stiffness of two springs in series [N/m].
    elemental function in_series(a, b) result(stiffness)
@@ -114,75 +127,65 @@ contains
    end subroutine add_closed
 
    !> Whether that tangent, with so much viscosity, is positive definite.
-   pure subroutine is_definite(damped, problem, viscosity, matrix, definite)
-      type(damped_type), intent(in) :: damped
+   pure subroutine is_definite(energy, lump, problem, viscosity, matrix, definite)
+      type(block_matrix_type), intent(in) :: energy
+      real(wp), intent(in) :: lump(:, :)              !< what a unit of viscosity adds to the diagonal
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: viscosity               !< in units of damped%lump [-]
+      real(wp), intent(in) :: viscosity               !< [-]
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(out) :: definite
-      call add_closed(damped%energy, problem, matrix)
-      call block_positive_definite(matrix, viscosity, damped%lump, definite)
+      call add_closed(energy, problem, matrix)
+      call block_positive_definite(matrix, viscosity, lump, definite)
    end subroutine is_definite
 
    !> Raises viscosity until that tangent is positive definite with it.
-   pure subroutine hold_by_viscosity(problem, matrix, damped)
+   pure subroutine hold_by_viscosity(energy, lump, problem, matrix, viscosity)
+      type(block_matrix_type), intent(in) :: energy
+      real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
       type(block_matrix_type), intent(inout) :: matrix
-      type(damped_type), intent(inout) :: damped
-      call add_closed(damped%energy, problem, matrix)
-      call raise_viscosity(matrix, damped%lump, 0.0_wp, damped%viscosity)
+      real(wp), intent(inout) :: viscosity
+      call add_closed(energy, problem, matrix)
+      call raise_viscosity(matrix, lump, viscosity)
    end subroutine hold_by_viscosity
 
-   !> The matrix without closed gaps: energy's tangent, friction's where it is `live`, and viscosity.
-   subroutine prepare_problem(damped, mesh, loads, gaps, state, live, work, problem)
-      type(damped_type), intent(in) :: damped
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
-      logical, intent(in) :: live
-      type(workspace_type), intent(inout) :: work
-      type(contact_problem_type), intent(inout) :: problem
-      call copy_matrix(damped%energy, problem%base)
-      if (live) call add_friction(mesh, loads, gaps, state, work, problem%base)
-      call add_viscosity(damped, problem%base)
-   end subroutine prepare_problem
-
-   !> Solves the linear problem for newton%step, the forces wanted and the gaps closed. `slope` is that of the energy along the
-   !> step.
-   subroutine solve_problem(newton, gaps, residual, force, live, problem, slope, fault)
-      type(newton_type), intent(inout) :: newton
+   !> Solves the linear problem for equations%step, the forces wanted and the gaps closed. equations%matrix is that without closed
+   !> gaps; it is left with them.
+   subroutine solve_problem(equations, gaps, residual, force, live, problem, fault)
+      type(equations_type), intent(inout) :: equations
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)       !< r(d, R)
       real(wp), intent(in) :: force(:)             !< R [N]
       logical, intent(in) :: live                  !< friction follows the contact forces within the problem
       type(contact_problem_type), intent(inout) :: problem   !< `closed`: where to begin
-      real(wp), intent(out) :: slope               !< [J]
       integer, intent(out) :: fault                !< 0: none
-      real(wp) :: change
+      logical :: entered(size(force))              !< gaps whose stiffness is in the matrix
+      real(wp) :: change, rho
       integer :: round, e, changes
+      entered = .false.
       do round = 1, most_rounds
-         call copy_matrix(problem%base, newton%matrix)
          problem%load = residual
          do e = 1, size(force)
-            change = -force(e)
-            if (problem%closed(e)) then
-               change = problem%penalty(e)*problem%deep(e)
-               if (live) then
-                  call add_dyad(problem%penalty(e)*problem%on(:, e), problem%by(:, e), e, newton%matrix)
-               else
-                  call add_dyad(problem%penalty(e)*problem%by(:, e), problem%by(:, e), e, newton%matrix)
-               end if
+            change = merge(problem%penalty(e)*problem%deep(e), -force(e), problem%closed(e))
+            if (live) then
+               call add_row(change, problem%on(:, e), e, problem%load)
+            else
+               call add_row(change, problem%by(:, e), e, problem%load)
             end if
-            problem%load(:, e) = problem%load(:, e) + change*problem%on(1:6, e)
-            problem%load(:, e + 1) = problem%load(:, e + 1) + change*problem%on(7:12, e)
+            if (problem%closed(e) .eqv. entered(e)) cycle
+            rho = merge(problem%penalty(e), -problem%penalty(e), problem%closed(e))
+            if (live) then
+               call add_dyad(rho*problem%on(:, e), problem%by(:, e), e, equations%matrix)
+            else
+               call add_dyad(rho*problem%by(:, e), problem%by(:, e), e, equations%matrix)
+            end if
+            entered(e) = problem%closed(e)
          end do
-         call solve_linear(newton%solver, newton%matrix, problem%load, newton%step, fault)
+         call solve_linear(equations%solver, equations%matrix, problem%load, equations%step, fault)
          if (fault /= 0) return
-         call judge_closed(gaps, force, newton%step, problem, changes)
+         call judge_closed(gaps, force, equations%step, problem, changes)
          if (changes == 0) exit
       end do
-      slope = sum(newton%step*problem%load)
    end subroutine solve_problem
 
    !> Opens and closes gaps by what a step makes of them; enters the forces wanted.
@@ -216,7 +219,12 @@ contains
       real(wp), intent(in) :: step(:, :)
       integer, intent(in) :: e
       real(wp) :: change
-      change = sum(problem%by(1:6, e)*step(:, e)) + sum(problem%by(7:12, e)*step(:, e + 1))
+      integer :: i, u
+      u = problem%unknowns
+      change = 0.0_wp
+      do i = 1, u
+         change = change + problem%by(i, e)*step(i, e) + problem%by(u + i, e)*step(i, e + 1)
+      end do
    end function change_of_gap
 
    !> Adds a b^T of an element's unknowns to a chain.
@@ -224,12 +232,13 @@ contains
       real(wp), intent(in) :: a(12), b(12)
       integer, intent(in) :: e
       type(block_matrix_type), intent(inout) :: matrix
-      integer :: j
-      do j = 1, 6
-         matrix%diagonal(:, j, e) = matrix%diagonal(:, j, e) + a(1:6)*b(j)
-         matrix%upper(:, j, e) = matrix%upper(:, j, e) + a(1:6)*b(j + 6)
-         matrix%lower(:, j, e) = matrix%lower(:, j, e) + a(7:12)*b(j)
-         matrix%diagonal(:, j, e + 1) = matrix%diagonal(:, j, e + 1) + a(7:12)*b(j + 6)
+      integer :: j, u
+      u = size(matrix%diagonal, 1)
+      do j = 1, u
+         matrix%diagonal(:, j, e) = matrix%diagonal(:, j, e) + a(:u)*b(j)
+         matrix%upper(:, j, e) = matrix%upper(:, j, e) + a(:u)*b(j + u)
+         matrix%lower(:, j, e) = matrix%lower(:, j, e) + a(u + 1:2*u)*b(j)
+         matrix%diagonal(:, j, e + 1) = matrix%diagonal(:, j, e + 1) + a(u + 1:2*u)*b(j + u)
       end do
    end subroutine add_dyad
 end module dg_contact_problem

@@ -7,15 +7,11 @@ module dg_workspace
    implicit none
    private
    public :: workspace_type, new_workspace, place_node, place_nodes, make_room_for_recovery
-   public :: nothing_carried
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).
    integer, parameter :: dof_axial = 1, dof_lateral_1 = 2, dof_lateral_2 = 3
    integer, parameter :: dof_twist = 4, dof_slope_1 = 5, dof_slope_2 = 6
-
-   !> Stands for no carried contact force: contact forces are never negative.
-   real(wp), parameter :: nothing_carried = -1.0_wp
 
    type :: workspace_type
       real(wp), allocatable :: membrane_length(:)   !< unstressed (e) [m]
@@ -33,8 +29,6 @@ module dg_workspace
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
       real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
-      real(wp), allocatable :: pressing(:)          !< normal force that friction goes by, where it lags behind R (e) [N]
-      real(wp), allocatable :: carried(:)           !< contact force that the tangent goes by (e) [N], or nothing_carried
       logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
       ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
@@ -60,8 +54,6 @@ contains
       n = mesh%nodes
       m = mesh%elements
       allocate (work%membrane_length(m))
-      allocate (work%pressing(m), source=0.0_wp)
-      allocate (work%carried(m), source=nothing_carried)
       allocate (work%climb(m), source=1.0_wp)
       allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)

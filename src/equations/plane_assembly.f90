@@ -109,7 +109,12 @@ contains
       type(workspace_type), intent(in) :: work
       real(wp), intent(inout) :: force(unknowns), stiffness(unknowns, unknowns)
       real(wp) :: shape(4), slope(4), direction(2), normal, gap_stiffness
-      call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), normal, gap_stiffness)
+      if (work%separate) then
+         normal = work%normal(e)
+         gap_stiffness = 0.0_wp
+      else
+         call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), normal, gap_stiffness)
+      end if
       shape = hermite_value(gaps%xi(e), mesh%length(e))
       slope = hermite_slope(gaps%xi(e), mesh%length(e))
       direction = slope(3)*chord + slope(2)*i%d + slope(4)*j%d

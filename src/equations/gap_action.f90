@@ -24,7 +24,6 @@ module dg_gap_action
       real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
       real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
       real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
-      logical :: lagged = .false.           !< friction goes by the workspace's pressing force, not by R
       real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
       real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
    end type load_type
@@ -73,10 +72,8 @@ contains
       ! A string that slides without turning takes axial friction's moment as a couple that bends it.
       contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
-      contact%normal = normal_force_type(work%normal(e), stiffness, &
-                                         merge(work%carried(e), work%normal(e), work%carried(e) >= 0.0_wp))
+      contact%normal = normal_force_type(work%normal(e), stiffness, work%normal(e))
       contact%pressing = contact%normal
-      if (loads%lagged) contact%pressing = normal_force_type(work%pressing(e), 0.0_wp, work%pressing(e))
       if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
          contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%pressing%force, &
          contact%pressing%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &

@@ -1,20 +1,21 @@
 !> Start of the iteration: the soft string laid into the hole as beams.
 !>
 !> The soft string gives axial force, torque and the side on which each place touches. Nodes are laid against that
-!> side, pressed into the wall by the contact force, turned up the wall when the string rotates, and slid along the hole
-!> until every element carries the soft string's axial force; twist follows from the torque. From rest with the full
+!> side, pressed into the wall by the contact force, turned up the wall when the string rotates, bent as a beam (dg_bent_start), and
+!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From rest with the full
 !> load the iteration takes many times as long, and may be lost.
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
+   use dg_bending_beam, only: contact_places, contact_xi
    use dg_bent_start, only: bend_start
    use dg_buckled_start, only: lay_buckled
-   use dg_end_span, only: lift_end
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
+   use dg_numerics, only: gap_at_extremum
    use dg_predicted_helix, only: touch_above_bit
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
@@ -29,16 +30,16 @@ module dg_predictor
    real(wp), parameter :: shortest_bend = 0.1_wp
    !> The same over the length of the element below, but for tool joints [-].
    real(wp), parameter :: sliver = 0.4_wp
-   !> Lengths over which it bends, to either side of where the string changes sides, along which it is let bend [-]. Farther on it
-   !> stays laid against the wall: to lift a whole string off by parts of what it presses in opens gaps that have to close again.
-   real(wp), parameter :: reach = 1.5_wp
+   !> A resultant so far off the middle of its element, over its length, places the gap there [-]: next to places that the string
+   !> lifts off from. Less comes of the load's change along an element.
+   real(wp), parameter :: aside = 0.05_wp
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
 
 contains
 
-   !> Fills state(6,nodes) and the gaps' states from the soft string of the load case, with friction and bit
-   !> loads scaled. With `pressed` it is bent (dg_bent_start), and tells what each gap is expected to press with.
+   !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case, with
+   !> friction and bit loads scaled. A gap whose load is off the middle of its element is put there.
    pure subroutine predict(model, case_index, mesh, scale, wall, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -48,10 +49,10 @@ contains
       real(wp), intent(in) :: climb(:) !< share of circumferential friction's force, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at `contact_xi` of the elements (2,e) [N]
+      real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
-      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction
-      real(wp) :: y(4, mesh%nodes)
+      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place
+      real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
       logical :: found
       integer :: i, e, laid
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, scale, scale, coiled=.true.)
@@ -67,87 +68,26 @@ contains
          offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
-      call bend_over(mesh, axial, offset)
       call slopes_of(mesh, offset, slope)
       call lay_buckled(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, &
                        model%boundary%bit_centred, wall, load, offset, slope, laid)
-      if (model%boundary%top_centred) call lift_end(mesh%md - mesh%md(1), 1, -axial(1), mesh%ei(1), load(1), mesh%clearance(1), &
-                                                    offset, slope)
-      if (model%boundary%bit_centred) call lift_end(mesh%md(mesh%nodes) - mesh%md, -1, -axial(mesh%nodes), &
-                                                    mesh%ei(mesh%elements), load(mesh%nodes), mesh%clearance(mesh%elements), &
-                                                    offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
-      found = .false.
-      if (present(pressed)) then
-         y(1:2, :) = offset
-         y(3:4, :) = slope
-         call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, pressed, found)
-         offset = y(1:2, :)
-         slope = y(3:4, :)
-      end if
-      call slide_into_place(model%trajectory, mesh, axial, offset, slope, state)
+      y(1:2, :) = offset
+      y(3:4, :) = slope
+      call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, forces, found)
+      call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         force = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
-         if (found) force = sum(pressed(:, e))
-         if (present(pressed) .and. .not. found) pressed(:, e) = 0.5_wp*force
-         gaps%state(e) = merge(state_elastic, state_free, force > 0.0_wp)
+         pressed(e) = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
+         if (found) pressed(e) = sum(forces(:, e))
+         gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
+         if (.not. (found .and. pressed(e) > 0.0_wp .and. model%numerics%gap_location == gap_at_extremum)) cycle
+         place = dot_product(contact_xi, forces(:, e))/pressed(e)
+         if (abs(place - gaps%xi(e)) > aside) gaps%xi(e) = place
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
-
-   !> Lets the string bend where the soft string steps from one side of the hole to the other: there its offsets y become those of
-   !> y - l^2 y'' = y_soft, with l = sqrt(EI/|T|), over which bending fades in a string under tension, but no longer than
-   !> (EI c/w)^(1/4), over which weight bends it through the clearance. Left as a step it costs a third of all iterations.
-   pure subroutine bend_over(mesh, axial, offset)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: axial(:)
-      real(wp), intent(inout) :: offset(:, :)
-      real(wp) :: above, below, square, pivot, factor(mesh%nodes), soft(2, mesh%nodes)
-      logical :: near(mesh%nodes)
-      integer :: i, e, way
-      near = .false.
-      do e = 2, mesh%elements - 1
-         if (.not. dot_product(offset(:, e), offset(:, e + 1)) < 0.0_wp) cycle
-         do way = 0, 1
-            i = e + way
-            do while (i > 1 .and. i < mesh%nodes)
-               near(i) = .true.
-               if (abs(mesh%md(i) - mesh%md(e + way)) > reach*sqrt(bending_square(i))) exit
-               i = i + 2*way - 1
-            end do
-         end do
-      end do
-      if (.not. any(near)) return
-      soft = offset
-      factor(1) = 0.0_wp
-      do i = 2, mesh%nodes - 1
-         e = i - 1
-         square = bending_square(i)
-         above = 2.0_wp*square/(mesh%length(e)*(mesh%length(e) + mesh%length(i)))
-         below = 2.0_wp*square/(mesh%length(i)*(mesh%length(e) + mesh%length(i)))
-         pivot = 1.0_wp + above + below - above*factor(i - 1)
-         factor(i) = below/pivot
-         offset(:, i) = (offset(:, i) + above*offset(:, i - 1))/pivot
-      end do
-      do i = mesh%nodes - 1, 2, -1
-         offset(:, i) = offset(:, i) + factor(i)*offset(:, i + 1)
-      end do
-      do i = 1, mesh%nodes
-         if (.not. near(i)) offset(:, i) = soft(:, i)
-      end do
-
-   contains
-
-      pure function bending_square(node) result(l2)
-         integer, intent(in) :: node
-         real(wp) :: l2
-         associate (ei => max(mesh%ei(node - 1), mesh%ei(node)), c => mesh%clearance(node), w => mesh%weight(node))
-            l2 = ei/max(abs(axial(node)), sqrt(ei*w/c), tiny(1.0_wp))
-         end associate
-      end function bending_square
-   end subroutine bend_over
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes closer than `shortest_bend` to one above, as where a
    !> component ends beside a station, or next to an element many times as long, are laid on the cubic through their neighbours: the

@@ -20,11 +20,10 @@ module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: is_straight_down, mesh_type
    use dg_model, only: model_type
    use dg_scatter, only: element_type, part_all, part_energy, part_rest
    use dg_soft_string_loads, only: coiling_load, soft_string_at
-   use dg_turning_step, only: is_straight_down
    use dg_vector, only: outer
    use dg_workspace, only: dof_twist, workspace_type
    implicit none

@@ -1,0 +1,112 @@
+!> Room of one solution's equations, in space or in the plane of the hole, and what an iteration is told and tells.
+module dg_equations
+   use dg_kinds, only: wp
+   use dg_assembly, only: assemble, load_type
+   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix, plane_block_size
+   use dg_case_result, only: iteration_type
+   use dg_gap_table, only: gap_table_type
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver
+   use dg_mesh, only: mesh_type
+   use dg_plane, only: plane_type, row_lateral, row_slope
+   use dg_plane_assembly, only: assemble_in_plane
+   use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, workspace_type
+   implicit none
+   private
+   public :: equations_type, make_room, find_tangent, end_iterations, add_gap_rigidity
+   public :: outcome_converged, outcome_exhausted, outcome_singular
+
+   !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution.
+   integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2
+
+   type :: equations_type
+      type(block_matrix_type) :: matrix
+      type(linear_solver_type) :: solver
+      real(wp), allocatable :: residual(:, :)     !< (6,nodes), or in a plane (3,nodes) [N, N.m]
+      real(wp), allocatable :: step(:, :)         !< the same [m, -]
+      logical :: planar = .false.                 !< only what moves the string in its plane is solved for
+      type(plane_type) :: plane
+      integer :: unknowns = block_size            !< of a node
+      integer :: forces = 3                       !< rows of residual and step: forces come first, then moments
+      integer :: laterals(2) = [dof_lateral_1, dof_lateral_2]   !< from the one to the other
+      integer :: slopes(2) = [dof_slope_1, dof_slope_2]
+      real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
+      type(iteration_type), allocatable :: history(:)
+      integer :: iterations = 0                   !< of all attempts so far
+      logical :: gaps_taken_back = .false.        !< moved gaps found no equilibrium: they are where they were
+   end type equations_type
+
+contains
+
+   !> Room for the equations of a mesh, in space or in the plane that `equations` names.
+   pure subroutine make_room(equations, kind, nodes, planar)
+      type(equations_type), intent(inout) :: equations
+      integer, intent(in) :: kind          !< of linear solver
+      integer, intent(in) :: nodes
+      logical, intent(in) :: planar
+      equations%planar = planar
+      equations%unknowns = merge(plane_block_size, block_size, planar)
+      equations%forces = (equations%unknowns + 1)/2
+      equations%laterals = merge([row_lateral, row_lateral], [dof_lateral_1, dof_lateral_2], planar)
+      equations%slopes = merge([row_slope, row_slope], [dof_slope_1, dof_slope_2], planar)
+      equations%matrix = new_block_matrix(nodes, equations%unknowns)
+      call new_linear_solver(kind, nodes, equations%solver, equations%unknowns)
+      if (allocated(equations%residual)) deallocate (equations%residual, equations%step)
+      allocate (equations%residual(equations%unknowns, nodes), equations%step(equations%unknowns, nodes), source=0.0_wp)
+   end subroutine make_room
+
+   !> Residual and, unless forces alone are wanted, tangent. `conservative` is as of `assemble`; in a plane there is none.
+   pure subroutine find_tangent(equations, trajectory, mesh, loads, gaps, state, conservative, forces_only, work)
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      logical, intent(in) :: conservative, forces_only
+      type(workspace_type), intent(inout) :: work
+      if (equations%planar) then
+         call assemble_in_plane(trajectory, mesh, equations%plane, loads, gaps, state, forces_only, work, equations%residual, &
+                                equations%matrix)
+      else
+         call assemble(trajectory, mesh, loads, gaps, state, conservative, work, equations%residual, equations%matrix, forces_only)
+      end if
+   end subroutine find_tangent
+
+   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside, in
+   !> space wherever the string was solved: contact forces are those that belong to the depths in the wall (Eqs. 7 and 8).
+   pure subroutine end_iterations(equations, trajectory, mesh, loads, gaps, state, work, largest_residual)
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(out), optional :: largest_residual   !< force or moment out of balance [N, N.m]
+      equations%matrix = block_matrix_type()
+      equations%solver = linear_solver_type()
+      deallocate (equations%residual, equations%step)
+      allocate (equations%residual(block_size, mesh%nodes))
+      call make_room_for_recovery(mesh, work)
+      call assemble(trajectory, mesh, loads, gaps, state, .false., work, equations%residual, equations%matrix, forces_only=.true.)
+      if (present(largest_residual)) largest_residual = maxval(abs(equations%residual))
+      deallocate (equations%residual)
+   end subroutine end_iterations
+
+   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns, from the first to the second of `rows`.
+   pure subroutine add_gap_rigidity(mesh, gk_min, rows, matrix)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: gk_min
+      integer, intent(in) :: rows(2)
+      type(block_matrix_type), intent(inout) :: matrix
+      integer :: n, i, e
+      do e = 1, mesh%elements
+         do n = e, e + 1
+            do i = rows(1), rows(2)
+               matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + 0.5_wp*gk_min*mesh%length(e)
+            end do
+         end do
+      end do
+   end subroutine add_gap_rigidity
+end module dg_equations

@@ -1,0 +1,59 @@
+!> The wall of the hole as the gap elements have it: how soft a start takes it, and the gaps' laws.
+module dg_walls
+   use dg_kinds, only: wp
+   use dg_gap_state, only: gap_law_type
+   use dg_gap_table, only: gap_table_type, new_gap_table
+   use dg_mesh, only: mesh_type
+   use dg_numerics, only: gap_at_nodes, numerics_type
+   implicit none
+   private
+   public :: softness, lay_out_gaps, tolerance_at
+   public :: soft_penetration
+
+   !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
+   !> are between two contacts, so that no single gap matters.
+   real(wp), parameter :: soft_penetration = 0.1_wp
+   !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
+   !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
+   real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
+   !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
+   real(wp), parameter :: middle = 0.5_wp
+   real(wp), parameter :: lower_node = 1.0_wp
+
+contains
+
+   !> Stiffness of the walls that a start is made for over their own [-]: the expected load presses in by a visible part of the
+   !> clearance. Against the wall itself every gap that opens or closes throws its neighbours about.
+   pure function softness(mesh, pressing) result(share)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
+      real(wp) :: share
+      share = 1.0_wp
+      if (pressing > 0.0_wp) share = min(1.0_wp, pressing/(soft_penetration*maxval(mesh%wall)))
+   end function softness
+
+   !> Tolerance of the residual over the force scale [-].
+   pure function tolerance_at(numerics, gaps, force_scale) result(tolerance)
+      type(numerics_type), intent(in) :: numerics
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: force_scale    !< [N]
+      real(wp) :: tolerance
+      tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/force_scale)
+   end function tolerance_at
+
+   !> A table of free gaps with their laws, at their first places.
+   pure subroutine lay_out_gaps(numerics, mesh, gaps)
+      type(numerics_type), intent(in) :: numerics
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(out) :: gaps
+      type(gap_law_type), allocatable :: laws(:)
+      integer :: e
+      allocate (laws(mesh%elements))
+      do e = 1, mesh%elements
+         laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
+            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
+            r_n0=numerics%r_n0)
+      end do
+      gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
+   end subroutine lay_out_gaps
+end module dg_walls

@@ -1,0 +1,179 @@
+!> Newton-Raphson iteration to equilibrium with contact forces as unknowns of their own (Eq. 12 with Eqs. 7 and 8).
+!>
+!> What makes contact hard for an iteration is that a stiff wall turns micrometres into kilonewtons. Here a contact force R does
+!> not follow from the depth |f|: both are unknowns, and meet at equilibrium, R + rho (|f| - depth(R)) > 0 deciding whether a gap
+!> is closed. Residual, tangent and the test of a step go by R, which changes smoothly.
+!>
+!> One iteration:
+!>   1. The linear problem of dg_contact_problem gives the step and the contact forces at its end, gaps opened and closed within
+!>      it. rho grows to the wall's own as gaps settle.
+!>   2. A compressed string is watched: viscosity is raised until the energy's tangent is positive definite with it, and until no
+!>      node moves by more than the step limit times its own clearance.
+!>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
+!>      axial forces of the linear problem: an axial stiffness would make kilonewtons of the square of a lateral step.
+!>   4. The step is shortened while the slope along it of the energy, friction's forces frozen, is uphill at its end. Walls press
+!>      there with the force of the linear problem, and softly on what is off it.
+!>   5. A step that leads uphill for all that, and leaves no less residual, is refused, and viscosity raised.
+!> At convergence rho is the wall's stiffness: residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are all settled.
+module dg_equilibrium
+   use dg_kinds, only: wp
+   use dg_block_matrix, only: swap_matrices
+   use dg_contact_problem, only: is_definite, measure_contacts
+   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_singular
+   use dg_gap_state, only: state_free
+   use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
+   use dg_interruption, only: is_interrupted
+   use dg_mesh, only: mesh_type
+   use dg_step, only: equilibrium_type, find_step, go_back, growth_at_start, look, measure, move_gaps, new_equilibrium, rigid, &
+                      search_along, settle
+   use dg_trajectory, only: trajectory_type
+   use dg_viscosity, only: ease_viscosity, until_definite, viscosity_most, viscosity_start, weigh_all
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: equilibrium_type, new_equilibrium, find_equilibrium
+
+   !> A slope at a step's end over that at its start by which the step is refused [-].
+   real(wp), parameter :: refused = 0.6_wp
+   !> Viscosity that a compressed equilibrium may need and still count as stable [-].
+   real(wp), parameter :: stable = 0.02_wp
+   !> Times that gaps may move from an equilibrium to the extremum of their element, and iterations after which a string whose gaps
+   !> have moved is given up and taken back to its equilibrium before.
+   integer, parameter :: most_rounds = 4, longest_round = 25
+
+contains
+
+   !> Iterates `state` and the contact forces in `work` to a stable equilibrium; it%outcome tells.
+   subroutine find_equilibrium(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      logical :: ended
+      work%separate = .true.
+      equations%gaps_taken_back = .false.
+      call keep_gaps(gaps, it%kept)
+      call settle(trajectory, mesh, gaps, state, work)
+      call look(it, trajectory, mesh, .true., gaps, work)
+      call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+      do
+         call enter_row(it, equations, gaps, work)
+         call judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
+         if (ended) exit
+         call find_step(it, equations, trajectory, mesh, gaps, state, work)
+         if (it%outcome == outcome_singular) exit
+         call search_along(it, equations, trajectory, mesh, gaps, state, work)
+         call judge_step(it, equations, trajectory, mesh, gaps, state, work)
+         if (it%viscosity > viscosity_most .or. .not. it%before < huge(it%before)) exit
+      end do
+      call enter_row(it, equations, gaps, work)
+      work%separate = .false.
+   end subroutine find_equilibrium
+
+   !> Measures the state for good.
+   pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      call measure(it, equations, trajectory, mesh, gaps, state, work, it%before)
+      if (it%watched) call swap_matrices(equations%matrix, it%energy)
+   end subroutine measure_here
+
+   !> Enters the present row in the history.
+   pure subroutine enter_row(it, equations, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      it%row%hookload = work%hookload
+      it%row%contacts = count(gaps%state /= state_free)
+      it%row%iteration = equations%iterations
+      it%row%negative_pivots = equations%solver%negative_pivots
+      equations%history(equations%iterations + 1) = it%row
+   end subroutine enter_row
+
+   !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; or with its iterations used up. Gaps
+   !> that moved and find no equilibrium are taken back.
+   subroutine judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      logical, intent(out) :: ended
+      logical :: definite
+      ended = .false.
+      do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. it%row%flips == 0)
+         definite = .true.
+         if (it%watched) then
+            call weigh_all(mesh, work, it%soft, it%lump)
+            it%problem%closed = gaps%state /= state_free
+            call is_definite(it%energy, it%lump, it%problem, stable, equations%matrix, definite)
+         end if
+         if (.not. definite) exit
+         if (it%rounds < most_rounds) then
+            it%rounds = it%rounds + 1
+            it%round_start = equations%iterations
+            it%rest = state
+            it%rest_force = work%normal
+            call keep_gaps(gaps, it%rest_gaps)
+            call keep_gaps(gaps, it%kept)
+            call move_gaps(it, trajectory, mesh, .true., it%loads%bit_support > 0.0_wp, gaps, work)
+            if (it%row%moves > 0) then
+               call look(it, trajectory, mesh, .false., gaps, work)
+               call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+               cycle
+            end if
+         end if
+         it%outcome = outcome_converged
+         ended = .true.
+         return
+      end do
+      if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. equations%iterations >= it%round_start + longest_round) then
+         state = it%rest
+         work%normal = it%rest_force
+         call take_gaps_back(it%rest_gaps, gaps)
+         call take_gaps_back(it%rest_gaps, it%kept)
+         equations%gaps_taken_back = .true.
+         it%rounds = most_rounds
+         it%growth = rigid
+         call settle(trajectory, mesh, gaps, state, work)
+         call look(it, trajectory, mesh, .false., gaps, work)
+         call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+      end if
+      ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
+      if (ended) it%outcome = outcome_exhausted
+   end subroutine judge_equilibrium
+
+   !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.
+   subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      if (.not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < refused*abs(it%slope)) .or. it%trial < it%before) then
+         call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+         call ease_viscosity(it%raised <= until_definite, it%viscosity)
+         it%raised = until_definite
+      else
+         it%growth = it%old_growth
+         call go_back(it, trajectory, mesh, gaps, state, work)
+         call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+         it%row%flips = 0
+         it%viscosity = max(it%viscosity, viscosity_start)*it%raised
+         it%raised = until_definite*it%raised
+      end if
+   end subroutine judge_step
+end module dg_equilibrium
