@@ -14,10 +14,11 @@ module dg_equations
    implicit none
    private
    public :: equations_type, make_room, find_tangent, end_iterations, add_gap_rigidity
-   public :: outcome_converged, outcome_exhausted, outcome_singular
+   public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
 
-   !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution.
-   integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2
+   !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution; in an equilibrium that
+   !> lies outside the hole between its contact points.
+   integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2, outcome_outside = 3
 
    type :: equations_type
       type(block_matrix_type) :: matrix

@@ -19,11 +19,12 @@ module dg_equilibrium
    use dg_kinds, only: wp
    use dg_block_matrix, only: swap_matrices
    use dg_contact_problem, only: is_definite, measure_contacts
-   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_singular
+   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside, outcome_singular
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
    use dg_mesh, only: mesh_type
+   use dg_outside_hole, only: measure_outside, outside_type
    use dg_step, only: equilibrium_type, find_step, go_back, growth_at_start, look, measure, move_gaps, new_equilibrium, rigid, &
                       search_along, settle
    use dg_trajectory, only: trajectory_type
@@ -35,8 +36,10 @@ module dg_equilibrium
 
    !> A slope at a step's end over that at its start by which the step is refused [-].
    real(wp), parameter :: refused = 0.6_wp
-   !> Viscosity that a compressed equilibrium may need and still count as stable [-].
-   real(wp), parameter :: stable = 0.02_wp
+   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same of
+   !> a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum and
+   !> hold there.
+   real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.2_wp
    !> Times that gaps may move from an equilibrium to the extremum of their element, and iterations after which a string whose gaps
    !> have moved is given up and taken back to its equilibrium before.
    integer, parameter :: most_rounds = 4, longest_round = 25
@@ -99,8 +102,8 @@ contains
       equations%history(equations%iterations + 1) = it%row
    end subroutine enter_row
 
-   !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; or with its iterations used up. Gaps
-   !> that moved and find no equilibrium are taken back.
+   !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; there, but outside the hole; or with
+   !> its iterations used up. Gaps that moved and find no equilibrium are taken back.
    subroutine judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -110,6 +113,7 @@ contains
       real(wp), intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: ended
+      type(outside_type) :: outside
       logical :: definite
       ended = .false.
       do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. it%row%flips == 0)
@@ -117,9 +121,19 @@ contains
          if (it%watched) then
             call weigh_all(mesh, work, it%soft, it%lump)
             it%problem%closed = gaps%state /= state_free
-            call is_definite(it%energy, it%lump, it%problem, stable, equations%matrix, definite)
+            call is_definite(it%energy, it%lump, it%problem, merge(stable_twisted, stable, twisted(it, mesh)), &
+                             equations%matrix, definite)
          end if
          if (.not. definite) exit
+         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) then
+            call measure_outside(trajectory, mesh, work, outside, it%outside)
+            it%outside = it%outside .and. mesh%length >= it%cut_from
+            if (any(it%outside)) then
+               it%outcome = outcome_outside
+               ended = .true.
+               return
+            end if
+         end if
          if (it%rounds < most_rounds) then
             it%rounds = it%rounds + 1
             it%round_start = equations%iterations
@@ -129,6 +143,7 @@ contains
             call keep_gaps(gaps, it%kept)
             call move_gaps(it, trajectory, mesh, .true., it%loads%bit_support > 0.0_wp, gaps, work)
             if (it%row%moves > 0) then
+               it%growth = growth_at_start
                call look(it, trajectory, mesh, .false., gaps, work)
                call measure_here(it, equations, trajectory, mesh, gaps, state, work)
                cycle
@@ -153,6 +168,14 @@ contains
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
+
+   !> Whether torque acts on the string.
+   pure function twisted(it, mesh) result(acts)
+      type(equilibrium_type), intent(in) :: it
+      type(mesh_type), intent(in) :: mesh
+      logical :: acts
+      acts = any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
+   end function twisted
 
    !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.
    subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)

@@ -13,14 +13,14 @@ module dg_step
    use dg_gap_state, only: depth_of, state_elastic, state_free, state_rigid
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_plane, only: unfold
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: add_viscosity, until_definite, viscosity_start, weigh_all
    use dg_wall_turn, only: turn_along_wall
    use dg_walls, only: soft_penetration
-   use dg_workspace, only: dof_axial, place_nodes, workspace_type
+   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_step, search_along, go_back, look, measure, move_gaps, settle
@@ -48,6 +48,8 @@ module dg_step
       real(wp) :: tolerance = 0.0_wp          !< of the residual over the force scale [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
       logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
+      real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
+      logical, allocatable :: outside(:)      !< elements that stand outside there (e)
       integer :: outcome = outcome_exhausted
       ! state
       type(contact_problem_type) :: problem
@@ -65,7 +67,7 @@ module dg_step
       integer :: rounds = 0, round_start = 0
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
       real(wp), allocatable :: move(:, :)     !< the step in space (6,nodes)
-      real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its change by the step to first order (e) [m]
+      real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
       real(wp), allocatable :: rest(:, :), rest_force(:)
@@ -92,6 +94,7 @@ contains
       it%watched = watched
       call new_contact_problem(mesh, unknowns, it%problem)
       allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), source=0.0_wp)
+      allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
       if (watched) call make_room_to_watch(mesh, it)
    end subroutine new_equilibrium
@@ -177,6 +180,29 @@ contains
          it%viscosity = max(it%viscosity, viscosity_start)*held_more
       end do
    end subroutine find_held_step
+
+   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the string
+   !> there, on the node farthest off the axis, across its offset. It stands in the tangent only, and what would turn the string,
+   !> some newtons of torque's work on the ends, is taken off the residual there.
+   pure subroutine hold_turn(state, matrix, residual)
+      real(wp), intent(in) :: state(:, :)
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp), intent(inout) :: residual(:, :)
+      real(wp) :: across(2), stiffness
+      integer :: i, node
+      node = maxloc(state(dof_lateral_1, :)**2 + state(dof_lateral_2, :)**2, dim=1)
+      across = [-state(dof_lateral_2, node), state(dof_lateral_1, node)]
+      if (.not. norm2(across) > 0.0_wp) return
+      across = across/norm2(across)
+      associate (block => matrix%diagonal(dof_lateral_1:dof_lateral_2, dof_lateral_1:dof_lateral_2, node), &
+                 force => residual(dof_lateral_1:dof_lateral_2, node))
+         stiffness = abs(block(1, 1)) + abs(block(2, 2))
+         do i = 1, 2
+            block(:, i) = block(:, i) + stiffness*across(i)*across
+         end do
+         force = force - dot_product(across, force)*across
+      end associate
+   end subroutine hold_turn
 
    !> Largest lateral step of a node over its clearance, or turn over the largest one [-].
    pure function reach_of(equations, mesh) result(reach)
@@ -405,6 +431,8 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: largest
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, .false., work)
+      if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+         call hold_turn(state, equations%matrix, equations%residual)
       it%residual = equations%residual
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call add_pushes(gaps, it%residual, it%problem, it%problem%load)

@@ -14,23 +14,24 @@ module dg_static_analysis
    use dg_bending_profile, only: bend_profile
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
-   use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted
+   use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type
-   use dg_mesh, only: mesh_type
-   use dg_mesh_for_case, only: mesh_for_case, shortest
+   use dg_mesh, only: mesh_type, new_mesh
+   use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict
+   use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, outcome_outside, result_of_lock_up, touched
+   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, touched
    use dg_text, only: to_text
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
@@ -50,6 +51,8 @@ module dg_static_analysis
    !> third has the gaps at their other place: short packed assemblies may have no equilibrium at the place asked for.
    type(attempt_type), parameter :: attempts(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp), &
                                                    attempt_type(150, 100.0_wp, other_place=.true.)]
+   !> Times that elements are cut where the string stands outside its hole.
+   integer, parameter :: most_cuts = 3
    !> Iterations in the plane of the hole before the string is solved in space.
    integer, parameter :: longest_in_plane = 30
    !> Where that many iterations, or half of those allowed, found no equilibrium, elements so much shorter have the others. A string
@@ -261,7 +264,8 @@ contains
       if (stays) stays = residual <= tolerance_at(numerics, string%gaps, string%equations%force_scale)*string%equations%force_scale
    end subroutine try_in_plane
 
-   !> One attempt: from the start, increment by increment, to the end or to where it fails.
+   !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
+   !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
    subroutine make_attempt(model, case_index, numerics, growth, number, string, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -272,29 +276,65 @@ contains
       integer, intent(out) :: outcome
       type(equilibrium_type) :: it
       real(wp) :: fraction, worst
-      integer :: increment, place
-      associate (equations => string%equations, mesh => string%mesh, gaps => string%gaps)
-         call lay_out_gaps(numerics, mesh, gaps)
-         do increment = 1, numerics%load_steps
-            fraction = real(increment, wp)/numerics%load_steps
-            call set_loads(model, model%cases(case_index), fraction, string%loads)
-            if (increment == 1) call predict(model, case_index, mesh, fraction, softness(mesh, string%pressing)*mesh%wall, &
-                                             string%work%climb, string%state, gaps, string%work%normal)
-            if (equations%planar) call flatten(equations%plane, string%state)
-            call new_equilibrium(mesh, string%loads, numerics, tolerance_at(numerics, gaps, equations%force_scale), &
-                                 string%pressing, string%compressed > watch_share .and. .not. equations%planar, &
-                                 equations%unknowns, it)
+      integer :: increment, place, cut
+      call lay_out_gaps(numerics, string%mesh, string%gaps)
+      do increment = 1, numerics%load_steps
+         fraction = real(increment, wp)/numerics%load_steps
+         call set_loads(model, model%cases(case_index), fraction, string%loads)
+         if (increment == 1) call predict(model, case_index, string%mesh, fraction, softness(string%mesh, string%pressing) &
+                                          *string%mesh%wall, string%work%climb, string%state, string%gaps, string%work%normal)
+         do cut = 0, most_cuts
+            call new_iteration(numerics, string, it)
             it%growth = growth
             it%row%increment = increment
             it%row%attempt = number
-            call find_equilibrium(it, equations, model%trajectory, mesh, gaps, string%state, string%work)
+            if (increment == numerics%load_steps .and. cut < most_cuts) it%cut_from = 2.0_wp*shortest
+            call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
             outcome = it%outcome
-            if (outcome /= outcome_converged) return
+            if (outcome /= outcome_outside) exit
+            call refine(model, case_index, numerics, it%outside, string)
          end do
-         call look_outside(model, mesh, string%work, worst, place)
-         if (worst > largest_excess) outcome = outcome_outside
-      end associate
+         if (outcome /= outcome_converged) return
+      end do
+      call look_outside(model, string%mesh, string%work, worst, place)
+      if (worst > largest_excess) outcome = outcome_outside
    end subroutine make_attempt
+
+   !> A run of the iteration from where the string is.
+   subroutine new_iteration(numerics, string, it)
+      type(numerics_type), intent(in) :: numerics
+      type(string_type), intent(inout) :: string
+      type(equilibrium_type), intent(out) :: it
+      associate (equations => string%equations)
+         if (equations%planar) call flatten(equations%plane, string%state)
+         call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%gaps, equations%force_scale), &
+                              string%pressing, string%compressed > watch_share .and. .not. equations%planar, equations%unknowns, it)
+      end associate
+   end subroutine new_iteration
+
+   !> Cuts the elements that are marked, and lays the string on the finer mesh as it is.
+   subroutine refine(model, case_index, numerics, marked, string)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(numerics_type), intent(in) :: numerics
+      logical, intent(in) :: marked(:)
+      type(string_type), intent(inout) :: string
+      type(mesh_type) :: fine
+      type(gap_table_type) :: gaps
+      type(workspace_type) :: work
+      real(wp), allocatable :: state(:, :)
+      call new_mesh(model, model%cases(case_index), cut_elements(model, string%mesh, marked), fine)
+      call new_workspace(fine, work)
+      if (string%compressed > buckling_share) call find_climb(model, case_index, fine, work%climb)
+      call lay_out_gaps(numerics, fine, gaps)
+      allocate (state(6, fine%nodes))
+      call take_over(model%trajectory, string%mesh, string%work, string%gaps, string%state, fine, state, gaps, work%normal)
+      string%mesh = fine
+      string%gaps = gaps
+      string%work = work
+      call move_alloc(state, string%state)
+      call make_room(string%equations, numerics%linear_solver, fine%nodes, string%equations%planar)
+   end subroutine refine
 
    !> Room for the solution, in the plane of the hole or in space, and the iteration's scales.
    subroutine prepare(model, case_index, string)

@@ -3,7 +3,7 @@ module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_locked_up, result_not_converged
-   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted
+   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
    use dg_job, only: model_mcge
@@ -21,10 +21,8 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, outcome_outside, touched
+   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, touched
 
-   !> Outcome of an attempt that converged to a string outside its hole, beside those of dg_newton.
-   integer, parameter :: outcome_outside = 100
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
    character(*), parameter :: touched = 'side force and tilt of the bit, and bending moments between contacts, may be off by a '// &

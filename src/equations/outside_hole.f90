@@ -40,13 +40,15 @@ contains
 
    !> Measures every element of a solution at the largest offset of its cubic shape, ends included. In a mud sheath the string may
    !> stand as deep as that is thick. `work` has the nodes placed and the gaps surveyed.
-   pure subroutine measure_outside(trajectory, mesh, work, outside)
+   pure subroutine measure_outside(trajectory, mesh, work, outside, told)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(outside_type), intent(out) :: outside
+      logical, intent(out), optional :: told(:)      !< elements that stand outside by more than is told
       real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), offset, xi, largest, excess
       integer :: e, arc
+      if (present(told)) told = .false.
       call node_offset(trajectory, mesh, work, 1, gap_j, t_j)
       do e = 1, mesh%elements
          gap_i = gap_j
@@ -58,6 +60,7 @@ contains
          call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
          excess = norm2(gap)/mesh%clearance(e) - 1.0_wp
          if (.not. is_told(excess, mesh, e)) cycle
+         if (present(told)) told(e) = .true.
          outside%elements = outside%elements + 1
          if (excess <= outside%excess) cycle
          outside%excess = excess
