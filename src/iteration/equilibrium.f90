@@ -60,7 +60,7 @@ contains
       equations%gaps_taken_back = .false.
       call keep_gaps(gaps, it%kept)
       call settle(trajectory, mesh, gaps, state, work)
-      call look(it, trajectory, mesh, .true., gaps, work)
+      call look(it, trajectory, mesh, .false., gaps, work)
       call measure_here(it, equations, trajectory, mesh, gaps, state, work)
       do
          call enter_row(it, equations, gaps, work)

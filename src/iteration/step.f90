@@ -416,7 +416,7 @@ contains
          end if
          if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
       end do
-      call look(it, trajectory, mesh, it%growth < stiff, gaps, work)
+      call look(it, trajectory, mesh, it%rounds > 0 .and. it%growth < stiff, gaps, work)
    end subroutine take_step
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
