@@ -79,10 +79,11 @@ contains
    !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
    !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds. Next to
    !> a bit that is held that look is closer (`closely`): see `lone_contacts`.
-   pure subroutine relocate_gaps(trajectory, mesh, threshold, closed, closely, gaps, work, moved)
+   pure subroutine relocate_gaps(trajectory, mesh, threshold, most, closed, closely, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: threshold          !< relative to the clearance [-]
+      real(wp), intent(in) :: most               !< a gap is not moved to where the string is farther outside, over the clearance [-]
       logical, intent(in) :: closed
       logical, intent(in) :: closely             !< at contacts next to the bit
       type(gap_table_type), intent(inout) :: gaps
@@ -109,7 +110,7 @@ contains
                           gaps%law(e)%clearance)) cycle
          call extremum_of_displacement(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, &
                                        mesh%length(e), xi, estimate)
-         if (estimate <= gaps%law(e)%clearance) cycle
+         if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
          scale = gaps%law(e)%clearance
          if (e >= lone) scale = deepest(gaps, work, e)
          if (mesh%spacing(e) > 0.0_wp .and. estimate - work%displacement(e) < least_gain*gaps%law(e)%clearance) cycle

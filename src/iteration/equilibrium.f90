@@ -60,7 +60,7 @@ contains
       equations%gaps_taken_back = .false.
       call keep_gaps(gaps, it%kept)
       call settle(trajectory, mesh, gaps, state, work)
-      call look(it, trajectory, mesh, .false., gaps, work)
+      call look(it, trajectory, mesh, .true., gaps, work)
       call measure_here(it, equations, trajectory, mesh, gaps, state, work)
       do
          call enter_row(it, equations, gaps, work)
@@ -141,7 +141,7 @@ contains
             it%rest_force = work%normal
             call keep_gaps(gaps, it%rest_gaps)
             call keep_gaps(gaps, it%kept)
-            call move_gaps(it, trajectory, mesh, .true., it%loads%bit_support > 0.0_wp, gaps, work)
+            call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., it%loads%bit_support > 0.0_wp, gaps, work)
             if (it%row%moves > 0) then
                it%growth = growth_at_start
                call look(it, trajectory, mesh, .false., gaps, work)

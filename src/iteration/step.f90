@@ -34,6 +34,9 @@ module dg_step
    !> a matter of the step's share [-].
    real(wp), parameter :: held_more = 4.0_wp
    integer, parameter :: most_holds = 8
+   !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the element
+   !> is too long for the iteration, and is cut where it stays so.
+   real(wp), parameter :: gently = 0.1_wp
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
    !> A slope at a step's end over that at its start from which the step is shortened [-]; times that it is shortened,
@@ -416,7 +419,7 @@ contains
          end if
          if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
       end do
-      call look(it, trajectory, mesh, it%rounds > 0 .and. it%growth < stiff, gaps, work)
+      call look(it, trajectory, mesh, it%growth < stiff, gaps, work)
    end subroutine take_step
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
@@ -454,7 +457,7 @@ contains
       real(wp) :: deep
       integer :: e, next
       it%row%moves = 0
-      if (relocate) call move_gaps(it, trajectory, mesh, it%row%flips == 0, .false., gaps, work)
+      if (relocate) call move_gaps(it, trajectory, mesh, gently, it%row%flips == 0, .false., gaps, work)
       it%row%flips = 0
       do e = 1, mesh%elements
          associate (law => gaps%law(e), force => work%normal(e))
@@ -476,15 +479,16 @@ contains
    end subroutine look
 
    !> Moves gaps to where the string is deepest (Eq. 2).
-   pure subroutine move_gaps(it, trajectory, mesh, closed, closely, gaps, work)
+   pure subroutine move_gaps(it, trajectory, mesh, most, closed, closely, gaps, work)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      logical, intent(in) :: closed, closely     !< as of relocate_gaps
+      real(wp), intent(in) :: most               !< as of relocate_gaps
+      logical, intent(in) :: closed, closely     !< the same
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       it%row%moves = 0
       if (it%numerics%gap_location == gap_at_extremum) &
-         call relocate_gaps(trajectory, mesh, it%numerics%relocation, closed, closely, gaps, work, it%row%moves)
+         call relocate_gaps(trajectory, mesh, it%numerics%relocation, most, closed, closely, gaps, work, it%row%moves)
    end subroutine move_gaps
 end module dg_step
