@@ -83,7 +83,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: threshold          !< relative to the clearance [-]
-      real(wp), intent(in) :: most               !< a gap is not moved to where the string is farther outside, over the clearance [-]
+      real(wp), intent(in) :: most               !< no gap moves to where the string is farther outside, over the clearance [-]
       logical, intent(in) :: closed
       logical, intent(in) :: closely             !< at contacts next to the bit
       type(gap_table_type), intent(inout) :: gaps

@@ -138,15 +138,16 @@ contains
       call block_positive_definite(matrix, viscosity, lump, definite)
    end subroutine is_definite
 
-   !> Raises viscosity until that tangent is positive definite with it.
-   pure subroutine hold_by_viscosity(energy, lump, problem, matrix, viscosity)
+   !> Raises viscosity until that tangent is positive definite with it, or with the margin.
+   pure subroutine hold_by_viscosity(energy, lump, problem, margin, matrix, viscosity)
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
+      real(wp), intent(in) :: margin
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(inout) :: viscosity
       call add_closed(energy, problem, matrix)
-      call raise_viscosity(matrix, lump, viscosity)
+      call raise_viscosity(matrix, lump, margin, viscosity)
    end subroutine hold_by_viscosity
 
    !> Solves the linear problem for equations%step, the forces wanted and the gaps closed. equations%matrix is that without closed

@@ -18,6 +18,7 @@
 module dg_equilibrium
    use dg_kinds, only: wp
    use dg_block_matrix, only: swap_matrices
+   use dg_case_result, only: judged_energy, judged_refused, judged_residual, judged_whole
    use dg_contact_problem, only: is_definite, measure_contacts
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside, outcome_singular
    use dg_gap_state, only: state_free
@@ -25,8 +26,8 @@ module dg_equilibrium
    use dg_interruption, only: is_interrupted
    use dg_mesh, only: mesh_type
    use dg_outside_hole, only: measure_outside, outside_type
-   use dg_step, only: equilibrium_type, find_step, go_back, growth_at_start, look, measure, move_gaps, new_equilibrium, rigid, &
-                      search_along, settle
+   use dg_step, only: equilibrium_type, find_step, go_back, growth_at_start, look, margin_of, measure, move_gaps, &
+                      new_equilibrium, rigid, search_along, settle
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: ease_viscosity, until_definite, viscosity_most, viscosity_start, weigh_all
    use dg_workspace, only: workspace_type
@@ -36,10 +37,9 @@ module dg_equilibrium
 
    !> A slope at a step's end over that at its start by which the step is refused [-].
    real(wp), parameter :: refused = 0.6_wp
-   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same of
-   !> a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum and
-   !> hold there.
-   real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.2_wp
+   !> Largest lateral change by the last step of a compressed string, over its clearance, at which it is in equilibrium [-]: near
+   !> its buckling load next to no force moves it.
+   real(wp), parameter :: still = 1.0e-4_wp
    !> Times that gaps may move from an equilibrium to the extremum of their element, and iterations after which a string whose gaps
    !> have moved is given up and taken back to its equilibrium before.
    integer, parameter :: most_rounds = 4, longest_round = 25
@@ -119,10 +119,10 @@ contains
       do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. it%row%flips == 0)
          definite = .true.
          if (it%watched) then
+            if (it%row%lateral_step > still*maxval(mesh%clearance)) exit
             call weigh_all(mesh, work, it%soft, it%lump)
             it%problem%closed = gaps%state /= state_free
-            call is_definite(it%energy, it%lump, it%problem, merge(stable_twisted, stable, twisted(it, mesh)), &
-                             equations%matrix, definite)
+            call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, definite)
          end if
          if (.not. definite) exit
          if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) then
@@ -169,14 +169,6 @@ contains
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
 
-   !> Whether torque acts on the string.
-   pure function twisted(it, mesh) result(acts)
-      type(equilibrium_type), intent(in) :: it
-      type(mesh_type), intent(in) :: mesh
-      logical :: acts
-      acts = any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
-   end function twisted
-
    !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.
    subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
@@ -187,6 +179,8 @@ contains
       real(wp), intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       if (.not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < refused*abs(it%slope)) .or. it%trial < it%before) then
+         it%row%judged = judged_whole
+         if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
          call measure_here(it, equations, trajectory, mesh, gaps, state, work)
          call ease_viscosity(it%raised <= until_definite, it%viscosity)
          it%raised = until_definite
@@ -195,6 +189,7 @@ contains
          call go_back(it, trajectory, mesh, gaps, state, work)
          call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
          it%row%flips = 0
+         it%row%judged = judged_refused
          it%viscosity = max(it%viscosity, viscosity_start)*it%raised
          it%raised = until_definite*it%raised
       end if

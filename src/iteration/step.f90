@@ -24,7 +24,7 @@ module dg_step
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_step, search_along, go_back, look, measure, move_gaps, settle
-   public :: growth_at_start, rigid
+   public :: growth_at_start, margin_of, rigid
 
    !> rho begins so many times stiffer than a wall that its load presses in visibly, and grows by as much when few gaps change, this
    !> part of the closed ones, and the residual is below this part of the force scale; then it is the wall's own [-].
@@ -34,11 +34,15 @@ module dg_step
    !> a matter of the step's share [-].
    real(wp), parameter :: held_more = 4.0_wp
    integer, parameter :: most_holds = 8
-   !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the element
-   !> is too long for the iteration, and is cut where it stays so.
+   !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
+   !> element is too long for the iteration, and is cut where it stays so.
    real(wp), parameter :: gently = 0.1_wp
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
+   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
+   !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
+   !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
+   real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
    !> A slope at a step's end over that at its start from which the step is shortened [-]; times that it is shortened,
    !> each between these parts.
    real(wp), parameter :: uphill = 0.3_wp, shortest = 0.1_wp, longest = 0.7_wp
@@ -162,7 +166,7 @@ contains
       it%problem%closed = gaps%state /= state_free
       live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
       do hold = 0, most_holds
-         call hold_by_viscosity(it%energy, it%lump, it%problem, equations%matrix, it%viscosity)
+         call hold_by_viscosity(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, it%viscosity)
          do
             call copy_matrix(it%energy, equations%matrix)
             if (live) call add_friction(mesh, it%loads, gaps, state, work, equations%matrix)
@@ -184,9 +188,9 @@ contains
       end do
    end subroutine find_held_step
 
-   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the string
-   !> there, on the node farthest off the axis, across its offset. It stands in the tangent only, and what would turn the string,
-   !> some newtons of torque's work on the ends, is taken off the residual there.
+   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
+   !> string there, on the node farthest off the axis, across its offset. It stands in the tangent only, and what would turn the
+   !> string, some newtons of torque's work on the ends, is taken off the residual there.
    pure subroutine hold_turn(state, matrix, residual)
       real(wp), intent(in) :: state(:, :)
       type(block_matrix_type), intent(inout) :: matrix
@@ -206,6 +210,14 @@ contains
          force = force - dot_product(across, force)*across
       end associate
    end subroutine hold_turn
+
+   !> Viscosity that an equilibrium of this string may need and still count as stable [-].
+   pure function margin_of(it, mesh) result(margin)
+      type(equilibrium_type), intent(in) :: it
+      type(mesh_type), intent(in) :: mesh
+      real(wp) :: margin
+      margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
+   end function margin_of
 
    !> Largest lateral step of a node over its clearance, or turn over the largest one [-].
    pure function reach_of(equations, mesh) result(reach)
@@ -292,8 +304,8 @@ contains
       end do
    end function slope_at_start
 
-   !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear problem
-   !> has there, and softly on what is off it.
+   !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
+   !> problem has there, and softly on what is off it.
    subroutine try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -326,8 +338,8 @@ contains
    end subroutine try_step
 
    !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which
-   !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear problem,
-   !> and so its axial forces.
+   !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
+   !> problem, and so its axial forces.
    pure subroutine move_string(it, trajectory, mesh, work, state)
       type(equilibrium_type), intent(in) :: it
       type(trajectory_type), intent(in) :: trajectory

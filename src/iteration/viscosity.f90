@@ -93,14 +93,15 @@ contains
       if (viscosity < viscosity_least) viscosity = 0.0_wp
    end subroutine ease_viscosity
 
-   !> Raises viscosity until a tangent of the energy is positive definite with it.
-   pure subroutine raise_viscosity(energy, lump, viscosity)
+   !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin.
+   pure subroutine raise_viscosity(energy, lump, margin, viscosity)
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to its diagonal
+      real(wp), intent(in) :: margin                !< as that of viscosity [-]
       real(wp), intent(inout) :: viscosity
       logical :: definite
       do
-         call block_positive_definite(energy, viscosity, lump, definite)
+         call block_positive_definite(energy, max(viscosity, margin), lump, definite)
          if (definite .or. viscosity > viscosity_most) return
          viscosity = until_definite*max(viscosity, viscosity_start)
       end do

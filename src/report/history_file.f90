@@ -1,6 +1,6 @@
 !> history_<case>_<model>.csv: the course of the iteration, one row an iteration.
 module dg_history_file
-   use dg_case_result, only: case_result_type, iteration_type
+   use dg_case_result, only: case_result_type, iteration_type, judged_name
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_moment, &
                         quantity_none, quantity_width
    use dg_error, only: error_type
@@ -11,16 +11,19 @@ module dg_history_file
    private
    public :: write_history, history_columns, history_fields
 
-   type(column_type), parameter :: history_columns(13) = [ &
+   type(column_type), parameter :: history_columns(14) = [ &
       column_type('attempt', quantity_none, 'at the case: one that fails is followed by the next; shorter elements count on'), &
       column_type('increment', quantity_none, 'load step'), &
-      column_type('stage', quantity_none, 'of the wall, which becomes stiffer from each to the next'), &
-      column_type('iteration', quantity_none, 'counted through all load steps and stages of the wall'), &
+      column_type('stage', quantity_none, 'of the mesh: one more each time that elements are cut where the string stands '// &
+         'outside'), &
+      column_type('iteration', quantity_none, 'counted through all attempts, load steps and stages of the mesh'), &
       column_type('residual', quantity_force, 'largest nodal force out of balance'), &
       column_type('residual', quantity_moment, 'largest nodal moment out of balance'), &
       column_type('lateral_step', quantity_width, 'largest lateral change asked for by the step that led here'), &
       column_type('viscosity', quantity_none, 'viscous stiffness that held the string back in that step, in units of '// &
          'F^2/(4 EI)'), &
+      column_type('judged_by', quantity_none, 'what judged that step: start (there was none), whole (taken as it is: the '// &
+         'string is in tension), energy, residual, refused (the string went back); in results.h5 1 to 5 in this order'), &
       column_type('negative_pivots', quantity_none, 'negative eigenvalues of the matrix of that step: ways in which the string '// &
          'was unstable; by linear_solver sparse where friction and torque leave the matrix symmetric, else empty'), &
       column_type('contacts', quantity_none, 'gaps that touch'), &
@@ -62,6 +65,7 @@ contains
       call put(row, step%residual_moment)
       call put(row, step%lateral_step)
       call put(row, step%viscosity)
+      call put(row, trim(judged_name(step%judged)))
       if (step%negative_pivots >= 0) then
          call put(row, step%negative_pivots)
       else

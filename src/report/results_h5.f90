@@ -200,6 +200,7 @@ contains
             case (field_real); values(i, j) = row%fields(j)%real_value
             case (field_integer); values(i, j) = row%fields(j)%integer_value
             case default
+               if (history_columns(j)%name == 'judged_by') values(i, j) = result%history(i)%judged
             end select
          end do
       end do

@@ -6,6 +6,7 @@ module dg_case_result
    implicit none
    private
    public :: case_result_type, gap_row_type, iteration_type
+   public :: judged_start, judged_whole, judged_energy, judged_residual, judged_refused, judged_name
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
@@ -16,6 +17,11 @@ module dg_case_result
    integer, parameter :: result_locked_up = 3
    !> Names in files, in the order of the numbers above.
    character(*), parameter :: result_status_name(3) = [character(13) :: 'converged', 'not_converged', 'locked_up']
+
+   !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not watched; the energy's
+   !> slope; the residual, which is less; it was refused. Names in files.
+   integer, parameter :: judged_start = 1, judged_whole = 2, judged_energy = 3, judged_residual = 4, judged_refused = 5
+   character(*), parameter :: judged_name(5) = [character(8) :: 'start', 'whole', 'energy', 'residual', 'refused']
 
    !> Local scales that may ask for shorter elements, and their names in reports.
    integer, parameter :: scale_compression = 1, scale_bend = 2, scale_load = 3, scale_joint = 4, scale_end = 5, &
@@ -47,12 +53,13 @@ module dg_case_result
    type :: iteration_type
       integer :: attempt = 0                   !< at the case, from 1
       integer :: increment = 0                 !< load step
-      integer :: stage = 0                     !< of the wall's stiffness, from 1
+      integer :: stage = 1                     !< of the mesh: one more each time that elements are cut
       integer :: iteration = 0                 !< within the case
       real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
       real(wp) :: viscosity = 0.0_wp           !< viscous regularisation, in units of F^2/(4 EI) [-]
+      integer :: judged = judged_start         !< what judged the step that led here
       integer :: negative_pivots = -1          !< negative eigenvalues of the step's matrix; -1: not known
       integer :: contacts = 0                  !< gaps in contact
       integer :: flips = 0                     !< gaps that changed state

@@ -47,8 +47,8 @@ module dg_static_analysis
       logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
    end type attempt_type
    !> The attempts in their order. The first finds an ordinary string's equilibrium in three to five iterations, and that of most
-   !> others in a hundred. The second has walls as soft as those of the start for longer: gaps settle more slowly and more surely. The
-   !> third has the gaps at their other place: short packed assemblies may have no equilibrium at the place asked for.
+   !> others in a hundred. The second has walls as soft as those of the start for longer: gaps settle more slowly and more surely.
+   !> The third has the gaps at their other place: short packed assemblies may have no equilibrium at the place asked for.
    type(attempt_type), parameter :: attempts(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp), &
                                                    attempt_type(150, 100.0_wp, other_place=.true.)]
    !> Times that elements are cut where the string stands outside its hole.
@@ -56,7 +56,8 @@ module dg_static_analysis
    !> Iterations in the plane of the hole before the string is solved in space.
    integer, parameter :: longest_in_plane = 30
    !> Where that many iterations, or half of those allowed, found no equilibrium, elements so much shorter have the others. A string
-   !> that is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
+   !> that is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half
+   !> few.
    integer, parameter :: enough = 400
    real(wp), parameter :: finer = 0.25_wp
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
@@ -96,8 +97,8 @@ module dg_static_analysis
 contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
-   !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no equilibrium a finer one
-   !> has what is left of the iterations.
+   !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no equilibrium a finer
+   !> one has what is left of the iterations.
    subroutine solve_static_analysis(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -288,6 +289,7 @@ contains
             it%growth = growth
             it%row%increment = increment
             it%row%attempt = number
+            it%row%stage = 1 + cut
             if (increment == numerics%load_steps .and. cut < most_cuts) it%cut_from = 2.0_wp*shortest
             call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
             outcome = it%outcome

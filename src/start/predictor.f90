@@ -2,8 +2,8 @@
 !>
 !> The soft string gives axial force, torque and the side on which each place touches. Nodes are laid against that
 !> side, pressed into the wall by the contact force, turned up the wall when the string rotates, bent as a beam (dg_bent_start), and
-!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From rest with the full
-!> load the iteration takes many times as long, and may be lost.
+!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From rest with the
+!> full load the iteration takes many times as long, and may be lost.
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
@@ -38,8 +38,8 @@ module dg_predictor
 
 contains
 
-   !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case, with
-   !> friction and bit loads scaled. A gap whose load is off the middle of its element is put there.
+   !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
+   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there.
    pure subroutine predict(model, case_index, mesh, scale, wall, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
