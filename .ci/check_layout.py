@@ -19,7 +19,7 @@ SAVED = re.compile(r"^\s*(?:integer|real|logical|character|type)\b(?!.*\bparamet
 # Rooms that several threads work in. There no function may leave the length of its text to the result: gfortran keeps that
 # length in a static variable of each call (see to_text in src/base/text.f90).
 THREADED = {"linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results", "buckling", "soft_string",
-            "solution", "rigid_string", "mixed_string", "uncertainty", "calibration", "string_limits"}
+            "equations", "start", "iteration", "solution", "rigid_string", "mixed_string", "uncertainty", "calibration", "string_limits"}
 FUNCTION = re.compile(r"^[ \t]*(?:(?:pure|elemental|recursive|impure)\s+)*function\s+(\w+)\s*\([^)]*\)\s*(?:result\s*\((\w+)\))?(.*?)"
                       r"^[ \t]*end function", re.I | re.M | re.S)
 DEFERRED_OF_BASE = re.compile(r"\b(?:joined|text_or_nothing|suggestion|nearest_name|interruption_name)\s*\(", re.I)

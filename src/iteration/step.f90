@@ -37,6 +37,8 @@ module dg_step
    !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
    !> element is too long for the iteration, and is cut where it stays so.
    real(wp), parameter :: gently = 0.1_wp
+   !> Residual over the force scale next to an equilibrium [-].
+   real(wp), parameter :: near = 1.0e-4_wp
    !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
    real(wp), parameter :: largest_turn = 0.1_wp
    !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
@@ -160,13 +162,16 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: reach           !< of the step
+      real(wp) :: margin
       logical :: live          ! friction follows the contact forces within the step
       integer :: hold, fault
       call weigh_all(mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
+      margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
+      if (it%before < near*equations%force_scale) margin = margin_of(it, mesh)
       live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
       do hold = 0, most_holds
-         call hold_by_viscosity(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, it%viscosity)
+         call hold_by_viscosity(it%energy, it%lump, it%problem, margin, equations%matrix, it%viscosity)
          do
             call copy_matrix(it%energy, equations%matrix)
             if (live) call add_friction(mesh, it%loads, gaps, state, work, equations%matrix)
