@@ -169,22 +169,12 @@ contains
       real(wp), contiguous, intent(in) :: y(:, :)            !< (4,n) [m, -]
       real(wp), contiguous, intent(inout) :: residual(:, :)  !< (4,n) [N, N.m]
       type(beam_contact_type), intent(inout) :: contact      !< for add_contact_stiffness
-      real(wp) :: offset(2), value(4), slope(4), weight, across(2), couple(2), column(8)
+      real(wp) :: across(2), couple(2)
       integer :: e, n, p
       if (.not. allocated(contact%place)) allocate (contact%place(contact_places, size(beam%ei)), contact%point(size(beam%point)))
       do e = 1, size(beam%ei)
-         do p = 1, contact_places
-            associate (push => contact%place(p, e))
-               call find_contact(beam, e, p, y(:, e), y(:, e + 1), push%touches, value, slope, offset)
-               if (.not. push%touches) cycle
-               call push_at(beam%law(e), offset, push)
-               call find_action(push, beam%along(e)*beam%radius(e), beam%around(e), across, couple)
-            end associate
-            weight = (beam%md(e + 1) - beam%md(e))/contact_places
-            column = weight*by_shape(value, across) + by_shape(weight*slope, couple)
-            residual(:, e) = residual(:, e) + column(:4)
-            residual(:, e + 1) = residual(:, e + 1) + column(5:)
-         end do
+         call press_element(beam%law(e), beam%md(e + 1) - beam%md(e), beam%along(e)*beam%radius(e), beam%around(e), &
+                            y(:, e), y(:, e + 1), contact%place(:, e), residual(:, e), residual(:, e + 1))
       end do
       do p = 1, size(beam%point)
          n = beam%point(p)
@@ -199,24 +189,38 @@ contains
       end do
    end subroutine add_contact
 
+   !> What contact makes at the places of one element.
+   pure subroutine press_element(law, length, lever, around, upper, lower, push, above, below)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: length, lever, around           !< of the element; r a; m [m, m, -]
+      real(wp), intent(in) :: upper(4), lower(4)              !< offsets and slopes of the element's nodes [m, -]
+      type(wall_push_type), intent(inout) :: push(contact_places)
+      real(wp), intent(inout) :: above(4), below(4)           !< residuals of these nodes [N, N.m]
+      real(wp) :: offset(2), value(4), slope(4), weight, across(2), couple(2), column(8)
+      integer :: p
+      weight = length/contact_places
+      do p = 1, contact_places
+         call find_contact(law%clearance, length, p, upper, lower, push(p)%touches, value, slope, offset)
+         if (.not. push(p)%touches) cycle
+         call push_at(law, offset, push(p))
+         call find_action(push(p), lever, around, across, couple)
+         column = weight*by_shape(value, across) + by_shape(weight*slope, couple)
+         above = above + column(:4)
+         below = below + column(5:)
+      end do
+   end subroutine press_element
+
    !> Adds to a matrix the derivatives of what contact makes.
    pure subroutine add_contact_stiffness(beam, contact, matrix)
       type(bending_beam_type), intent(in) :: beam
       type(beam_contact_type), intent(in) :: contact       !< of add_contact
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: value(4), slope(4), length, weight, by_across(2, 2), by_couple(2, 2)
+      real(wp) :: by_across(2, 2), by_couple(2, 2)
       integer :: e, n, p
       do e = 1, size(beam%ei)
-         do p = 1, contact_places
-            if (.not. contact%place(p, e)%touches) cycle
-            length = beam%md(e + 1) - beam%md(e)
-            weight = length/contact_places
-            value = contact_value(:, p)*[1.0_wp, length, 1.0_wp, length]
-            slope = weight*(contact_slope(:, p)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp])
-            call find_stiffness(contact%place(p, e), beam%along(e)*beam%radius(e), beam%around(e), by_across, by_couple)
-            call add_stiffness(weight, value, slope, by_across, by_couple, matrix%diagonal(:, :, e), matrix%upper(:, :, e), &
-                               matrix%lower(:, :, e), matrix%diagonal(:, :, e + 1))
-         end do
+         if (.not. any(contact%place(:, e)%touches)) cycle
+         call stiffen_element(beam%md(e + 1) - beam%md(e), beam%along(e)*beam%radius(e), beam%around(e), contact%place(:, e), &
+                              matrix%diagonal(:, :, e), matrix%upper(:, :, e), matrix%lower(:, :, e), matrix%diagonal(:, :, e + 1))
       end do
       do p = 1, size(beam%point)
          if (.not. contact%point(p)%touches) cycle
@@ -228,40 +232,44 @@ contains
       end do
    end subroutine add_contact_stiffness
 
-   !> Adds the stiffness of one contact to the blocks of an element's nodes.
-   pure subroutine add_stiffness(weight, value, slope, by_across, by_couple, upper, right, left, lower)
-      real(wp), intent(in) :: weight                             !< length of string for which the contact stands [m]
-      real(wp), intent(in) :: value(4), slope(4)                 !< shape functions, and their slopes times the weight
-      real(wp), intent(in) :: by_across(2, 2), by_couple(2, 2)   !< see find_stiffness
+   !> Adds the stiffness of one element's contact to the blocks of its nodes.
+   pure subroutine stiffen_element(length, lever, around, push, upper, right, left, lower)
+      real(wp), intent(in) :: length, lever, around           !< of the element; r a; m [m, m, -]
+      type(wall_push_type), intent(in) :: push(contact_places)
       real(wp), intent(inout), dimension(4, 4) :: upper, right, left, lower   !< rows of the upper node, then of the lower one
-      real(wp) :: column(8)
-      integer :: c
-      do c = 1, 2
-         column = weight*by_shape(value, by_across(:, c)) + by_shape(slope, by_couple(:, c))
-         upper(:, c) = upper(:, c) + value(1)*column(:4)
-         upper(:, c + 2) = upper(:, c + 2) + value(2)*column(:4)
-         right(:, c) = right(:, c) + value(3)*column(:4)
-         right(:, c + 2) = right(:, c + 2) + value(4)*column(:4)
-         left(:, c) = left(:, c) + value(1)*column(5:)
-         left(:, c + 2) = left(:, c + 2) + value(2)*column(5:)
-         lower(:, c) = lower(:, c) + value(3)*column(5:)
-         lower(:, c + 2) = lower(:, c + 2) + value(4)*column(5:)
+      real(wp) :: value(4), slope(4), weight, by_across(2, 2), by_couple(2, 2), column(8)
+      integer :: p, c
+      weight = length/contact_places
+      do p = 1, contact_places
+         if (.not. push(p)%touches) cycle
+         value = contact_value(:, p)*[1.0_wp, length, 1.0_wp, length]
+         slope = weight*(contact_slope(:, p)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp])
+         call find_stiffness(push(p), lever, around, by_across, by_couple)
+         do c = 1, 2
+            column = weight*by_shape(value, by_across(:, c)) + by_shape(slope, by_couple(:, c))
+            upper(:, c) = upper(:, c) + value(1)*column(:4)
+            upper(:, c + 2) = upper(:, c + 2) + value(2)*column(:4)
+            right(:, c) = right(:, c) + value(3)*column(:4)
+            right(:, c + 2) = right(:, c + 2) + value(4)*column(:4)
+            left(:, c) = left(:, c) + value(1)*column(5:)
+            left(:, c + 2) = left(:, c + 2) + value(2)*column(5:)
+            lower(:, c) = lower(:, c) + value(3)*column(5:)
+            lower(:, c + 2) = lower(:, c + 2) + value(4)*column(5:)
+         end do
       end do
-   end subroutine add_stiffness
+   end subroutine stiffen_element
 
    !> Whether the string touches at a place of an element, and how it lies there. Where it does not touch, slope is not set.
-   pure subroutine find_contact(beam, e, p, upper, lower, touches, value, slope, offset)
-      type(bending_beam_type), intent(in) :: beam
-      integer, intent(in) :: e, p
+   pure subroutine find_contact(clearance, length, p, upper, lower, touches, value, slope, offset)
+      real(wp), intent(in) :: clearance, length        !< of the element [m]
+      integer, intent(in) :: p
       real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of the element's nodes [m, -]
       logical, intent(out) :: touches
       real(wp), intent(out) :: value(4), slope(4)      !< shape functions and their slopes
       real(wp), intent(out) :: offset(2)               !< [m]
-      real(wp) :: length
-      length = beam%md(e + 1) - beam%md(e)
       value = contact_value(:, p)*[1.0_wp, length, 1.0_wp, length]
       offset = offset_by(value, upper, lower)
-      touches = offset(1)**2 + offset(2)**2 > beam%law(e)%clearance**2
+      touches = offset(1)**2 + offset(2)**2 > clearance**2
       if (touches) slope = contact_slope(:, p)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp]
    end subroutine find_contact
 
@@ -338,7 +346,8 @@ contains
       real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
       type(bent_type), intent(out) :: bent
       type(wall_push_type) :: push
-      real(wp) :: straight(4, 4), turned(4, 4), f(8), all(8), offset(2), across(2), couple(2), value(4), slope(4), weight
+      real(wp) :: straight(4, 4), turned(4, 4), f(8), all(8), offset(2), across(2), couple(2), value(4), slope(4), &
+                  length, weight
       logical :: touches
       integer :: e, n, p, j
       n = size(y, 2)
@@ -355,9 +364,10 @@ contains
             all(2::2) = all(2::2) + straight(:, j)*y(2*j, e) - turned(:, j)*y(2*j - 1, e) &
                         + straight(:, j + 2)*y(2*j, e + 1) - turned(:, j + 2)*y(2*j - 1, e + 1)
          end do
-         weight = (beam%md(e + 1) - beam%md(e))/contact_places
+         length = beam%md(e + 1) - beam%md(e)
+         weight = length/contact_places
          do p = 1, contact_places
-            call find_contact(beam, e, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
+            call find_contact(beam%law(e)%clearance, length, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
             if (.not. touches) cycle
             call push_at(beam%law(e), offset, push)
             call find_action(push, beam%along(e)*beam%radius(e), beam%around(e), across, couple)
