@@ -24,8 +24,8 @@ module dg_bending_beam
    use dg_gap_state, only: contact_force, gap_law_type, state_elastic, state_rigid
    implicit none
    private
-   public :: bending_beam_type, bent_type, node_unknowns, contact_places, contact_xi
-   public :: set_linear_part, add_contact, find_forces, curvature_within, length_of
+   public :: bending_beam_type, bent_type, beam_contact_type, node_unknowns, contact_places, contact_xi
+   public :: set_linear_part, add_contact, add_contact_stiffness, find_forces, curvature_within, length_of
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
@@ -36,12 +36,12 @@ module dg_bending_beam
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]
    !> There, of an element of unit length: shape functions of y and y' at its upper, then at its lower node, and their slopes.
    real(wp), parameter :: rest(contact_places) = 1.0_wp - contact_xi
-   real(wp), parameter :: contact_value(contact_places, 4) = reshape( &
+   real(wp), parameter :: contact_value(4, contact_places) = transpose(reshape( &
       [rest**2*(1.0_wp + 2.0_wp*contact_xi), contact_xi*rest**2, contact_xi**2*(1.0_wp + 2.0_wp*rest), -rest*contact_xi**2], &
-      [contact_places, 4])
-   real(wp), parameter :: contact_slope(contact_places, 4) = reshape( &
+      [contact_places, 4]))
+   real(wp), parameter :: contact_slope(4, contact_places) = transpose(reshape( &
       [-6.0_wp*contact_xi*rest, rest*(1.0_wp - 3.0_wp*contact_xi), 6.0_wp*contact_xi*rest, -contact_xi*(3.0_wp*rest - 1.0_wp)], &
-      [contact_places, 4])
+      [contact_places, 4]))
 
    !> The beam: n nodes from the top down, element e between nodes e and e + 1.
    type :: bending_beam_type
@@ -78,6 +78,22 @@ module dg_bending_beam
       real(wp), allocatable :: pressed(:, :)
       real(wp), allocatable :: points(:)        !< contact forces of the tool joints, in the order of beam%point [N]
    end type bent_type
+
+   !> How the wall presses at a place.
+   type :: wall_push_type
+      logical :: touches       !< without which the others are not set
+      real(wp) :: force        !< R [N/m, or N]
+      real(wp) :: stiffness    !< derivative of R by the distance from the hole axis [N/m2, or N/m]
+      real(wp) :: distance     !< from there [m]
+      real(wp) :: n(2)         !< outwards
+   end type wall_push_type
+
+   !> How the wall presses at a shape of the beam.
+   type :: beam_contact_type
+      private
+      type(wall_push_type), allocatable :: place(:, :)   !< of the elements (contact_places,n-1)
+      type(wall_push_type), allocatable :: point(:)      !< of tool joints
+   end type beam_contact_type
 
 contains
 
@@ -147,67 +163,114 @@ contains
       end associate
    end subroutine linear_element
 
-   !> Adds what contact makes at the shape y to a residual, and to its matrix where that is given.
-   pure subroutine add_contact(beam, y, residual, matrix)
+   !> Adds what contact makes at the shape y to a residual, and keeps how the wall presses there.
+   pure subroutine add_contact(beam, y, residual, contact)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
+      real(wp), contiguous, intent(in) :: y(:, :)            !< (4,n) [m, -]
       real(wp), contiguous, intent(inout) :: residual(:, :)  !< (4,n) [N, N.m]
-      type(block_matrix_type), intent(inout), optional :: matrix
-      real(wp) :: offset(2), force, across(2), couple(2), by_across(2, 2), by_couple(2, 2), value(4), slope(4), weight, column(8)
-      logical :: touches
-      integer :: e, n, p, c
+      type(beam_contact_type), intent(inout) :: contact      !< for add_contact_stiffness
+      real(wp) :: across(2), couple(2)
+      integer :: e, n, p
+      if (.not. allocated(contact%place)) allocate (contact%place(contact_places, size(beam%ei)), contact%point(size(beam%point)))
       do e = 1, size(beam%ei)
-         do p = 1, contact_places
-            call find_contact(beam, e, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
-            if (.not. touches) cycle
-            call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
-                             by_across, by_couple)
-            weight = (beam%md(e + 1) - beam%md(e))/contact_places
-            slope = weight*slope
-            column = weight*by_shape(value, across) + by_shape(slope, couple)
-            residual(:, e) = residual(:, e) + column(:4)
-            residual(:, e + 1) = residual(:, e + 1) + column(5:)
-            if (.not. present(matrix)) cycle
-            do c = 1, 2
-               column = weight*by_shape(value, by_across(:, c)) + by_shape(slope, by_couple(:, c))
-               matrix%diagonal(:, c, e) = matrix%diagonal(:, c, e) + value(1)*column(:4)
-               matrix%diagonal(:, c + 2, e) = matrix%diagonal(:, c + 2, e) + value(2)*column(:4)
-               matrix%upper(:, c, e) = matrix%upper(:, c, e) + value(3)*column(:4)
-               matrix%upper(:, c + 2, e) = matrix%upper(:, c + 2, e) + value(4)*column(:4)
-               matrix%lower(:, c, e) = matrix%lower(:, c, e) + value(1)*column(5:)
-               matrix%lower(:, c + 2, e) = matrix%lower(:, c + 2, e) + value(2)*column(5:)
-               matrix%diagonal(:, c, e + 1) = matrix%diagonal(:, c, e + 1) + value(3)*column(5:)
-               matrix%diagonal(:, c + 2, e + 1) = matrix%diagonal(:, c + 2, e + 1) + value(4)*column(5:)
-            end do
-         end do
+         call press_element(beam%law(e), beam%md(e + 1) - beam%md(e), beam%along(e)*beam%radius(e), beam%around(e), &
+                            y(:, e), y(:, e + 1), contact%place(:, e), residual(:, e), residual(:, e + 1))
       end do
       do p = 1, size(beam%point)
          n = beam%point(p)
-         if (.not. length_of(y(1:2, n)) > beam%point_law(p)%clearance) cycle
-         e = min(n, size(beam%ei))
-         call wall_action(beam%point_law(p), y(1:2, n), beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, &
-                          by_across, by_couple)
+         associate (push => contact%point(p))
+            push%touches = length_of(y(1:2, n)) > beam%point_law(p)%clearance
+            if (.not. push%touches) cycle
+            e = min(n, size(beam%ei))
+            call push_at(beam%point_law(p), y(1:2, n), push)
+            call find_action(push, beam%along(e)*beam%radius(e), beam%around(e), across, couple)
+         end associate
          residual(:, n) = residual(:, n) + [across, couple]
-         if (.not. present(matrix)) cycle
-         matrix%diagonal(1:2, 1:2, n) = matrix%diagonal(1:2, 1:2, n) + by_across
-         matrix%diagonal(3:4, 1:2, n) = matrix%diagonal(3:4, 1:2, n) + by_couple
       end do
    end subroutine add_contact
 
-   !> Whether the string touches at a place of an element, and how it lies there. Where it does not touch, slope is not set.
-   pure subroutine find_contact(beam, e, p, upper, lower, touches, value, slope, offset)
+   !> What contact makes at the places of one element.
+   pure subroutine press_element(law, length, lever, around, upper, lower, push, above, below)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: length, lever, around           !< of the element; r a; m [m, m, -]
+      real(wp), intent(in) :: upper(4), lower(4)              !< offsets and slopes of the element's nodes [m, -]
+      type(wall_push_type), intent(inout) :: push(contact_places)
+      real(wp), intent(inout) :: above(4), below(4)           !< residuals of these nodes [N, N.m]
+      real(wp) :: offset(2), value(4), slope(4), weight, across(2), couple(2), column(8)
+      integer :: p
+      weight = length/contact_places
+      do p = 1, contact_places
+         call find_contact(law%clearance, length, p, upper, lower, push(p)%touches, value, slope, offset)
+         if (.not. push(p)%touches) cycle
+         call push_at(law, offset, push(p))
+         call find_action(push(p), lever, around, across, couple)
+         column = weight*by_shape(value, across) + by_shape(weight*slope, couple)
+         above = above + column(:4)
+         below = below + column(5:)
+      end do
+   end subroutine press_element
+
+   !> Adds to a matrix the derivatives of what contact makes.
+   pure subroutine add_contact_stiffness(beam, contact, matrix)
       type(bending_beam_type), intent(in) :: beam
-      integer, intent(in) :: e, p
+      type(beam_contact_type), intent(in) :: contact       !< of add_contact
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: by_across(2, 2), by_couple(2, 2)
+      integer :: e, n, p
+      do e = 1, size(beam%ei)
+         if (.not. any(contact%place(:, e)%touches)) cycle
+         call stiffen_element(beam%md(e + 1) - beam%md(e), beam%along(e)*beam%radius(e), beam%around(e), contact%place(:, e), &
+                              matrix%diagonal(:, :, e), matrix%upper(:, :, e), matrix%lower(:, :, e), matrix%diagonal(:, :, e + 1))
+      end do
+      do p = 1, size(beam%point)
+         if (.not. contact%point(p)%touches) cycle
+         n = beam%point(p)
+         e = min(n, size(beam%ei))
+         call find_stiffness(contact%point(p), beam%along(e)*beam%radius(e), beam%around(e), by_across, by_couple)
+         matrix%diagonal(1:2, 1:2, n) = matrix%diagonal(1:2, 1:2, n) + by_across
+         matrix%diagonal(3:4, 1:2, n) = matrix%diagonal(3:4, 1:2, n) + by_couple
+      end do
+   end subroutine add_contact_stiffness
+
+   !> Adds the stiffness of one element's contact to the blocks of its nodes.
+   pure subroutine stiffen_element(length, lever, around, push, upper, right, left, lower)
+      real(wp), intent(in) :: length, lever, around           !< of the element; r a; m [m, m, -]
+      type(wall_push_type), intent(in) :: push(contact_places)
+      real(wp), intent(inout), dimension(4, 4) :: upper, right, left, lower   !< rows of the upper node, then of the lower one
+      real(wp) :: value(4), slope(4), weight, by_across(2, 2), by_couple(2, 2), column(8)
+      integer :: p, c
+      weight = length/contact_places
+      do p = 1, contact_places
+         if (.not. push(p)%touches) cycle
+         value = contact_value(:, p)*[1.0_wp, length, 1.0_wp, length]
+         slope = weight*(contact_slope(:, p)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp])
+         call find_stiffness(push(p), lever, around, by_across, by_couple)
+         do c = 1, 2
+            column = weight*by_shape(value, by_across(:, c)) + by_shape(slope, by_couple(:, c))
+            upper(:, c) = upper(:, c) + value(1)*column(:4)
+            upper(:, c + 2) = upper(:, c + 2) + value(2)*column(:4)
+            right(:, c) = right(:, c) + value(3)*column(:4)
+            right(:, c + 2) = right(:, c + 2) + value(4)*column(:4)
+            left(:, c) = left(:, c) + value(1)*column(5:)
+            left(:, c + 2) = left(:, c + 2) + value(2)*column(5:)
+            lower(:, c) = lower(:, c) + value(3)*column(5:)
+            lower(:, c + 2) = lower(:, c + 2) + value(4)*column(5:)
+         end do
+      end do
+   end subroutine stiffen_element
+
+   !> Whether the string touches at a place of an element, and how it lies there. Where it does not touch, slope is not set.
+   pure subroutine find_contact(clearance, length, p, upper, lower, touches, value, slope, offset)
+      real(wp), intent(in) :: clearance, length        !< of the element [m]
+      integer, intent(in) :: p
       real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of the element's nodes [m, -]
       logical, intent(out) :: touches
       real(wp), intent(out) :: value(4), slope(4)      !< shape functions and their slopes
       real(wp), intent(out) :: offset(2)               !< [m]
-      real(wp) :: length
-      length = beam%md(e + 1) - beam%md(e)
-      value = contact_value(p, :)*[1.0_wp, length, 1.0_wp, length]
+      value = contact_value(:, p)*[1.0_wp, length, 1.0_wp, length]
       offset = offset_by(value, upper, lower)
-      touches = offset(1)**2 + offset(2)**2 > beam%law(e)%clearance**2
-      if (touches) slope = contact_slope(p, :)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp]
+      touches = offset(1)**2 + offset(2)**2 > clearance**2
+      if (touches) slope = contact_slope(:, p)*[1.0_wp/length, 1.0_wp, 1.0_wp/length, 1.0_wp]
    end subroutine find_contact
 
    !> A vector across the hole on each of an element's unknowns, by the values of their shape functions.
@@ -235,41 +298,56 @@ contains
       length = sqrt(vector(1)**2 + vector(2)**2)
    end function length_of
 
-   !> What the wall adds to the residual where the string touches: R (n + m t x n) on the offset, r a R n on the slope. With their
-   !> derivatives by the offset. A law for a metre of wall gives them per metre.
-   pure subroutine wall_action(law, offset, lever, around, force, across, couple, by_across, by_couple)
+   !> How the wall presses where the string touches. A law for a metre of wall gives it per metre.
+   pure subroutine push_at(law, offset, push)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: offset(2)   !< not zero [m]
+      type(wall_push_type), intent(inout) :: push
+      push%distance = length_of(offset)
+      call contact_force(law, merge(state_rigid, state_elastic, push%distance > (1.0_wp + law%eps_nmax)*law%clearance), &
+                         push%distance, push%force, push%stiffness)
+      push%n = offset/push%distance
+   end subroutine push_at
+
+   !> What the wall adds to the residual: R (n + m t x n) on the offset, r a R n on the slope.
+   pure subroutine find_action(push, lever, around, across, couple)
+      type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
-      real(wp), intent(out) :: force      !< R [N/m, or N]
-      real(wp), intent(out) :: across(2), couple(2), by_across(2, 2), by_couple(2, 2)
-      real(wp) :: distance, stiffness, n(2), tau(2)
+      real(wp), intent(out) :: across(2), couple(2)
+      across = push%force*(push%n + around*[-push%n(2), push%n(1)])
+      couple = lever*push%force*push%n
+   end subroutine find_action
+
+   !> Derivatives of these by the offset.
+   pure subroutine find_stiffness(push, lever, around, by_across, by_couple)
+      type(wall_push_type), intent(in) :: push
+      real(wp), intent(in) :: lever       !< r a [m]
+      real(wp), intent(in) :: around      !< m [-]
+      real(wp), intent(out) :: by_across(2, 2), by_couple(2, 2)
+      real(wp) :: tau(2)
       integer :: i
-      distance = length_of(offset)
-      call contact_force(law, merge(state_rigid, state_elastic, distance > (1.0_wp + law%eps_nmax)*law%clearance), distance, &
-                         force, stiffness)
-      n = offset/distance
-      tau = [-n(2), n(1)]
-      across = force*(n + around*tau)
-      couple = lever*force*n
-      do i = 1, 2
-         by_across(:, i) = (stiffness*n(i))*n + (force/distance*tau(i))*tau
-      end do
-      by_couple = lever*by_across
-      if (.not. abs(around) > 0.0_wp) return
-      do i = 1, 2
-         by_across(:, i) = by_across(:, i) + (around*stiffness*n(i))*tau - (around*force/distance*tau(i))*n
-      end do
-   end subroutine wall_action
+      associate (n => push%n, stiffness => push%stiffness, force => push%force, distance => push%distance)
+         tau = [-n(2), n(1)]
+         do i = 1, 2
+            by_across(:, i) = (stiffness*n(i))*n + (force/distance*tau(i))*tau
+         end do
+         by_couple = lever*by_across
+         if (.not. abs(around) > 0.0_wp) return
+         do i = 1, 2
+            by_across(:, i) = by_across(:, i) + (around*stiffness*n(i))*tau - (around*force/distance*tau(i))*n
+         end do
+      end associate
+   end subroutine find_stiffness
 
    !> Forces along the beam at a shape.
    pure subroutine find_forces(beam, y, bent)
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
       type(bent_type), intent(out) :: bent
-      real(wp) :: straight(4, 4), turned(4, 4), f(8), all(8), offset(2), force, across(2), couple(2), a(2, 2), b(2, 2), value(4), &
-                  slope(4), weight
+      type(wall_push_type) :: push
+      real(wp) :: straight(4, 4), turned(4, 4), f(8), all(8), offset(2), across(2), couple(2), value(4), slope(4), &
+                  length, weight
       logical :: touches
       integer :: e, n, p, j
       n = size(y, 2)
@@ -286,12 +364,14 @@ contains
             all(2::2) = all(2::2) + straight(:, j)*y(2*j, e) - turned(:, j)*y(2*j - 1, e) &
                         + straight(:, j + 2)*y(2*j, e + 1) - turned(:, j + 2)*y(2*j - 1, e + 1)
          end do
-         weight = (beam%md(e + 1) - beam%md(e))/contact_places
+         length = beam%md(e + 1) - beam%md(e)
+         weight = length/contact_places
          do p = 1, contact_places
-            call find_contact(beam, e, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
+            call find_contact(beam%law(e)%clearance, length, p, y(:, e), y(:, e + 1), touches, value, slope, offset)
             if (.not. touches) cycle
-            call wall_action(beam%law(e), offset, beam%along(e)*beam%radius(e), beam%around(e), force, across, couple, a, b)
-            bent%pressed(p, e) = weight*force
+            call push_at(beam%law(e), offset, push)
+            call find_action(push, beam%along(e)*beam%radius(e), beam%around(e), across, couple)
+            bent%pressed(p, e) = weight*push%force
             all = all + by_shape(weight*value, across) + by_shape(weight*slope, couple)
          end do
          bent%forces(:, e) = all(:4)
@@ -299,8 +379,9 @@ contains
       end do
       do p = 1, size(beam%point)
          offset = y(1:2, beam%point(p))
-         if (length_of(offset) > beam%point_law(p)%clearance) &
-            call wall_action(beam%point_law(p), offset, 0.0_wp, 0.0_wp, bent%points(p), across, couple, a, b)
+         if (.not. length_of(offset) > beam%point_law(p)%clearance) cycle
+         call push_at(beam%point_law(p), offset, push)
+         bent%points(p) = push%force
       end do
    end subroutine find_forces
 

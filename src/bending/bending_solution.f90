@@ -8,8 +8,9 @@
 !> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
-   use dg_bending_beam, only: add_contact, bending_beam_type, curvature_within, node_unknowns, set_linear_part
-   use dg_bending_elimination, only: eliminate, product_of
+   use dg_bending_beam, only: add_contact, add_contact_stiffness, beam_contact_type, bending_beam_type, curvature_within, &
+                              node_unknowns, set_linear_part
+   use dg_bending_elimination, only: eliminate
    use dg_block_matrix, only: block_matrix_type, copy_matrix
    implicit none
    private
@@ -35,6 +36,7 @@ contains
       !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
       real(wp), intent(in), optional :: anchor(:, :)
       type(block_matrix_type) :: linear, matrix
+      type(beam_contact_type) :: contact
       real(wp), dimension(node_unknowns, size(y, 2)) :: load, residual, step, trial
       real(wp) :: scale, work, share, lower, upper, work_lower, work_trial
       logical :: regular, definite, small
@@ -47,19 +49,17 @@ contains
       scale = max(maxval(abs(load(1:2, :))), tiny(1.0_wp))
       matrix = linear
       found = .false.
-      call assemble(beam, linear, load, fixed, y, residual, anchor, matrix)
+      call find_residual(beam, linear, load, fixed, y, residual, contact, anchor)
       do iteration = 0, most_iterations
          if (maxval(abs(residual)) <= tolerance*scale) then
             found = .true.
             return
          end if
-         call fix_unknowns(fixed, matrix)
+         call set_matrix(beam, linear, contact, fixed, merge(1, 0, present(anchor)), matrix)
          step = -residual
          call eliminate(matrix, step, regular, definite)
          if (.not. (regular .and. definite)) then
-            call assemble(beam, linear, load, fixed, y, residual, anchor, matrix)
-            call add_viscous(beam, matrix)
-            call fix_unknowns(fixed, matrix)
+            call set_matrix(beam, linear, contact, fixed, merge(2, 1, present(anchor)), matrix)
             step = -residual
             call eliminate(matrix, step, regular, definite)
             if (.not. regular) return
@@ -72,11 +72,7 @@ contains
          small = is_small(beam, y, step, settled)
          do try = 1, most_trials
             trial = y + share*step
-            if (try == 1 .and. .not. small) then      ! most often the shape that is taken
-               call assemble(beam, linear, load, fixed, trial, residual, anchor, matrix)
-            else
-               call assemble(beam, linear, load, fixed, trial, residual, anchor)
-            end if
+            call find_residual(beam, linear, load, fixed, trial, residual, contact, anchor)
             work_trial = sum(residual*step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
@@ -93,32 +89,46 @@ contains
          y = trial
          found = small .and. share >= 1.0_wp
          if (found) return
-         if (small .or. share < 1.0_wp) call assemble(beam, linear, load, fixed, y, residual, anchor, matrix)
       end do
    end subroutine solve_bending
 
-   !> Residual, and matrix where it is asked for, at a shape, contact included [N, N.m].
-   pure subroutine assemble(beam, linear, load, fixed, shape, residual, anchor, matrix)
+   !> Residual at a shape, contact included [N, N.m].
+   pure subroutine find_residual(beam, linear, load, fixed, shape, residual, contact, anchor)
       type(bending_beam_type), intent(in) :: beam
       type(block_matrix_type), intent(in) :: linear     !< of all but contact
-      real(wp), contiguous, intent(in) :: load(:, :)                !< of all but contact
+      real(wp), contiguous, intent(in) :: load(:, :)    !< of all but contact
       logical, intent(in) :: fixed(:, :)                !< unknowns that stay as they are
       real(wp), contiguous, intent(in) :: shape(:, :)
       real(wp), contiguous, intent(out) :: residual(:, :)
+      type(beam_contact_type), intent(inout) :: contact !< how the wall presses there
       real(wp), intent(in), optional :: anchor(:, :)
-      type(block_matrix_type), intent(inout), optional :: matrix
       integer :: n
-      if (present(matrix)) call copy_matrix(linear, matrix)
       call linear_residual(linear, load, shape, residual)
-      call add_contact(beam, shape, residual, matrix)
+      call add_contact(beam, shape, residual, contact)
       if (present(anchor)) then
          do n = 1, size(shape, 2)
             residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
          end do
-         if (present(matrix)) call add_viscous(beam, matrix)
       end if
       where (fixed) residual = 0.0_wp
-   end subroutine assemble
+   end subroutine find_residual
+
+   !> Matrix where the wall presses so.
+   pure subroutine set_matrix(beam, linear, contact, fixed, viscous, matrix)
+      type(bending_beam_type), intent(in) :: beam
+      type(block_matrix_type), intent(in) :: linear     !< of all but contact
+      type(beam_contact_type), intent(in) :: contact
+      logical, intent(in) :: fixed(:, :)                !< unknowns that stay as they are
+      integer, intent(in) :: viscous                    !< how many times the stiffness that holds a compressed string is added
+      type(block_matrix_type), intent(inout) :: matrix
+      integer :: i
+      call copy_matrix(linear, matrix)
+      call add_contact_stiffness(beam, contact, matrix)
+      do i = 1, viscous
+         call add_viscous(beam, matrix)
+      end do
+      call fix_unknowns(fixed, matrix)
+   end subroutine set_matrix
 
    !> Stiffness that holds a compressed string, at its nodes.
    pure subroutine add_viscous(beam, matrix)
@@ -159,15 +169,21 @@ contains
       type(block_matrix_type), intent(in) :: matrix
       real(wp), contiguous, intent(in) :: load(:, :), y(:, :)
       real(wp), contiguous, intent(out) :: residual(:, :)
-      real(wp) :: r(node_unknowns)
       integer :: n
       do n = 1, size(y, 2)
-         r = product_of(matrix%diagonal(:, :, n), y(:, n)) - load(:, n)
-         if (n > 1) r = r + product_of(matrix%lower(:, :, n - 1), y(:, n - 1))
-         if (n < size(y, 2)) r = r + product_of(matrix%upper(:, :, n), y(:, n + 1))
-         residual(:, n) = r
+         residual(:, n) = -load(:, n)
+         call add_product(matrix%diagonal(:, :, n), y(:, n), residual(:, n))
+         if (n > 1) call add_product(matrix%lower(:, :, n - 1), y(:, n - 1), residual(:, n))
+         if (n < size(y, 2)) call add_product(matrix%upper(:, :, n), y(:, n + 1), residual(:, n))
       end do
    end subroutine linear_residual
+
+   !> r <- r + a x, of a block and a node's unknowns.
+   pure subroutine add_product(a, x, r)
+      real(wp), intent(in) :: a(node_unknowns, node_unknowns), x(node_unknowns)
+      real(wp), intent(inout) :: r(node_unknowns)
+      r = r + (a(:, 1)*x(1) + a(:, 2)*x(2) + a(:, 3)*x(3) + a(:, 4)*x(4))
+   end subroutine add_product
 
    !> Takes unknowns that stay as they are out of the matrix: zero rows and columns, with ones on the diagonal.
    pure subroutine fix_unknowns(fixed, matrix)
