@@ -2,15 +2,16 @@
 module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum
+   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum, variance_kinds
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_fit_by_kinds, only: fit_by_kinds
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_least_squares, only: fit_done, fit_from_less, fit_without_values
+   use dg_least_squares, only: fit_done, fit_without_values
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_progress, only: seconds_between
@@ -100,7 +101,8 @@ contains
       type(string_function_type) :: function
       real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
       real(wp), dimension(size(calibration%data)) :: measured, deviation
-      logical :: known, is_hookload(size(calibration%data))
+      logical :: is_hookload(size(calibration%data))
+      integer :: kinds(size(calibration%data))
       integer(int64) :: start, finish
       call system_clock(start)
       call new_string_function(function, model, calibration, calibration%models(place), threads)
@@ -121,11 +123,12 @@ contains
          upper = scale
       end where
       ! a string that does not reach its depth with the friction it has does so with less
-      call fit_from_less(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, deviation, &
-                         result%fit, result%halvings)
-      known = all(is_hookload .and. calibration%hookload_deviation%present .or. &
-                  .not. is_hookload .and. calibration%torque_deviation%present)
-      call judge_fit(result, measured, deviation, known)
+      kinds = variance_kinds(calibration)
+      call fit_by_kinds(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, kinds, &
+                        deviation, result%fit, result%halvings)
+      call judge_fit(result, measured, deviation, kinds, calibration%data%kind)
+      if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
+         calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
       if (result%fit%status == fit_without_values) then
          associate (datum => calibration%data(result%fit%lost))
             result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &

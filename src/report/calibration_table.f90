@@ -2,7 +2,8 @@
 !> after, and in plain words what the data cannot tell. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, unknown_type
+   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, torque_datum, &
+                             unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
@@ -168,6 +169,7 @@ contains
       type(calibration_result_type), intent(in) :: result
       real(wp), parameter :: misfit = 2.0_wp
       logical :: unknown_error(size(calibration%unknowns))
+      real(wp) :: scatter
       integer :: k, j
       do k = 1, size(calibration%unknowns)
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
@@ -194,9 +196,16 @@ contains
                         k=1, size(calibration%unknowns))]
       if (any(unknown_error) .and. result%statistics%freedom > 0) call append_text(lines, 'Note: the measured values are met '// &
          'to round-off, which tells nothing of their error; give a hookload_deviation')
-      if (result%statistics%scatter > misfit .and. (calibration%hookload_deviation%present .or. &
+      scatter = result%statistics%scatter
+      if (all(.not. is_missing(result%deviations))) then
+         call append_text(lines, 'Standard deviations by the residuals: '//quantity_text(units, hookload_datum)//': '// &
+            to_text(result%deviations(hookload_datum)/units%force, 3)//'; '//quantity_text(units, torque_datum)//': '// &
+            to_text(result%deviations(torque_datum)/units%moment, 3))
+         scatter = maxval(result%scatters, mask=[calibration%hookload_deviation%present, calibration%torque_deviation%present])
+      end if
+      if (scatter > misfit .and. (calibration%hookload_deviation%present .or. &
           calibration%torque_deviation%present)) call append_text(lines, 'Warning: residuals are '// &
-         to_text(result%statistics%scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
+         to_text(scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
          'what was measured')
    end subroutine append_warnings
 
