@@ -79,8 +79,8 @@ contains
    end function scatter_of
 
    !> Covariance of the unknowns with what estimated variances add to it, and the degrees of freedom of each. The deviations are
-   !> those estimated. Kenward & Roger's C + 2 C L C with L = sum over kinds of W_kl (d_kl A_k - A_k C A_l), A_k the kind's normal matrix
-   !> and W the covariance of the variances.
+   !> those estimated. Kenward & Roger's C + 2 C L C with L = sum over kinds of W_kl (d_kl A_k - A_k C A_l), A_k the normal
+   !> matrix of a kind and W the covariance of the variances.
    pure subroutine adjust_covariance(jacobian, kinds, covariance, freedom)
       real(wp), intent(in) :: jacobian(:, :)       !< (data, unknowns found), over the deviations
       integer, intent(in) :: kinds(:)              !< one a datum

@@ -8,6 +8,7 @@ module dg_calibration_table
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
    use dg_job, only: model_name
+   use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done
    use dg_load_case, only: given, operation_label, optional_real
    use dg_missing, only: is_missing
@@ -44,6 +45,7 @@ contains
       call append_data(lines, units, model, calibration, result)
       call append_warnings(lines, units, model, calibration, result)
       if (calibration%apply) call append_applied(lines, model, calibration, result)
+      if (calibration%apply) call append_learnt(lines, calibration, result, size(model%holes))
       call append_text(lines, to_text(result%fit%iterations)//' iterations, '//to_text(result%solutions)//' solutions, '// &
                        to_text(result%seconds, 3)//' s')
    end function calibration_table
@@ -230,6 +232,34 @@ contains
          end associate
       end do
    end subroutine append_applied
+
+   !> What a &uncertainty of another deck may repeat.
+   subroutine append_learnt(lines, calibration, result, sections)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: sections
+      real(wp) :: deviations(sections), correlation(sections, sections)
+      character(:), allocatable :: text
+      logical :: known
+      integer :: i, j
+      call learn_friction(calibration, result, deviations, correlation, known)
+      if (.not. known) return
+      text = ''
+      do i = 1, sections
+         text = text//', '//trim(adjustl(fixed_cell(deviations(i), cell_width, 5)))
+      end do
+      call append_text(lines, 'In &uncertainty of another deck: friction_deviations = '//text(3:)// &
+                       ", friction_parameter = '"//trim(parameter_name(calibration%parameter))//"'")
+      if (sections == 1) return
+      text = ''
+      do i = 1, sections
+         do j = i + 1, sections
+            text = text//', '//trim(adjustl(fixed_cell(correlation(i, j), cell_width, factor_digits)))
+         end do
+      end do
+      call append_text(lines, '  friction_correlations = '//text(3:))
+   end subroutine append_learnt
 
    !> What a factor is for.
    function unknown_text(units, model, unknown) result(text)
