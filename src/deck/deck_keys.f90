@@ -74,7 +74,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
          meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
-         meaning='path between stations')]
+         meaning='path between stations; a spline wants them every 30 m or so where the hole bends')]
 
    type(key_rule_type), parameter :: hole_keys(9) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
