@@ -201,7 +201,7 @@ contains
          allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - profile%md(i)))), &
                                 i=1, size(profile%md))])
          call find_buckled_shape(profile%md, profile%axial, profile%displacement/(0.5_wp*(along%hole_diameter - along%od)), &
-                                 profile%clock, ei, shape, whole%coil_turns)
+                                 profile%clock, ei, along%sinusoidal, shape, whole%coil_turns)
          whole%shape = maxval(shape)
          do i = 2, size(shape)
             length = profile%md(i) - profile%md(i - 1)

@@ -49,6 +49,7 @@ contains
       call suite%addTest(TestMethod('rotating_in_straight_hole', test_straight))
       call suite%addTest(TestMethod('hanging_in_an_arc', test_arc))
       call suite%addTest(TestMethod('pushed_beyond_buckling', test_pushed))
+      call suite%addTest(TestMethod('follows_a_crooked_hole', test_crooked))
       call suite%addTest(TestMethod('margin_of_stability', test_margin))
       call suite%addTest(TestMethod('turns_of_a_coil', test_coil))
       call suite%addTest(TestMethod('weight_before_lock_up', test_lock_up))
@@ -284,6 +285,31 @@ contains
       call assertTrue(whole%snaking_length > 0.0_wp, message='snakes')
       call assertRelativelyEqual(wob, whole%wob_buckling%value*1.2_wp, 1.0e-6_wp, message='weight on bit to buckle')
    end subroutine test_pushed
+
+   !> A hole that bends to and fro between its stations, at 40 deg, and a string pushed with a part of the least load of buckling:
+   !> its angle swings about as long as a buckling wave, but it neither snakes nor coils.
+   subroutine test_crooked()
+      integer, parameter :: stations = 33
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: compression, least
+      integer :: i, k
+      do k = 1, 3
+         call build(model, [(30.0_wp*i, i=0, stations)], [(40.0_wp + 0.8_wp*cos(1.7_wp*i), i=0, stations)], &
+                    [(30.0_wp + 1.5_wp*sin(2.1_wp*i), i=0, stations)], 0.25_wp)
+         call solve_all(model, operation_sliding_drilling, 20.0e3_wp*k, 0.0_wp, result, along, whole)
+         compression = -minval(result%profile%axial)
+         least = minval(along%sinusoidal)
+         call note('compression over the least load of buckling', compression/least)
+         call assertLessThan(compression, 0.6_wp*least, message='far from buckling')
+         call assertGreaterThan(maxval(result%profile%clock) - minval(result%profile%clock), 0.5_wp, message='its angle swings')
+         call assertEqual(buckling_none, whole%shape, message='follows the hole')
+         call assertEqual(0.0_wp, whole%snaking_length, rounding, message='no snake')
+      end do
+   end subroutine test_crooked
+
    !> At 90 deg, without friction, the string leaves the low side at Dawson and Paslay's load.
    subroutine test_margin()
       real(wp), parameter :: depth = 800.0_wp, clearance = 0.5_wp*(hole - joint), share(4) = [0.5_wp, 0.6_wp, 0.8_wp, 0.95_wp]
