@@ -16,8 +16,8 @@ module dg_buckled_shape
    !> A swing takes no longer than this times half a wave pi sqrt(2 EI/F) [-]: a string that changes sides where the hole turns
    !> does not snake.
    real(wp), parameter :: longest_swing = 2.5_wp
-   !> A swing or coil is one of buckling where compression is this part of the sinusoidal load, over half of a swing's length or half
-   !> of a coil's turns [-]. Snakes begin at 0.97 to 1.06 of it.
+   !> A swing or coil is one of buckling where compression is this part of the sinusoidal load, over half of a swing's length or
+   !> half of a coil's turns [-]. Snakes begin at 0.97 to 1.06 of it.
    real(wp), parameter :: enough = 0.95_wp
 
 contains
