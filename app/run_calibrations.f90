@@ -2,21 +2,24 @@
 module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum
+   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum, variance_kinds
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_fit_by_kinds, only: fit_by_kinds
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_least_squares, only: fit_done, fit_from_less, fit_without_values
+   use dg_learnt_friction, only: learn_friction
+   use dg_least_squares, only: fit_done, fit_without_values
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_progress, only: seconds_between
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
    use dg_text, only: quoted, text_type, to_text
+   use dg_uncertainty, only: friction_factor_of, uncertainty_type
    implicit none
    private
    public :: run_calibrations
@@ -31,11 +34,13 @@ contains
    !> Each calibration with each of its models. `calibrated` is the model with the friction that is to be applied. `lost` counts
    !> those without a fit; `error` tells that a file could not be written, or that there is nothing to apply. A run that is a
    !> part of others, or joins them, does what is applied alone, and neither prints nor writes it.
-   subroutine run_calibrations(printed, job, model, calibrated, lost, error)
+   !> The uncertainties that go on from a calibration get its deviations of friction.
+   subroutine run_calibrations(printed, job, model, calibrated, uncertainties, lost, error)
       type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(model_type), intent(out) :: calibrated
+      type(uncertainty_type), intent(inout) :: uncertainties(:)     !< of the deck
       integer, intent(out) :: lost
       type(error_type), allocatable, intent(out) :: error
       type(calibration_result_type), allocatable :: results(:)
@@ -69,6 +74,7 @@ contains
             end if
             if (job%calibrations(i)%apply .and. results(n)%fit%status == fit_done) call apply_factors(job%calibrations(i), &
                results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%holes)
+            call hand_on(i, job%calibrations(i), results(n), size(model%holes), uncertainties, error)
             if (job%calibrations(i)%apply .and. results(n)%fit%status /= fit_done .and. .not. allocated(error)) &
                call raise(error, status_not_converged, 'calibration '//quoted(job%calibrations(i)%name)// &
                           ' has found no friction to apply, so what is to use it was not run')
@@ -90,6 +96,31 @@ contains
          interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done')
    end subroutine run_calibrations
 
+   !> Gives the deviations that a calibration has found to the uncertainties that go on from it; an error where it found none.
+   subroutine hand_on(number, calibration, result, sections, uncertainties, error)
+      integer, intent(in) :: number            !< of the calibration in the deck
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: sections          !< of the hole
+      type(uncertainty_type), intent(inout) :: uncertainties(:)
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp) :: deviations(sections), correlation(sections, sections)
+      logical :: known
+      integer :: i
+      if (result%fit%status /= fit_done) return
+      do i = 1, size(uncertainties)
+         if (uncertainties(i)%calibration /= number) cycle
+         call learn_friction(calibration, result, deviations, correlation, known)
+         uncertainties(i)%friction_deviations = deviations
+         if (allocated(uncertainties(i)%friction_factor)) deallocate (uncertainties(i)%friction_factor)
+         allocate (uncertainties(i)%friction_factor(sections, sections))
+         if (known) call friction_factor_of(deviations, correlation, uncertainties(i)%friction_factor, known)
+         if (.not. known .and. .not. allocated(error)) call raise(error, status_not_converged, 'calibration '// &
+            quoted(calibration%name)//' knows no intervals of the friction of its hole sections, so uncertainty '// &
+            quoted(uncertainties(i)%range%name)//' was not run')
+      end do
+   end subroutine hand_on
+
    !> One calibration with one model.
    subroutine calibrate(model, calibration, place, threads, result)
       type(model_type), intent(in) :: model
@@ -100,7 +131,8 @@ contains
       type(string_function_type) :: function
       real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
       real(wp), dimension(size(calibration%data)) :: measured, deviation
-      logical :: known, is_hookload(size(calibration%data))
+      logical :: is_hookload(size(calibration%data))
+      integer :: kinds(size(calibration%data))
       integer(int64) :: start, finish
       call system_clock(start)
       call new_string_function(function, model, calibration, calibration%models(place), threads)
@@ -121,11 +153,12 @@ contains
          upper = scale
       end where
       ! a string that does not reach its depth with the friction it has does so with less
-      call fit_from_less(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, deviation, &
-                         result%fit, result%halvings)
-      known = all(is_hookload .and. calibration%hookload_deviation%present .or. &
-                  .not. is_hookload .and. calibration%torque_deviation%present)
-      call judge_fit(result, measured, deviation, known)
+      kinds = variance_kinds(calibration)
+      call fit_by_kinds(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, kinds, &
+                        deviation, result%fit, result%halvings)
+      call judge_fit(result, measured, deviation, kinds, calibration%data%kind)
+      if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
+         calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
       if (result%fit%status == fit_without_values) then
          associate (datum => calibration%data(result%fit%lost))
             result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &

@@ -71,10 +71,11 @@ contains
    end subroutine run_deck
 
    !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
-   subroutine run_in_folder(job, given, status)
-      type(job_type), intent(in) :: job
+   subroutine run_in_folder(asked, given, status)
+      type(job_type), intent(in) :: asked          !< as the deck has it
       type(model_type), intent(in) :: given        !< as the deck has it
       integer, intent(inout) :: status
+      type(job_type) :: job                        !< with deviations that calibrations hand on
       type(model_type) :: model                    !< with friction that calibrations apply
       type(sweep_run_type), allocatable :: sweeps(:)
       type(uncertainty_run_type), allocatable :: uncertainties(:)
@@ -86,12 +87,13 @@ contains
       integer :: i, lost, rows
       logical :: calibrated_first
 
-      calibrated_first = any(job%calibrations%apply)
+      calibrated_first = any(asked%calibrations%apply)
       model = given
+      job = asked
       lost = 0
       if (calibrated_first) then
          call begin_files(job, given, error)
-         if (.not. allocated(error)) call run_calibrations(printed, job, given, model, lost, error)
+         if (.not. allocated(error)) call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
          if (lost > 0) status = status_not_converged
       end if
       if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
@@ -111,7 +113,7 @@ contains
       if (is_interrupted()) then
          if (size(job%calibrations) + size(job%stickings) > 0 .and. .not. calibrated_first) call note_ending('calibrations', status)
       else if (job%parts == 0 .and. job%merge == 0 .and. .not. calibrated_first) then
-         call run_calibrations(printed, job, given, model, lost, error)
+         call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end if

@@ -129,8 +129,8 @@ contains
       if (size(measured) > 1) result%torque_above = fit%unknowns(2)
       if (any(fit%at_bound)) result%status = sticking_at_bound
       if (.not. sticking%hookload_deviation%present) return
-      call find_statistics(fit%jacobian, (fit%values - measured)/deviation, .not. (fit%at_bound .or. fit%unfelt), .true., &
-                           statistics)
+      call find_statistics(fit%jacobian, (fit%values - measured)/deviation, .not. (fit%at_bound .or. fit%unfelt), &
+                           spread(0, 1, size(measured)), statistics)
       result%half_width = statistics%half_width(1)
    end subroutine resistance
 

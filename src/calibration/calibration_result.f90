@@ -2,7 +2,10 @@
 module dg_calibration_result
    use dg_kinds, only: wp
    use dg_fit_statistics, only: find_statistics, statistics_type
-   use dg_least_squares, only: fit_done, fit_type, fit_without_values
+   use dg_fit_by_kinds, only: free_unknowns
+   use dg_least_squares, only: fit_done, fit_type
+   use dg_missing, only: is_missing, missing
+   use dg_variance_components, only: scatter_of
    implicit none
    private
    public :: calibration_result_type, judge_fit, verdict_of
@@ -21,6 +24,9 @@ module dg_calibration_result
       real(wp), allocatable :: before(:)          !< each datum as the deck has it; missing where there is no solution
       type(fit_type) :: fit
       type(statistics_type) :: statistics
+      !> Standard deviations of hook loads [N] and torques [N.m] by the residuals, whether known or not, and these over those that
+      !> the intervals go by [-]; missing where no value is spare.
+      real(wp) :: deviations(2) = missing, scatters(2) = missing
       character(:), allocatable :: message        !< why there is no fit; '' else
       integer :: halvings = 0                     !< of the factors, until the fit could begin
       integer :: solutions = 0                    !< load cases solved
@@ -30,13 +36,22 @@ module dg_calibration_result
 contains
 
    !> Statistics of what was fitted; of nothing where the function had no values.
-   subroutine judge_fit(result, measured, deviation, deviations_known)
+   subroutine judge_fit(result, measured, deviation, kinds, of_what)
       type(calibration_result_type), intent(inout) :: result
       real(wp), intent(in) :: measured(:), deviation(:)
-      logical, intent(in) :: deviations_known
-      call find_statistics(result%fit%jacobian, (result%fit%values - measured)/deviation, &
-                           .not. (result%fit%at_bound .or. result%fit%unfelt) .and. result%fit%status /= fit_without_values, &
-                           deviations_known, result%statistics)
+      integer, intent(in) :: kinds(:)     !< number of each datum's variance; 0 where its deviation is known
+      integer, intent(in) :: of_what(:)   !< hookload_datum or torque_datum
+      integer :: columns(count(free_unknowns(result%fit))), k
+      associate (fit => result%fit, residual => (result%fit%values - measured)/deviation)
+         call find_statistics(fit%jacobian, residual, free_unknowns(fit), kinds, result%statistics)
+         if (fit%status /= fit_done) return
+         columns = pack([(k, k=1, size(fit%unknowns))], free_unknowns(fit))
+         do k = 1, size(result%scatters)
+            result%scatters(k) = scatter_of(fit%jacobian(:, columns), residual, of_what == k)
+            if (any(of_what == k) .and. .not. is_missing(result%scatters(k))) &
+               result%deviations(k) = result%scatters(k)*maxval(deviation, mask=of_what == k)
+         end do
+      end associate
    end subroutine judge_fit
 
    !> What a found value is worth.

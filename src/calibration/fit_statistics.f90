@@ -5,6 +5,7 @@ module dg_fit_statistics
    use dg_constants, only: pi
    use dg_lapack, only: dgesvd
    use dg_missing, only: missing
+   use dg_variance_components, only: adjust_covariance
    implicit none
    private
    public :: statistics_type, mixture_type, find_statistics, student_quantile
@@ -43,15 +44,16 @@ module dg_fit_statistics
 contains
 
    !> Statistics of a fit. Where deviations of the data are known they set the intervals, else the residuals do; then there
-   !> must be more data than unknowns.
-   subroutine find_statistics(jacobian, residual, found, deviations_known, statistics)
+   !> must be more data than unknowns. With data of several kinds the deviations must be those of dg_variance_components.
+   subroutine find_statistics(jacobian, residual, found, kinds, statistics)
       real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns), over the deviations
       real(wp), intent(in) :: residual(:)        !< over the deviations
       logical, intent(in) :: found(:)            !< which unknowns the fit was free to choose
-      logical, intent(in) :: deviations_known
+      integer, intent(in) :: kinds(:)            !< number of each datum's variance; 0 where its deviation is known
       type(statistics_type), intent(out) :: statistics
       real(wp) :: factor
       integer :: columns(count(found)), k, n
+      logical :: pooled
       n = size(columns)
       columns = pack([(k, k=1, size(found))], found)
       statistics%freedom = size(residual) - n
@@ -61,7 +63,16 @@ contains
       allocate (statistics%mixtures(0), statistics%singular_values(n))
       if (n == 0 .or. n > size(residual)) return
       call decompose(jacobian(:, columns), columns, statistics)
-      if (deviations_known) then
+      pooled = all(kinds == 1)
+      if (.not. all(kinds == 0) .and. .not. pooled) then
+         if (statistics%freedom > 0 .and. statistics%scatter > no_scatter) then
+            call adjust(jacobian(:, columns), kinds, columns, statistics)
+         else
+            statistics%deviation = missing
+         end if
+         return
+      end if
+      if (.not. pooled) then
          factor = student_quantile(0.5_wp + 0.5_wp*confidence, as_normal)
       else if (statistics%freedom > 0 .and. statistics%scatter > no_scatter) then
          where (statistics%deviation > missing) statistics%deviation = statistics%deviation*statistics%scatter
@@ -72,6 +83,46 @@ contains
       end if
       where (statistics%deviation > missing) statistics%half_width = factor*statistics%deviation
    end subroutine find_statistics
+
+   !> Deviations, intervals and correlations where variances of several kinds were estimated.
+   subroutine adjust(jacobian, kinds, columns, statistics)
+      real(wp), intent(in) :: jacobian(:, :)
+      integer, intent(in) :: kinds(:), columns(:)
+      type(statistics_type), intent(inout) :: statistics
+      real(wp) :: covariance(size(columns), size(columns)), freedom(size(columns)), freedoms
+      integer :: k, j
+      if (any(statistics%deviation(columns) <= missing)) return
+      do k = 1, size(columns)
+         do j = 1, size(columns)
+            covariance(j, k) = statistics%correlation(columns(j), columns(k))*statistics%deviation(columns(j))* &
+                               statistics%deviation(columns(k))
+         end do
+      end do
+      call adjust_covariance(jacobian, kinds, covariance, freedom)
+      do k = 1, size(columns)
+         statistics%deviation(columns(k)) = sqrt(max(covariance(k, k), 0.0_wp))
+         freedoms = min(freedom(k), real(as_normal, wp))
+         statistics%half_width(columns(k)) = statistics%deviation(columns(k))*quantile_between(0.5_wp + 0.5_wp*confidence, freedoms)
+      end do
+      do k = 1, size(columns)
+         do j = 1, size(columns)
+            statistics%correlation(columns(j), columns(k)) = covariance(j, k)/ &
+               max(statistics%deviation(columns(j))*statistics%deviation(columns(k)), tiny(1.0_wp))
+         end do
+      end do
+   end subroutine adjust
+
+   !> Student's quantile for a freedom that is no whole number: by a straight line in its inverse.
+   pure function quantile_between(probability, freedom) result(quantile)
+      real(wp), intent(in) :: probability
+      real(wp), intent(in) :: freedom       !< >= 1
+      real(wp) :: quantile
+      real(wp) :: share
+      integer :: below
+      below = int(freedom)
+      share = (1.0_wp/below - 1.0_wp/freedom)*real(below, wp)*real(below + 1, wp)
+      quantile = (1.0_wp - share)*student_quantile(probability, below) + share*student_quantile(probability, below + 1)
+   end function quantile_between
 
    !> Covariances for data of deviation 1, from the singular values of the Jacobian with columns of length 1.
    subroutine decompose(jacobian, columns, statistics)

@@ -65,10 +65,16 @@ contains
       type(model_type), intent(in) :: model
       type(uncertainty_type), intent(in) :: uncertainty
       type(text_type), allocatable :: lines(:)
+      integer :: i
       allocate (lines, source=sweep_lines(model, uncertainty%range))
       call append_text(lines, 'samples = '//to_text(uncertainty%samples))
       call append_text(lines, 'seed = '//to_text(uncertainty%seed))
-      call append_text(lines, 'deviation of friction = '//to_text(uncertainty%friction_deviation))
+      if (allocated(uncertainty%friction_factor)) then
+         do i = 1, size(uncertainty%friction_factor, 1)
+            call append_numbers(lines, 'friction of hole '//to_text(i), uncertainty%friction_factor(i, :i))
+         end do
+         call append_text(lines, 'friction axial, rotary = '//yes_or_no(uncertainty%axial)//' '//yes_or_no(uncertainty%rotary))
+      end if
       call append_text(lines, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
       call append_text(lines, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
       call append_text(lines, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))

@@ -48,7 +48,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run'), &
+         meaning='models to run; what rigid and mixed are worth: below'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
@@ -74,7 +74,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
          meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
-         meaning='path between stations')]
+         meaning='path between stations; a spline wants them every 30 m or so where the hole bends')]
 
    type(key_rule_type), parameter :: hole_keys(9) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
@@ -282,7 +282,7 @@ module dg_deck_keys
       key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
          meaning='all that follows uses the friction found in place of that of the hole sections')]
 
-   type(key_rule_type), parameter :: uncertainty_keys(21) = [ &
+   type(key_rule_type), parameter :: uncertainty_keys(26) = [ &
       key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('uncertainty', 'operations', kind_text, array=.true., choices='*', &
          meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
@@ -310,7 +310,17 @@ module dg_deck_keys
       key_rule_type('uncertainty', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
          meaning='of the random numbers: the same seed gives the same results'), &
       key_rule_type('uncertainty', 'friction_deviation', low=0.0_wp, high=roughest, default='0', &
-         meaning='standard deviation of the coefficients, each hole section on its own, axial and rotary alike'), &
+         meaning='standard deviation of the coefficients of all hole sections'), &
+      key_rule_type('uncertainty', 'friction_correlation', low=0.0_wp, high=1.0_wp, default='1', &
+         meaning='of two hole sections: 1 one error for the whole hole, 0 each section on its own'), &
+      key_rule_type('uncertainty', 'friction_deviations', array=.true., low=0.0_wp, high=roughest, &
+         meaning='in place of friction_deviation, one for each hole section, in the order of the deck'), &
+      key_rule_type('uncertainty', 'friction_correlations', array=.true., low=-1.0_wp, high=1.0_wp, &
+         meaning='in place of friction_correlation: of sections 1 and 2, 1 and 3, ..., 2 and 3, ...'), &
+      key_rule_type('uncertainty', 'friction_parameter', kind_text, default='friction', &
+         choices='friction friction_axial friction_rotary', meaning='which coefficients that is for: both alike, or one'), &
+      key_rule_type('uncertainty', 'friction_from', kind_text, &
+         meaning='name of a &calibrate with apply = .true.: deviations and correlations that it finds'), &
       key_rule_type('uncertainty', 'density_deviation', unit=unit_density, low=0.0_wp, high=heaviest, default='0', &
          meaning='standard deviation of the mud density'), &
       key_rule_type('uncertainty', 'inclination_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &

@@ -96,7 +96,7 @@ contains
       call take_study(draft, checked, job%models, job%study, faults)
       call take_calibrations(draft, checked, job%calibrations, faults)
       call take_stickings(draft, checked, job%stickings, faults)
-      call take_uncertainties(draft, checked, job%models, job%uncertainties, faults)
+      call take_uncertainties(draft, checked, job%models, job%calibrations, job%uncertainties, faults)
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       job%inputs = inputs_of(path, checked, catalogue, job%legacy)
       if (faults%count == 0) call build_model(draft, model, faults)

@@ -3,7 +3,7 @@
 !>
 !> The string is stiff around a change of curvature (dg_curvature_change)
 !>   - where the string is stiffer than its uppermost component (the bottom-hole assembly), or
-!>   - where the wall forces the bend, E I |dk| > |T| c, or
+!>   - where the wall forces the bend, E I |dk| > 2 |T| c, or
 !>   - where the curvature changes by more than 15 deg/30 m;
 !> the soft string holds between. Each stiff part reaches 20 bending lengths to both sides of its change, where
 !> moment and shear of the bend have died out to 2e-9: at the joins axial force and torque are handed over, and

@@ -12,7 +12,7 @@ module dg_calibration
    public :: calibration_type, unknown_type, datum_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
-   public :: apply_factors, applied_factor
+   public :: apply_factors, applied_factor, variance_kinds
    public :: offset_none, offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
@@ -60,8 +60,8 @@ module dg_calibration
       type(datum_type), allocatable :: data(:)
    end type calibration_type
 
-   !> Standard deviation where the deck tells none, over the mean of the measured values of a kind [-]. It only weighs hook
-   !> loads against torques: intervals then come from the residuals.
+   !> Standard deviation where the deck tells none, over the mean of the measured values of a kind [-]. Where hook loads
+   !> and torques are measured the residuals tell that of each (dg_fit_by_kinds); this is where they begin.
    real(wp), parameter :: usual_deviation = 0.02_wp
 
    !> A factor is applied as it is printed, with four decimals: it is never known better, the printed one gives the same
@@ -160,6 +160,23 @@ contains
          where (calibration%data%kind == kind) calibration%data%deviation = value
       end subroutine weigh
    end subroutine set_data
+
+   !> Number of the variance that the residuals must tell of each datum: one for hook loads, one for torques; 0 where the deck gives
+   !> the deviation.
+   pure function variance_kinds(calibration) result(kinds)
+      type(calibration_type), intent(in) :: calibration
+      integer :: kinds(size(calibration%data))
+      integer :: torques
+      kinds = 0
+      torques = 1
+      if (.not. calibration%hookload_deviation%present .and. any(calibration%data%kind == hookload_datum)) then
+         where (calibration%data%kind == hookload_datum) kinds = 1
+         torques = 2
+      end if
+      if (.not. calibration%torque_deviation%present) then
+         where (calibration%data%kind == torque_datum) kinds = torques
+      end if
+   end function variance_kinds
 
    !> Whether a measured number says something about an unknown: hook load about friction along the hole, torque about friction
    !> around it, each where the string moves so.

@@ -1,7 +1,7 @@
 !> calibration.csv: one row a factor; calibration_data.csv: one row a measured number, calculated before and after.
 module dg_calibration_file
    use dg_kinds, only: wp
-   use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name
+   use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
@@ -19,7 +19,7 @@ module dg_calibration_file
    public :: factor_columns, datum_columns, write_calibrations
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: factor_columns(28) = [ &
+   type(column_type), parameter :: factor_columns(30) = [ &
       column_type('calibration', quantity_text, 'its name'), &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('parameter', quantity_text, &
@@ -51,7 +51,9 @@ module dg_calibration_file
       column_type('torque_above', quantity_moment, 'in the string just above the stuck point'), &
       column_type('torque_below', quantity_moment, 'there if nothing stuck'), &
       column_type('torque_resistance', quantity_moment, 'above less below'), &
-      column_type('applied', quantity_none, 'the factor that the rest of the run used; empty: that of the deck')]
+      column_type('applied', quantity_none, 'the factor that the rest of the run used; empty: that of the deck'), &
+      column_type('hookload_deviation', quantity_force, 'standard deviation of hook loads by the residuals'), &
+      column_type('torque_deviation', quantity_moment, 'of torques')]
 
    type(column_type), parameter :: datum_columns(14) = [ &
       column_type('calibration', quantity_text, 'its name'), &
@@ -150,7 +152,7 @@ contains
                call put_none(row)
             end do
          end if
-         do i = row%count + 1, size(factor_columns) - 1
+         do i = row%count + 1, size(factor_columns) - 3
             call put_none(row)
          end do
          if (calibration%apply .and. result%fit%status == fit_done .and. .not. (one%is_offset .or. result%fit%unfelt(unknown))) then
@@ -158,6 +160,8 @@ contains
          else
             call put_none(row)
          end if
+         call put(row, known(result%deviations(hookload_datum)))
+         call put(row, known(result%deviations(torque_datum)))
       end associate
    end subroutine factor_fields
 

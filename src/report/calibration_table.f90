@@ -2,11 +2,13 @@
 !> after, and in plain words what the data cannot tell. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, unknown_type
+   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, torque_datum, &
+                             unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
    use dg_job, only: model_name
+   use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done
    use dg_load_case, only: given, operation_label, optional_real
    use dg_missing, only: is_missing
@@ -43,6 +45,7 @@ contains
       call append_data(lines, units, model, calibration, result)
       call append_warnings(lines, units, model, calibration, result)
       if (calibration%apply) call append_applied(lines, model, calibration, result)
+      if (calibration%apply) call append_learnt(lines, calibration, result, size(model%holes))
       call append_text(lines, to_text(result%fit%iterations)//' iterations, '//to_text(result%solutions)//' solutions, '// &
                        to_text(result%seconds, 3)//' s')
    end function calibration_table
@@ -168,6 +171,7 @@ contains
       type(calibration_result_type), intent(in) :: result
       real(wp), parameter :: misfit = 2.0_wp
       logical :: unknown_error(size(calibration%unknowns))
+      real(wp) :: scatter
       integer :: k, j
       do k = 1, size(calibration%unknowns)
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
@@ -194,9 +198,16 @@ contains
                         k=1, size(calibration%unknowns))]
       if (any(unknown_error) .and. result%statistics%freedom > 0) call append_text(lines, 'Note: the measured values are met '// &
          'to round-off, which tells nothing of their error; give a hookload_deviation')
-      if (result%statistics%scatter > misfit .and. (calibration%hookload_deviation%present .or. &
+      scatter = result%statistics%scatter
+      if (all(.not. is_missing(result%deviations))) then
+         call append_text(lines, 'Standard deviations by the residuals: '//quantity_text(units, hookload_datum)//': '// &
+            to_text(result%deviations(hookload_datum)/units%force, 3)//'; '//quantity_text(units, torque_datum)//': '// &
+            to_text(result%deviations(torque_datum)/units%moment, 3))
+         scatter = maxval(result%scatters, mask=[calibration%hookload_deviation%present, calibration%torque_deviation%present])
+      end if
+      if (scatter > misfit .and. (calibration%hookload_deviation%present .or. &
           calibration%torque_deviation%present)) call append_text(lines, 'Warning: residuals are '// &
-         to_text(result%statistics%scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
+         to_text(scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
          'what was measured')
    end subroutine append_warnings
 
@@ -221,6 +232,34 @@ contains
          end associate
       end do
    end subroutine append_applied
+
+   !> What a &uncertainty of another deck may repeat.
+   subroutine append_learnt(lines, calibration, result, sections)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: sections
+      real(wp) :: deviations(sections), correlation(sections, sections)
+      character(:), allocatable :: text
+      logical :: known
+      integer :: i, j
+      call learn_friction(calibration, result, deviations, correlation, known)
+      if (.not. known) return
+      text = ''
+      do i = 1, sections
+         text = text//', '//trim(adjustl(fixed_cell(deviations(i), cell_width, 5)))
+      end do
+      call append_text(lines, 'In &uncertainty of another deck: friction_deviations = '//text(3:)// &
+                       ", friction_parameter = '"//trim(parameter_name(calibration%parameter))//"'")
+      if (sections == 1) return
+      text = ''
+      do i = 1, sections
+         do j = i + 1, sections
+            text = text//', '//trim(adjustl(fixed_cell(correlation(i, j), cell_width, factor_digits)))
+         end do
+      end do
+      call append_text(lines, '  friction_correlations = '//text(3:))
+   end subroutine append_learnt
 
    !> What a factor is for.
    function unknown_text(units, model, unknown) result(text)

@@ -182,8 +182,9 @@ contains
       call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
                     'margin is beyond them. Safety factors stand where the deck gives a yield strength.</p>')
       call add_line(lines, '<p>neutral top: uppermost depth without axial force. overpull margin: pull that may be added at '// &
-                    'the top before anything yields. wob buckling, no hookload, lockup: weight on bit at which the string '// &
-                    'begins to buckle, that leaves nothing on the hook, and the same with the friction of a coiled string.</p>')
+                    'the top before anything yields, bending included. wob buckling, no hookload, lockup: weight on bit '// &
+                    'at which the string begins to buckle, that leaves nothing on the hook, and the same with the friction '// &
+                    'of a coiled string.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])

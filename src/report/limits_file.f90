@@ -18,7 +18,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(41) = [ &
+   type(column_type), parameter :: limits_columns(42) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -30,9 +30,9 @@ module dg_limits_file
       column_type('neutral_bottom', quantity_length, 'depth of the lowest'), &
       column_type('least_safety_factor', quantity_none, 'along the string; empty where no yield is given'), &
       column_type('least_safety_md', quantity_length, 'where'), &
-      column_type('least_envelope_margin', quantity_none, 'of the tension-torque envelope, along the string'), &
-      column_type('overpull_margin', quantity_force, 'pull that may be added at the top before the string yields, if all '// &
-         'of it arrived at the weakest place'), &
+      column_type('least_envelope_margin', quantity_none, 'of the tension-torque envelope, bending included, along the string'), &
+      column_type('overpull_margin', quantity_force, 'pull that may be added at the top before von Mises'' stress '// &
+         'reaches yield, bending included, if all of it arrived at the weakest place; negative where it yields already'), &
       column_type('buckling', quantity_text, 'worst state along the string: none, sinusoidal or helical'), &
       column_type('buckling_margin', quantity_force, 'least along the string; negative where it is buckled'), &
       column_type('buckling_margin_md', quantity_length, 'where'), &
@@ -67,7 +67,9 @@ module dg_limits_file
       column_type('bending_error', quantity_percent, 'how far moments may be off, of the largest: what two recoveries or two '// &
          'meshes differ by; empty where they were not looked at closely'), &
       column_type('largest_von_mises', quantity_stress, 'equivalent stress along the string'), &
-      column_type('von_mises_error', quantity_percent, 'how far it may be off for that')]
+      column_type('von_mises_error', quantity_percent, 'how far it may be off for that'), &
+      column_type('wob_yield', quantity_force, 'weight on bit at which a compressed part of the string yields, bending and '// &
+         'coils included; empty where it is locked up before')]
 
 contains
 
@@ -149,6 +151,7 @@ contains
       call put(row, in_percent(whole%bending_error))
       call put(row, whole%von_mises)
       call put(row, in_percent(whole%von_mises_error))
+      call put(row, whole%wob_yield)
    end subroutine limits_fields
 
    !> A share [-] in per cent.

@@ -36,8 +36,8 @@ module dg_profile_columns
       column_type('hoop_stress', quantity_stress, 'at the inner surface (Lame)'), &
       column_type('von_mises', quantity_stress, 'equivalent stress, largest in the section'), &
       column_type('safety_factor', quantity_none, 'yield over von_mises; empty where no yield is given'), &
-      column_type('envelope_margin', quantity_none, 'part of the tension-torque envelope left: 1 - sqrt((T/(A Y))^2 + '// &
-         '3 (tau/Y)^2); empty where no yield is given'), &
+      column_type('envelope_margin', quantity_none, 'part of the tension-torque envelope left, bending included: '// &
+         '1 - von_mises/yield; empty where no yield is given'), &
       column_type('bending_range', quantity_stress, 'of the bending stress in one turn of the string, for fatigue; '// &
          '0 where the string does not turn'), &
       column_type('sinusoidal_load', quantity_force, 'compression at which the string buckles into a sine; empty where '// &

@@ -59,7 +59,7 @@ contains
          call put(row, known(result%torque_above))
          call put(row, known(result%torque_below))
          call put(row, known(difference(result%torque_above, result%torque_below)))
-         call put_none(row)
+         call put_nones(3)
       end associate
    contains
       subroutine put_nones(number)

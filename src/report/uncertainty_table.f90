@@ -5,6 +5,7 @@ module dg_uncertainty_table
    use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: operation_label, optional_real
+   use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, right_aligned
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_number, point_type
@@ -46,7 +47,7 @@ contains
       type(uncertainty_type), intent(in) :: uncertainty
       character(:), allocatable :: text
       text = ''
-      call add('friction', uncertainty%friction_deviation)
+      call add_friction()
       call add('mud density', uncertainty%density_deviation/units%density)
       call add('inclination', uncertainty%inclination_deviation/units%angle)
       call add('azimuth', uncertainty%azimuth_deviation/units%angle)
@@ -54,6 +55,28 @@ contains
       call add('torque gauge', uncertainty%torque_deviation/units%moment)
       text = text(len(', ') + 1:)
    contains
+      !> One deviation, or one a hole section; how much varies together.
+      pure subroutine add_friction()
+         integer :: i
+         if (uncertainty%calibration > 0 .and. .not. allocated(uncertainty%friction_deviations)) text = text// &
+            ', friction as calibrated'
+         if (.not. allocated(uncertainty%friction_deviations)) return
+         associate (each => uncertainty%friction_deviations)
+            if (.not. any(each > 0.0_wp)) return
+            text = text//', friction '//to_text(each(1), digits)
+            do i = 2, size(each)
+               if (any(abs(each - each(1)) > 0.0_wp)) text = text//' and '//to_text(each(i), digits)
+            end do
+            if (uncertainty%calibration > 0) then
+               text = text//' as calibrated'
+            else if (size(each) > 1 .and. is_missing(uncertainty%friction_correlation)) then
+               text = text//' (correlations as given)'
+            else if (size(each) > 1) then
+               text = text//' (correlation '//to_text(uncertainty%friction_correlation, digits)//')'
+            end if
+         end associate
+      end subroutine add_friction
+
       pure subroutine add(name, value)
          character(*), intent(in) :: name
          real(wp), intent(in) :: value

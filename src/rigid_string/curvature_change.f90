@@ -6,9 +6,10 @@
 !> clearance bends gradually instead. Its moment is taken as the hole's with each jump d spread by
 !>     (d/2) exp(-|x|/l) before it,  -(d/2) exp(-|x|/l) behind it:
 !> the shape that a tensioned beam takes under a load that jumps, for which l = sqrt(E I/|T|), the bending
-!> length. It leaves the axis by l^2 |dk|, which must fit the clearance c, therefore
-!>     l = min(sqrt(E I/|T|), sqrt(c/|dk|)).
-!> Where the first is the smaller, E I |dk| <= |T| c, tension bends the string as it likes and stiffness adds
+!> length. It shifts the string across the hole by l^2 |dk|, from one side of the change to the other. From wall to wall there is
+!> room for twice the clearance c, therefore
+!>     l = min(sqrt(E I/|T|), sqrt(2 c/|dk|)).
+!> Where the first is the smaller, E I |dk| <= 2 |T| c, tension bends the string as it likes and stiffness adds
 !> nothing to the contact force of a soft string; where the second is, the wall forces the bend by a pair of
 !> contact forces of |d|/(2 l) each.
 module dg_curvature_change
@@ -69,9 +70,9 @@ contains
             change%stiffness = max(above%stiffness, below%stiffness)
             turn = norm2(change%moment)/change%stiffness
             clearance = max(min(above%clearance, below%clearance), 0.0_wp)
-            change%forced = norm2(change%moment) > abs(axial(i))*clearance
+            change%forced = norm2(change%moment) > 2.0_wp*abs(axial(i))*clearance
             if (change%forced) then
-               change%length = sqrt(clearance/turn)
+               change%length = sqrt(2.0_wp*clearance/turn)
             else
                change%length = sqrt(change%stiffness/abs(axial(i)))
             end if

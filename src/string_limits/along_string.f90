@@ -18,7 +18,8 @@ module dg_along_string
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
-   use dg_pipe_stress, only: envelope_use, pipe_stress, pipe_stress_type, tension_capacity, true_axial
+   use dg_pipe_stress, only: pipe_stress, pipe_stress_type, true_axial
+   use dg_pull_margin, only: pull_margin
    use dg_trajectory, only: arc_at, point_on_arc, top_md
    implicit none
    private
@@ -36,8 +37,8 @@ module dg_along_string
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
       real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
       real(wp), allocatable :: safety_factor(:)     !< yield strength over von_mises [-]
-      real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left [-]
-      real(wp), allocatable :: overpull(:)          !< tension that may be added here [N]
+      real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
+      real(wp), allocatable :: overpull(:)          !< tension that may be added here, bending included [N]
       real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
       real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
@@ -64,7 +65,7 @@ contains
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(out) :: along
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, depth, moment
+      real(wp) :: bit, depth, moment(2)
       integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
       logical :: apart
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
@@ -86,14 +87,14 @@ contains
             along%hole_diameter(i) = minval(model%holes(hole)%diameter)
             owner = component_at(tops, bit - profile%md(i))
             do side = 1, 2
+               ! A stiff string carries one moment across a joint. That of a soft one is the curvature of the hole times
+               ! the stiffness of the component at the row: each side has its own.
+               moment(side) = profile%bending(i)
+               if (result%model == model_soft) moment(side) = moment(side)*bending_stiffness(components(part(side)))/ &
+                  bending_stiffness(components(owner))
                if (side == 1 .or. part(2) /= part(1)) then
-                  ! A stiff string carries one moment across a joint. That of a soft one is the curvature of the hole times
-                  ! the stiffness of the component at the row: each side has its own.
-                  moment = profile%bending(i)
-                  if (result%model == model_soft) moment = moment*bending_stiffness(components(part(side)))/ &
-                     bending_stiffness(components(owner))
-                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment, along)
-                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment, &
+                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), along)
+                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), &
                                  curvature_at(model, profile%md(i), arc(side)), apart, along)
                   if (has_joints(components(part(side))) .and. .not. apart) call keep_most(along%joint_side_force(i), &
                      profile%side_force(i)*components(part(side))%joint_spacing)
@@ -103,9 +104,15 @@ contains
                                   arc(side), along)
             end do
             if (rotates(model%cases(result%case_index)%operation)) along%bending_range(i) = 2.0_wp*along%bending_stress(i)
-            if (is_missing(along%sinusoidal(i))) cycle
-            along%buckling_margin(i) = along%sinusoidal(i) + profile%axial(i)
-            along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
+            if (.not. is_missing(along%sinusoidal(i))) then
+               along%buckling_margin(i) = along%sinusoidal(i) + profile%axial(i)
+               along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
+            end if
+            do side = 1, 2
+               if (components(part(side))%yield > 0.0_wp) call keep_least(along%overpull(i), &
+                  pull_margin(components(part(side)), profile%axial(i), profile%torque(i), moment(side), along%curvature(i), &
+                              apart, along%buckling(i) /= buckling_none))
+            end do
          end do
       end associate
       if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
@@ -165,8 +172,7 @@ contains
          along%safety_factor(i) = factor
       end if
       if (.not. part%yield > 0.0_wp) return
-      call keep_least(along%envelope_margin(i), 1.0_wp - envelope_use(part%od, part%id, axial, torque, part%yield))
-      call keep_least(along%overpull(i), tension_capacity(part%od, part%id, torque, part%yield) - axial)
+      call keep_least(along%envelope_margin(i), 1.0_wp - stress%von_mises/part%yield)
    end subroutine put_stress
 
    !> Bending between tool joints and stress in them at row `i`, for a component that has some; kept where larger than on the other

@@ -1,5 +1,6 @@
 !> What a buckled string was found to do, read off its shape: it snakes where its angle about the hole swings to and fro within
-!> about the length of a buckling wave, and coils where it goes round without return.
+!> about the length of a buckling wave, and coils where it goes round without return. Without enough compression to buckle it does
+!> neither: then its angle follows a hole that turns from station to station.
 module dg_buckled_shape
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
@@ -15,16 +16,20 @@ module dg_buckled_shape
    !> A swing takes no longer than this times half a wave pi sqrt(2 EI/F) [-]: a string that changes sides where the hole turns
    !> does not snake.
    real(wp), parameter :: longest_swing = 2.5_wp
+   !> A swing or coil is one of buckling where compression is this part of the sinusoidal load, over half of a swing's length or
+   !> half of a coil's turns [-]. Snakes begin at 0.97 to 1.06 of it.
+   real(wp), parameter :: enough = 0.95_wp
 
 contains
 
    !> The state of every row (buckling_none, ...) and the turns of all coils [-].
-   pure subroutine find_buckled_shape(md, axial, off, clock, ei, shape, turns)
+   pure subroutine find_buckled_shape(md, axial, off, clock, ei, critical, shape, turns)
       real(wp), intent(in) :: md(:)      !< [m]
       real(wp), intent(in) :: axial(:)   !< tension > 0 [N]
       real(wp), intent(in) :: off(:)     !< distance from the hole axis over the clearance [-]
       real(wp), intent(in) :: clock(:)   !< where it lies [rad]
       real(wp), intent(in) :: ei(:)      !< bending stiffness [N.m2]
+      real(wp), intent(in) :: critical(:) !< compression at sinusoidal buckling; missing where any makes it buckle [N]
       integer, intent(out) :: shape(:)
       real(wp), intent(out) :: turns
       integer :: first, last
@@ -39,7 +44,7 @@ contains
                last = last + 1
             end do
             if (last > first) call look_at(md(first:last), axial(first:last), clock(first:last), ei(first:last), &
-                                           shape(first:last), turns)
+                                           -axial(first:last) >= enough*max(critical(first:last), 0.0_wp), shape(first:last), turns)
          end if
          first = last + 1
       end do
@@ -55,8 +60,9 @@ contains
    end subroutine find_buckled_shape
 
    !> The same for compressed string that is off the axis throughout: from turning point to turning point of its angle.
-   pure subroutine look_at(md, axial, clock, ei, shape, turns)
+   pure subroutine look_at(md, axial, clock, ei, pressed, shape, turns)
       real(wp), intent(in) :: md(:), axial(:), clock(:), ei(:)
+      logical, intent(in) :: pressed(:)   !< enough to buckle
       integer, intent(inout) :: shape(:)
       real(wp), intent(inout) :: turns
       real(wp) :: angle(size(md)), swing, wave
@@ -88,13 +94,31 @@ contains
          to = pivots(i + 1)
          swing = abs(angle(to) - angle(from))
          if (swing >= 2.0_wp*pi) then
+            if (.not. mostly(angle(from:to), pressed(from:to))) cycle
             turns = turns + swing/(2.0_wp*pi)
             shape(from:to) = buckling_helical
             cycle
          end if
          wave = pi*sqrt(2.0_wp*maxval(ei(from:to))/maxval(-axial(from:to)))
          waves = n > 2 .and. swing > least_swing .and. md(to) - md(from) < longest_swing*wave
+         if (waves) waves = mostly(md(from:to), pressed(from:to))
          if (waves) shape(from:to) = max(shape(from:to), buckling_sinusoidal)
       end do
    end subroutine look_at
+
+   !> Whether that holds over half of the way that a number goes from row to row; a step between two rows counts by half for each.
+   pure function mostly(number, holds) result(yes)
+      real(wp), intent(in) :: number(:)   !< depth of a swing, angle of a coil
+      logical, intent(in) :: holds(:)
+      logical :: yes
+      real(wp) :: held, way
+      integer :: i
+      held = 0.0_wp
+      way = 0.0_wp
+      do i = 2, size(number)
+         held = held + 0.5_wp*count(holds(i - 1:i))*abs(number(i) - number(i - 1))
+         way = way + abs(number(i) - number(i - 1))
+      end do
+      yes = held >= 0.5_wp*way
+   end function mostly
 end module dg_buckled_shape

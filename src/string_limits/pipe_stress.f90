@@ -9,8 +9,7 @@ module dg_pipe_stress
    use dg_component, only: tube_area, tube_inertia
    implicit none
    private
-   public :: pipe_stress_type, pipe_stress, lame_hoop, lame_radial, von_mises, true_axial, tension_capacity, &
-             envelope_use
+   public :: pipe_stress_type, pipe_stress, lame_hoop, lame_radial, von_mises, true_axial, tension_capacity
 
    type :: pipe_stress_type
       real(wp) :: axial = 0.0_wp      !< of the true axial force, tension > 0 [Pa]
@@ -101,27 +100,19 @@ contains
       end do
    end function pipe_stress
 
-   !> Effective tension [N] at which a pipe under torque yields: A sqrt(Y^2 - 3 tau^2) with tau at the outer surface;
-   !> zero where the torque alone makes it yield. It is the tension-torque envelope of API RP 7G (appendix A.9), there
-   !> written as torque over tension. With mud inside and outside at one pressure the effective force is the right
-   !> one: such a pressure by itself makes nothing yield.
-   elemental function tension_capacity(od, id, torque, yield) result(tension)
-      real(wp), intent(in) :: od, id   !< [m]
-      real(wp), intent(in) :: torque   !< [N.m]
-      real(wp), intent(in) :: yield    !< strength [Pa]
+   !> Effective tension [N] at which a pipe under torque and bending yields: A (sqrt(Y^2 - 3 tau^2) - sigma_b), both at the outer
+   !> surface, where both are largest. Negative where bending and torque make it yield without tension. Without bending it is the
+   !> tension-torque envelope of API RP 7G (appendix A.9), there written as torque over tension. With mud inside and outside at
+   !> one pressure the effective force is the right one: such a pressure by itself makes nothing yield.
+   elemental function tension_capacity(od, id, torque, bending, yield) result(tension)
+      real(wp), intent(in) :: od, id    !< [m]
+      real(wp), intent(in) :: torque    !< [N.m]
+      real(wp), intent(in) :: bending   !< moment [N.m]
+      real(wp), intent(in) :: yield     !< strength [Pa]
       real(wp) :: tension
-      real(wp) :: shear
-      shear = abs(torque)*0.25_wp*od/tube_inertia(od, id)
-      tension = tube_area(od, id)*sqrt(max(yield**2 - 3.0_wp*shear**2, 0.0_wp))
+      real(wp) :: shear, inertia
+      inertia = tube_inertia(od, id)
+      shear = abs(torque)*0.25_wp*od/inertia
+      tension = tube_area(od, id)*(sqrt(max(yield**2 - 3.0_wp*shear**2, 0.0_wp)) - abs(bending)*0.5_wp*od/inertia)
    end function tension_capacity
-
-   !> How much of the tension-torque envelope is used [-]: sqrt((T_e/(A Y))^2 + 3 (tau/Y)^2), one on the envelope.
-   elemental function envelope_use(od, id, effective, torque, yield) result(use_)
-      real(wp), intent(in) :: od, id      !< [m]
-      real(wp), intent(in) :: effective   !< axial force [N]
-      real(wp), intent(in) :: torque      !< [N.m]
-      real(wp), intent(in) :: yield       !< strength, > 0 [Pa]
-      real(wp) :: use_
-      use_ = von_mises(effective/tube_area(od, id), 0.0_wp, 0.0_wp, torque*0.25_wp*od/tube_inertia(od, id))/yield
-   end function envelope_use
 end module dg_pipe_stress

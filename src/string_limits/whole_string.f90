@@ -5,12 +5,13 @@ module dg_whole_string
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
-   use dg_component, only: axial_stiffness, bending_stiffness, torsional_stiffness
+   use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, torsional_stiffness
    use dg_drillstring, only: component_at, component_tops
    use dg_job, only: model_mcge
    use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
+   use dg_pipe_stress, only: tension_capacity
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: top_md
    use dg_weight_on_bit, only: most_weight_on_bit
@@ -26,7 +27,7 @@ module dg_whole_string
       type(optional_real) :: least_safety           !< least safety factor [-]
       type(optional_real) :: least_safety_md        !< where [m]
       type(optional_real) :: least_envelope_margin  !< of the tension-torque envelope [-]
-      type(optional_real) :: overpull_margin        !< pull that may be added at the top before anything yields [N]
+      type(optional_real) :: overpull_margin        !< pull that may be added before anything yields, bending included [N]
       type(optional_real) :: buckling_margin        !< least, < 0 where the string is buckled [N]
       type(optional_real) :: buckling_margin_md     !< where [m]
       integer :: buckling = buckling_none           !< worst state along the string
@@ -42,6 +43,7 @@ module dg_whole_string
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
       type(optional_real) :: wob_no_hookload        !< weight on bit that leaves no hook load [N]
       type(optional_real) :: wob_lockup             !< the same with the friction of a coiled string [N]
+      type(optional_real) :: wob_yield              !< at which a compressed part yields, if less than wob_lockup [N]
       integer :: shape = buckling_none              !< what the string was found to do, gap elements only
       real(wp) :: snaking_length = 0.0_wp           !< of string found to snake [m]
       real(wp) :: coiled_length = 0.0_wp            !< of string found to coil [m]
@@ -199,7 +201,7 @@ contains
          allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - profile%md(i)))), &
                                 i=1, size(profile%md))])
          call find_buckled_shape(profile%md, profile%axial, profile%displacement/(0.5_wp*(along%hole_diameter - along%od)), &
-                                 profile%clock, ei, shape, whole%coil_turns)
+                                 profile%clock, ei, along%sinusoidal, shape, whole%coil_turns)
          whole%shape = maxval(shape)
          do i = 2, size(shape)
             length = profile%md(i) - profile%md(i - 1)
@@ -270,8 +272,55 @@ contains
          end if
          whole%wob_no_hookload = given(most_weight_on_bit(model, k, coiled=.false., pushed=.false.))
          whole%wob_lockup = given(most_weight_on_bit(model, k, coiled=.true., pushed=.false.))
+         high = whole%wob_lockup%value
+         if (.not. is_squeezed(model, result, along, high)) return
+         low = 0.0_wp
+         do i = 1, halvings
+            middle = 0.5_wp*(low + high)
+            if (is_squeezed(model, result, along, middle)) then
+               high = middle
+            else
+               low = middle
+            end if
+         end do
+         whole%wob_yield = given(high)
       end associate
    end subroutine add_weights_on_bit
+
+   !> Whether a weight on bit makes a compressed part yield. Its moment is the one that was found, where a string beyond its helical
+   !> limit coils with c F/2 more (Lubinski, Althouse & Logan 1962); where it was found buckled already, EI times the
+   !> hole's curvature takes the place of what was found.
+   pure function is_squeezed(model, result, along, wob) result(yes)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      real(wp), intent(in) :: wob                !< [N]
+      logical :: yes
+      real(wp), dimension(size(result%profile%md)) :: axial, torque
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, moment
+      integer :: i, side
+      yes = .true.
+      bit = model%cases(result%case_index)%bit_depth
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, coiled=.true., wob=wob)
+      associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         do i = 1, size(axial)
+            if (axial(i) >= 0.0_wp) cycle
+            do side = -1, 1, 2
+               associate (part => string%components(component_at(tops, max(bit - result%profile%md(i) + side*hair, 0.0_wp))))
+                  if (.not. part%yield > 0.0_wp) cycle
+                  moment = result%profile%bending(i)
+                  if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
+                  if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
+                     0.25_wp*(along%hole_diameter(i) - contact_diameter(part))*axial(i)
+                  if (-axial(i) > tension_capacity(part%od, part%id, torque(i), moment, part%yield)) return
+               end associate
+            end do
+         end do
+      end associate
+      yes = .false.
+   end function is_squeezed
 
    !> Least of axial force plus allowed compression over some depths, for a weight on bit.
    pure subroutine least_margin(model, case_index, md, allowed, wob, margin)

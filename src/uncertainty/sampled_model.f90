@@ -39,7 +39,7 @@ contains
       type(model_type), intent(out) :: drawn
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: change
-      integer :: i
+      integer :: i, j
       call copy_without_cases(model, drawn)
       do i = 1, size(drawn%holes)
          associate (hole => drawn%holes(i))
@@ -47,10 +47,14 @@ contains
                hole%friction_axial = uncertainty%range%frictions(1)%value
                hole%friction_rotary = uncertainty%range%frictions(1)%value
             end if
-            if (.not. uncertainty%friction_deviation > 0.0_wp) cycle
-            change = uncertainty%friction_deviation*draw_of(uncertainty, sample, quantity_friction, i)
-            hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
-            hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
+            if (.not. allocated(uncertainty%friction_factor)) cycle
+            change = 0.0_wp
+            do j = 1, i
+               if (abs(uncertainty%friction_factor(i, j)) > 0.0_wp) change = change + uncertainty%friction_factor(i, j)* &
+                  draw_of(uncertainty, sample, quantity_friction, j)
+            end do
+            if (uncertainty%axial) hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
+            if (uncertainty%rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
          end associate
       end do
       if (uncertainty%density_deviation > 0.0_wp) drawn%mud_density = &

@@ -22,6 +22,7 @@ contains
       suite = TestSuite('applied_friction')
       call suite%addTest(TestMethod('used_by_all', test_used))
       call suite%addTest(TestMethod('parts', test_parts))
+      call suite%addTest(TestMethod('handed_on', test_handed_on))
       call suite%addTest(TestMethod('nothing_to_apply', test_nothing))
       call suite%addTest(TestMethod('refused', test_refused))
    end function applied_friction_suite
@@ -78,6 +79,37 @@ contains
          end do
       end function contents
    end subroutine test_used
+
+   !> An uncertainty goes on from a calibration: hook loads known to s = 2 kN tell friction with the covariance s^2 inverse(J'J),
+   !> J = [0.4 0.1; 0.4 0.6] times the weight across the hole. Another deck that repeats what is printed gives the same.
+   subroutine test_handed_on()
+      character(*), parameter :: from = "&calibrate name = 'k', apply = .true., hookload_deviation = 2 /"
+      !> Of det(J) = 0.2: columns of lengths sqrt(0.32), sqrt(0.37), product 0.28.
+      real(wp), parameter :: deviations(2) = 2.0_wp/across*sqrt([0.37_wp, 0.32_wp])/0.2_wp
+      character(:), allocatable :: printed, pairs, text
+      type(run_type) :: run
+      type(text_type), allocatable :: found(:), repeated(:)
+      real(wp) :: read_back(2)
+      integer :: i
+      run = run_deck_text(replaced(deck(from), 'friction_deviation = 0.02', "friction_from = 'K'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (found, source=lines_of(results_path//'/uncertainty_u.csv'))
+      i = index(run%output, 'friction_deviations = ')
+      call assertTrue(i > 0, message=run%output)
+      printed = run%output(i:i + index(run%output(i:), newline) - 2)
+      read (printed(len('friction_deviations = ') + 1:index(printed, ', friction_parameter') - 1), *) read_back
+      call assertEqual(deviations, read_back, 1.0e-5_wp, message='closed form')
+      i = index(run%output, 'friction_correlations = ')
+      call assertTrue(i > 0, message=run%output)
+      pairs = run%output(i:i + index(run%output(i:), newline) - 2)
+      read (pairs(len('friction_correlations = ') + 1:), *) read_back(1)
+      call assertEqual(-0.28_wp/sqrt(0.32_wp*0.37_wp), read_back(1), 1.0e-4_wp, message='correlation')
+      text = replaced(replaced(deck(''), 'friction = 0.11', 'friction = 0.3'), 'friction = 0.1 ', 'friction = 0.2 ')
+      run = run_deck_text(replaced(text, 'friction_deviation = 0.02', printed//', '//pairs))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (repeated, source=lines_of(results_path//'/uncertainty_u.csv'))
+      call compare(found, repeated)
+   end subroutine test_handed_on
 
    !> Parts find the same friction each, and join.
    subroutine test_parts()

@@ -2,6 +2,7 @@
 module dg_test_odd_decks
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type
+   use dg_text, only: to_text
    implicit none
    private
    public :: odd_decks_suite
@@ -17,6 +18,7 @@ contains
       call suite%addTest(TestMethod('stabiliser_without_blades', test_blades))
       call suite%addTest(TestMethod('thresholds', test_thresholds))
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
+      call suite%addTest(TestMethod('sparse_spline', test_spline))
       call suite%addTest(TestMethod('little_memory', test_little_memory))
    end function odd_decks_suite
 
@@ -42,6 +44,25 @@ contains
    subroutine test_thresholds()
       call note('element_length = 10.0', 'element_length = 10.0, eps_n0 = 0.015', 'does not count as touching')
    end subroutine test_thresholds
+
+   !> A spline through three stations swings; with stations every 30 m of the same bend it does not, and is not told of.
+   subroutine test_spline()
+      character(*), parameter :: stations = 'md  = 0.0, 500.0, 900.0'
+      type(run_type) :: run
+      character(:), allocatable :: text, angles
+      integer :: i
+      call note(stations, "interpolation = 'spline', "//stations, 'swings between sparse stations')
+      text = '0.0'
+      angles = '0.0'
+      do i = 1, 30
+         text = text//', '//to_text(30*i)
+         angles = angles//', '//to_text(min(max(2*(i - 8), 0), 40))
+      end do
+      text = replaced(replaced(good_deck(), 'azi = 3*10.0', "azi = 31*10.0, interpolation = 'spline'"), stations, 'md = '//text)
+      run = run_deck_text(replaced(text, 'inc = 0.0, 0.0, 30.0', 'inc = '//angles), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, 'swings'), message=run%output)
+   end subroutine test_spline
 
    subroutine test_unused()
       call note('length = 100.0', 'length = 900.0', "'drillpipe' never enters the hole")

@@ -5,6 +5,7 @@ module dg_test_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_constants, only: pi
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    implicit none
    private
    public :: buckled_shape_suite
@@ -28,12 +29,17 @@ contains
       md = [(real(i - 1, wp), i=1, n)]
    end function depths
 
-   subroutine look(clock, axial, off, shape, turns)
+   subroutine look(clock, axial, off, shape, turns, critical)
       real(wp), intent(in) :: clock(n), axial, off
+      real(wp), intent(in), optional :: critical      !< else a third of the force [N]
       integer, intent(out) :: shape(n)
       real(wp), intent(out) :: turns
+      real(wp) :: limit
       integer :: i
-      call find_buckled_shape(depths(), [(axial, i=1, n)], [(off, i=1, n)], modulo(clock, 2.0_wp*pi), [(ei, i=1, n)], shape, turns)
+      limit = force/3.0_wp
+      if (present(critical)) limit = critical
+      call find_buckled_shape(depths(), [(axial, i=1, n)], [(off, i=1, n)], modulo(clock, 2.0_wp*pi), [(ei, i=1, n)], &
+                              [(limit, i=1, n)], shape, turns)
    end subroutine look
 
    subroutine test_shapes()
@@ -54,6 +60,13 @@ contains
       call assertEqual(wave_number*100.0_wp/(2.0_wp*pi), turns, 1.0e-12_wp, message='turns')
       call look(-wave_number*md, -force, 1.0_wp, shape, turns)
       call assertEqual(buckling_helical, minval(shape), message='coils left-handed')
+      call look(pi + 0.5_wp*sin(wave_number*md), -force, 1.0_wp, shape, turns, critical=1.1_wp*force)
+      call assertEqual(buckling_none, maxval(shape), message='follows a crooked hole')
+      call look(wave_number*md, -force, 1.0_wp, shape, turns, critical=1.1_wp*force)
+      call assertEqual(buckling_none, maxval(shape), message='follows a hole that winds')
+      call assertEqual(0.0_wp, turns, message='no turns')
+      call look(pi + 0.5_wp*sin(wave_number*md), -force, 1.0_wp, shape, turns, critical=missing)
+      call assertEqual(buckling_sinusoidal, maxval(shape), message='nothing holds it')
       call look(wave_number*md, force, 1.0_wp, shape, turns)
       call assertEqual(buckling_none, maxval(shape), message='in tension')
       call look(wave_number*md, -force, 0.1_wp, shape, turns)

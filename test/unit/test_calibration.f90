@@ -88,7 +88,7 @@ contains
       call assertEqual(fit_done, fit%status)
       call assertEqual(0.7_wp, fit%unknowns(1), at_rest)
       call assertEqual(2.2_wp, fit%unknowns(2), at_rest)
-      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], .false., statistics)
+      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], spread(1, 1, size(y)), statistics)
       call assertEqual(2, statistics%freedom)
       call assertRelativelyEqual(sqrt(0.9_wp)/0.5_wp, statistics%scatter, at_rest)
       call assertRelativelyEqual(sqrt(0.9_wp/5.0_wp), statistics%deviation(2), at_rest)
@@ -96,7 +96,7 @@ contains
       call assertRelativelyEqual(student_quantile(0.975_wp, 2)*sqrt(0.18_wp), statistics%half_width(2), at_rest)
       call assertEqual(-1.5_wp/sqrt(3.5_wp), statistics%correlation(1, 2), at_rest)
       call assertEqual(0, size(statistics%mixtures), message='columns at 37 deg to each other are told apart')
-      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], .true., statistics)
+      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], spread(0, 1, size(y)), statistics)
       call assertRelativelyEqual(sqrt(0.25_wp/5.0_wp), statistics%deviation(2), at_rest, message='deviations that are known')
    end subroutine test_line
 
@@ -133,7 +133,8 @@ contains
                                 spread(noise, 1, points), fit)
          call assertEqual(fit_done, fit%status)
          do k = 1, 2
-            call find_statistics(fit%jacobian, (fit%values - measured)/noise, [.true., .true.], k == 2, statistics)
+            call find_statistics(fit%jacobian, (fit%values - measured)/noise, [.true., .true.], spread(2 - k, 1, points), &
+                                 statistics)
             where (abs(fit%unknowns - truth) <= statistics%half_width) held(:, k) = held(:, k) + 1
          end do
       end do
@@ -149,10 +150,10 @@ contains
       type(statistics_type) :: statistics
       real(wp) :: jacobian(3, 1)
       jacobian = 2.0_wp
-      call find_statistics(jacobian, spread(1.0e-9_wp, 1, 3), [.true.], .false., statistics)
+      call find_statistics(jacobian, spread(1.0e-9_wp, 1, 3), [.true.], [1, 1, 1], statistics)
       call assertTrue(is_missing(statistics%half_width(1)))
       call assertTrue(is_missing(statistics%deviation(1)))
-      call find_statistics(jacobian, spread(1.0e-9_wp, 1, 3), [.true.], .true., statistics)
+      call find_statistics(jacobian, spread(1.0e-9_wp, 1, 3), [.true.], [0, 0, 0], statistics)
       call assertEqual(1.0_wp/sqrt(12.0_wp), statistics%deviation(1), round_off)
    end subroutine test_no_scatter
 
@@ -169,7 +170,7 @@ contains
       call assertEqual(0.0_wp, fit%unknowns(2))
       call assertTrue(fit%at_bound(2))
       call assertFalse(fit%at_bound(1))
-      call find_statistics(fit%jacobian, fit%values - y, .not. fit%at_bound, .false., statistics)
+      call find_statistics(fit%jacobian, fit%values - y, .not. fit%at_bound, [1, 1, 1], statistics)
       call assertTrue(is_missing(statistics%half_width(2)), message='no interval at a bound')
       call assertEqual(2, statistics%freedom)
    end subroutine test_bound
@@ -186,7 +187,7 @@ contains
                              deviation, fit)
       call assertEqual(fit_done, fit%status)
       call assertEqual(3.0_wp, sum(fit%unknowns), at_rest)
-      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], .false., statistics)
+      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], spread(1, 1, size(y)), statistics)
       call assertEqual(1, size(statistics%mixtures))
       call assertEqual(2, size(statistics%mixtures(1)%unknowns))
       call assertTrue(all(is_missing(statistics%half_width)))
@@ -195,7 +196,7 @@ contains
       curve%x = [100.0_wp, 101.0_wp, 102.0_wp]
       call fit_least_squares(curve, [0.0_wp, 0.0_wp], [-1.0e4_wp, -1.0e4_wp], [1.0e4_wp, 1.0e4_wp], [1.0_wp, 1.0_wp], &
                              y, deviation, fit)
-      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], .false., statistics)
+      call find_statistics(fit%jacobian, (fit%values - y)/deviation, [.true., .true.], spread(1, 1, size(y)), statistics)
       call assertEqual(1, size(statistics%mixtures))
       call assertFalse(is_missing(statistics%half_width(2)))
    end subroutine test_mixture

@@ -98,7 +98,7 @@ contains
       model%cases(1)%wob = -pull
    end subroutine build
 
-   !> E I |dk| against |T| c decides which of sqrt(E I/|T|) and sqrt(c/|dk|) it is.
+   !> E I |dk| against 2 |T| c decides which of sqrt(E I/|T|) and sqrt(2 c/|dk|) it is.
    subroutine test_length()
       type(model_type) :: model
       type(change_type), allocatable :: changes(:)
@@ -114,7 +114,7 @@ contains
       call build(model, 1.0e4_wp, 0.05_wp)
       call curvature_changes(model, 1, changes)
       call assertTrue(changes(1)%forced, message='slack it is forced by the wall')
-      call assertRelativelyEqual(sqrt(0.05_wp/1.0e-3_wp), changes(1)%length, round_off, message='length of the clearance')
+      call assertRelativelyEqual(sqrt(2.0_wp*0.05_wp/1.0e-3_wp), changes(1)%length, round_off, message='length of the clearance')
    end subroutine test_length
 
    subroutine test_none()

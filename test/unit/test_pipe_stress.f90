@@ -4,7 +4,7 @@ module dg_test_pipe_stress
    use dg_component, only: tube_area, tube_inertia
    use dg_constants, only: pi
    use dg_kinds, only: wp
-   use dg_pipe_stress, only: envelope_use, lame_hoop, lame_radial, pipe_stress, pipe_stress_type, tension_capacity, &
+   use dg_pipe_stress, only: lame_hoop, lame_radial, pipe_stress, pipe_stress_type, tension_capacity, &
                              true_axial, von_mises
    implicit none
    private
@@ -109,18 +109,24 @@ contains
                                  message='pressure inside alone pulls')
    end subroutine test_true_axial
 
-   !> No torque: A Y. Torque of first yield (tau = Y/sqrt(3)): nothing. On the envelope all of it is used.
+   !> No torque: A Y. Torque of first yield (tau = Y/sqrt(3)): nothing. Under the capacity von Mises' stress is the yield strength,
+   !> with bending, too.
    subroutine test_envelope()
       real(wp), parameter :: yield = 931.0e6_wp
+      real(wp), parameter :: moment = 10.0e3_wp
+      type(pipe_stress_type) :: stress
       real(wp) :: torque, tension
-      call assertRelativelyEqual(yield*tube_area(od, id), tension_capacity(od, id, 0.0_wp, yield), rounding)
+      call assertRelativelyEqual(yield*tube_area(od, id), tension_capacity(od, id, 0.0_wp, 0.0_wp, yield), rounding)
       torque = yield/sqrt(3.0_wp)*2.0_wp*tube_inertia(od, id)/0.0635_wp
-      call assertEqual(0.0_wp, tension_capacity(od, id, torque*(1.0_wp + rounding), yield), 1.0_wp, message='within 1 N')
-      call assertEqual(0.0_wp, tension_capacity(od, id, 2.0_wp*torque, yield))
-      tension = tension_capacity(od, id, 0.6_wp*torque, yield)
+      call assertEqual(0.0_wp, tension_capacity(od, id, torque*(1.0_wp + rounding), 0.0_wp, yield), 1.0_wp, message='within 1 N')
+      call assertEqual(0.0_wp, tension_capacity(od, id, 2.0_wp*torque, 0.0_wp, yield))
+      tension = tension_capacity(od, id, 0.6_wp*torque, 0.0_wp, yield)
       call assertRelativelyEqual(0.8_wp*yield*tube_area(od, id), tension, rounding, message='3, 4, 5')
-      call assertRelativelyEqual(1.0_wp, envelope_use(od, id, -tension, 0.6_wp*torque, yield), rounding)
-      call assertRelativelyEqual(0.5_wp, envelope_use(od, id, 0.5_wp*tension, 0.3_wp*torque, yield), rounding)
+      tension = tension_capacity(od, id, 0.6_wp*torque, moment, yield)
+      stress = pipe_stress(od, id, tension, 0.6_wp*torque, moment, 0.0_wp, 0.0_wp)
+      call assertRelativelyEqual(yield, stress%von_mises, rounding, message='bending too')
+      call assertTrue(tension_capacity(od, id, 0.0_wp, 2.0_wp*yield*tube_inertia(od, id)/(0.5_wp*od), yield) < 0.0_wp, &
+                      message='bending alone')
    end subroutine test_envelope
 
    subroutine test_solid_bar()

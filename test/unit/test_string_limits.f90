@@ -34,6 +34,8 @@ contains
       suite = TestSuite('string_limits')
       call suite%addTest(TestMethod('pressure_and_true_force', test_pressure))
       call suite%addTest(TestMethod('stress_and_safety', test_stress))
+      call suite%addTest(TestMethod('margins_hold_bending', test_bent_margins))
+      call suite%addTest(TestMethod('weight_that_yields', test_wob_yield))
       call suite%addTest(TestMethod('weaker_side_of_a_joint', test_joint))
       call suite%addTest(TestMethod('force_of_a_tool_joint', test_joint_forces))
       call suite%addTest(TestMethod('fatigue_only_when_turning', test_fatigue))
@@ -126,6 +128,55 @@ contains
       call assertTrue(all(is_missing(along%safety_factor)), message='no yield, no factor')
       call assertTrue(all(is_missing(along%envelope_margin)) .and. all(is_missing(along%overpull)))
    end subroutine test_stress
+
+   !> 200 MPa of tension and 150 MPa of bending in pipe of 500 MPa: 0.3 of the envelope and 150 MPa of pull are left. With
+   !> -200 MPa of axial stress and 400 MPa of bending it yields, and no pull is left.
+   subroutine test_bent_margins()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      real(wp) :: area, modulus
+      call build(model, result, 60.0_wp, operation_trip_out)
+      area = tube_area(0.127_wp, 0.1086_wp)
+      modulus = tube_inertia(0.127_wp, 0.1086_wp)/0.0635_wp
+      result%profile%axial(1) = 200.0e6_wp*area
+      result%profile%bending(1) = 150.0e6_wp*modulus
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(0.3_wp, along%envelope_margin(1), rounding)
+      call assertRelativelyEqual(150.0e6_wp*area, along%overpull(1), rounding)
+      result%profile%axial(1) = -200.0e6_wp*area
+      result%profile%bending(1) = 400.0e6_wp*modulus
+      call find_along_string(model, result, along)
+      call assertRelativelyEqual(-100.0e6_wp*area, along%overpull(1), rounding, message='yields already')
+   end subroutine test_bent_margins
+
+   !> Collar of 5 MPa at 60 deg: it yields at the bit under A Y, which buckles nothing. A vertical pipe coils:
+   !> F/A + c F r/(2 I) = Y.
+   subroutine test_wob_yield()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(error_type), allocatable :: error
+      real(wp), parameter :: od = 0.127_wp, id = 0.1086_wp
+      call build(model, result, 60.0_wp, operation_sliding_drilling)
+      model%strings(1)%components(1)%yield = 5.0e6_wp
+      call solve_soft_string(model, 1, result, error)
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertRelativelyEqual(5.0e6_wp*tube_area(0.16_wp, 0.07_wp), whole%wob_yield%value, halved)
+      model%strings(1)%components%yield = 900.0e6_wp
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertFalse(whole%wob_yield%present, message='locked up before')
+      call build(model, result, 0.0_wp, operation_sliding_drilling)
+      model%strings(1)%components(1) = tube(50.0_wp, od, id, 40.0e6_wp)
+      model%strings(1)%components(2)%yield = 500.0e6_wp
+      call solve_soft_string(model, 1, result, error)
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertRelativelyEqual(40.0e6_wp/(1.0_wp/tube_area(od, id) + 0.125_wp*(0.2_wp - od)*od/tube_inertia(od, id)), &
+                                 whole%wob_yield%value, halved)
+   end subroutine test_wob_yield
 
    !> At a joint of collar and pipe a beam's moment stresses the pipe more; a soft string's is the collar's on the collar.
    subroutine test_joint()

@@ -7,6 +7,7 @@ module dg_test_trajectory
    use dg_error, only: error_type, status_bad_input
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between
+   use dg_path_difference, only: find_difference, path_difference_type
    use dg_spline_path, only: second_derivatives
    use dg_survey, only: azimuth_of, clock_angle, high_side, inclination_of, tangent_of
    use dg_trajectory, only: arc_at, frame_at, interpolation_minimum_curvature, interpolation_spline, new_trajectory, &
@@ -41,6 +42,7 @@ contains
       call suite%addTest(TestMethod('vanishing_curvature', test_vanishing_curvature))
       call suite%addTest(TestMethod('small_doglegs', test_small_doglegs))
       call suite%addTest(TestMethod('spline', test_spline))
+      call suite%addTest(TestMethod('difference_of_paths', test_difference))
       call suite%addTest(TestMethod('natural_spline', test_second_derivatives))
       call suite%addTest(TestMethod('faults', test_faults))
    end function trajectory_suite
@@ -358,4 +360,24 @@ contains
       call assertEqual(status_bad_input, error%status, message=word)
       call assertTrue(index(error%message, word) > 0, message=word//' in: '//error%message)
    end subroutine refused
+
+   !> A build to 60 deg at the same rate over 600 m and over its first half: 30 deg apart at 300 m; the ends are those of arcs of
+   !> radius R = 600 m/(pi/3), and of R/2 and a straight line.
+   subroutine test_difference()
+      type(trajectory_type) :: early, even
+      type(error_type), allocatable :: error
+      type(path_difference_type) :: difference
+      real(wp), parameter :: turn = 60.0_wp*degree, radius = 600.0_wp/turn
+      real(wp) :: down, across
+      call new_trajectory(early, [0.0_wp, 300.0_wp, 600.0_wp], [0.0_wp, turn, turn], [0.0_wp, 0.0_wp, 0.0_wp], &
+                          interpolation_minimum_curvature, error)
+      call new_trajectory(even, [0.0_wp, 600.0_wp], [0.0_wp, turn], [0.0_wp, 0.0_wp], interpolation_minimum_curvature, error)
+      difference = find_difference(early, even)
+      call assertEqual(0.5_wp*turn, difference%direction, 1.0e-9_wp)
+      call assertEqual(300.0_wp, difference%direction_md, 1.0e-9_wp)
+      down = 0.5_wp*radius*sin(turn) - 300.0_wp*cos(turn)
+      across = 0.5_wp*radius*(1.0_wp - cos(turn)) - 300.0_wp*sin(turn)
+      call assertEqual(hypot(down, across), difference%position, 1.0e-6_wp)
+      call assertEqual([turn, turn], difference%turns, 1.0e-9_wp)
+   end subroutine test_difference
 end module dg_test_trajectory

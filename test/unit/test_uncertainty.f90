@@ -2,7 +2,7 @@
 !> and propagation in closed form.
 module dg_test_uncertainty
    use, intrinsic :: iso_fortran_env, only: int64
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
@@ -16,9 +16,10 @@ module dg_test_uncertainty
    use dg_sample_statistics, only: distribution_type, find_distribution, find_point_statistics, p10, p50, p90, &
       point_statistics_type, quantile
    use dg_sampled_model, only: draw_model, draw_of, quantity_friction, quantity_hookload
+   use dg_soft_string_loads, only: soft_string_at
    use dg_sweep_result, only: sweep_result_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
-   use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
+   use dg_uncertainty, only: correlation_of, friction_factor_of, piece_count, piece_number, uncertainty_type
    implicit none
    private
    public :: uncertainty_suite
@@ -35,6 +36,8 @@ contains
       call suite%addTest(TestMethod('numbers_are_independent', test_independent))
       call suite%addTest(TestMethod('quantiles', test_quantiles))
       call suite%addTest(TestMethod('what_a_sample_draws', test_draws))
+      call suite%addTest(TestMethod('covariance_of_friction', test_factor))
+      call suite%addTest(TestMethod('one_hole_in_ten_sections', test_sections))
       call suite%addTest(TestMethod('survey_angles', test_survey))
       call suite%addTest(TestMethod('points_and_gauge', test_points))
    end function uncertainty_suite
@@ -163,7 +166,7 @@ contains
       type(error_type), allocatable :: error
       real(wp) :: change(2)
       call build(model, uncertainty)
-      uncertainty%friction_deviation = 0.01_wp
+      uncertainty%friction_factor = reshape([0.01_wp, 0.0_wp, 0.0_wp, 0.01_wp], [2, 2])
       call draw_model(model, uncertainty, 7, drawn, error)
       change = drawn%holes%friction_axial - model%holes%friction_axial
       call assertEqual(0.01_wp*draw_of(uncertainty, 7, quantity_friction, [1, 2]), change, round_off)
@@ -174,14 +177,103 @@ contains
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertEqual(change, drawn%holes%friction_axial - model%holes%friction_axial, round_off)
       call assertTrue(abs(drawn%mud_density - 1200.0_wp) > 1.0e-3_wp)
-      uncertainty%friction_deviation = 100.0_wp
+      uncertainty%friction_factor = 1.0e4_wp*uncertainty%friction_factor
       uncertainty%range%frictions(1) = given(0.15_wp)
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertTrue(all(drawn%holes%friction_axial >= 0.0_wp))
-      uncertainty%friction_deviation = 0.0_wp
+      deallocate (uncertainty%friction_factor)
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertEqual([0.15_wp, 0.15_wp], drawn%holes%friction_rotary, round_off)
    end subroutine test_draws
+
+   !> Factors times their transpose are the covariance; one section goes by its own number; three correlations that no numbers can
+   !> have are told.
+   subroutine test_factor()
+      real(wp), parameter :: deviations(3) = [0.01_wp, 0.02_wp, 0.04_wp], above(3) = [0.5_wp, -0.3_wp, 0.2_wp]
+      real(wp) :: factor(3, 3), correlation(3, 3)
+      logical :: regular
+      integer :: i, j
+      correlation = correlation_of(3, 1.0_wp, above)
+      call assertEqual(-0.3_wp, correlation(3, 1))
+      call friction_factor_of(deviations, correlation, factor, regular)
+      call assertTrue(regular)
+      do i = 1, 3
+         do j = 1, 3
+            call assertEqual(deviations(i)*deviations(j)*correlation(i, j), sum(factor(i, :)*factor(j, :)), round_off)
+         end do
+      end do
+      call assertEqual(deviations(1), factor(1, 1), round_off)
+      call friction_factor_of(deviations, correlation_of(3, 1.0_wp, [real(wp) ::]), factor, regular)
+      call assertTrue(regular)
+      call assertEqual(deviations, factor(:, 1), round_off)
+      call assertEqual(0.0_wp, maxval(abs(factor(:, 2:))))
+      call friction_factor_of(deviations, correlation_of(3, 1.0_wp, [0.9_wp, 0.9_wp, -0.9_wp]), factor, regular)
+      call assertFalse(regular, message='first and second alike, third like both, but second and third unlike')
+   end subroutine test_factor
+
+   !> A straight hole at 60 deg, pulled: the hook load is linear in friction, its deviation w L sin(60) times that of the mean
+   !> friction. One section and ten with correlation 1 give the same sample by sample; with correlation r the deviation is
+   !> sqrt((1 + 9 r)/10) of it.
+   subroutine test_sections()
+      integer, parameter :: many = 3000, sections = 10
+      real(wp), parameter :: deviation = 0.02_wp, length = 1000.0_wp, mass = 20.0_wp, correlations(3) = [0.0_wp, 0.5_wp, 1.0_wp]
+      type(model_type) :: model, whole, drawn
+      type(uncertainty_type) :: uncertainty
+      type(error_type), allocatable :: error
+      type(distribution_type) :: found
+      real(wp) :: hookloads(many), one(many), axial(1), torque(1), expected
+      logical :: regular
+      integer :: i, k
+      call build(model, uncertainty)
+      call new_trajectory(model%trajectory, [0.0_wp, length], [60.0_wp, 60.0_wp]*degree, [0.0_wp, 0.0_wp], &
+                          interpolation_minimum_curvature, error)
+      model%mud_density = 0.0_wp
+      deallocate (model%strings)
+      allocate (model%strings(1))
+      model%strings(1)%name = 'main'
+      allocate (model%strings(1)%components(1))
+      model%strings(1)%components(1)%mass = mass
+      model%strings(1)%components(1)%od = 0.127_wp
+      model%strings(1)%components(1)%id = 0.1086_wp
+      whole = model
+      whole%holes = [hole_section_type('all', 0.0_wp, length, 0.2_wp, 0.25_wp, 0.25_wp)]
+      model%holes = [(hole_section_type('part', 0.1_wp*(i - 1)*length, 0.1_wp*i*length, 0.2_wp, 0.25_wp, 0.25_wp), i=1, sections)]
+      expected = deviation*mass*model%gravity*length*sin(60.0_wp*degree)
+      uncertainty%friction_factor = reshape([deviation], [1, 1])
+      do i = 1, many
+         call draw_model(whole, uncertainty, i, drawn, error)
+         one(i) = hookload()
+      end do
+      found = find_distribution(one)
+      call assertRelativelyEqual(expected, found%deviation, 0.05_wp, message='one section')
+      do k = 1, size(correlations)
+         deallocate (uncertainty%friction_factor)
+         allocate (uncertainty%friction_factor(sections, sections))
+         call friction_factor_of(spread(deviation, 1, sections), correlation_of(sections, correlations(k), [real(wp) ::]), &
+                                 uncertainty%friction_factor, regular)
+         do i = 1, many
+            call draw_model(model, uncertainty, i, drawn, error)
+            hookloads(i) = hookload()
+         end do
+         found = find_distribution(hookloads)
+         call assertRelativelyEqual(expected*sqrt((1.0_wp + 9.0_wp*correlations(k))/10.0_wp), found%deviation, 0.05_wp, &
+                                    message='ten sections')
+      end do
+      call assertEqual(one, hookloads, 1.0e-3_wp, message='one factor for the whole hole, sample by sample')
+
+   contains
+
+      function hookload() result(force)
+         real(wp) :: force
+         drawn%cases(1)%name = 'case'
+         drawn%cases(1)%section = ''
+         drawn%cases(1)%string = 'main'
+         drawn%cases(1)%bit_depth = length
+         drawn%cases(1)%operation = operation_trip_out
+         call soft_string_at(drawn, 1, [0.0_wp], axial, torque)
+         force = axial(1)
+      end function hookload
+   end subroutine test_sections
 
    !> Systematic: all stations move alike, a vertical one to the side that the sign says. Random: each on its own, with the
    !> deviation asked for.

@@ -56,6 +56,7 @@ contains
       use dg_test_study, only: study_suite
       use dg_test_sweep, only: sweep_suite
       use dg_test_calibration, only: calibration_suite
+      use dg_test_calibration_coverage, only: calibration_coverage_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
       type(TestSuite) :: suite
@@ -108,6 +109,7 @@ contains
       call suite%addTest(study_suite())
       call suite%addTest(sweep_suite())
       call suite%addTest(calibration_suite())
+      call suite%addTest(calibration_coverage_suite())
       call suite%addTest(uncertainty_suite())
       call suite%addTest(stuck_string_suite())
    end function load_tests

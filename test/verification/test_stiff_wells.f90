@@ -47,6 +47,7 @@ contains
       call suite%addTest(TestMethod('pair_of_forces', test_pair))
       call suite%addTest(TestMethod('moment_follows_the_hole', test_moment))
       call suite%addTest(TestMethod('shear_force', test_shear))
+      call suite%addTest(TestMethod('beam_between_walls', test_walls))
       call suite%addTest(TestMethod('reaming_between_tripping_and_rotating', test_reaming))
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('static', test_static))
@@ -160,7 +161,7 @@ contains
    end subroutine test_energy
 
    !> A slack weightless pipe into a bend: the wall bends it by contact forces of |d|/(2 l) on each side of the change,
-   !> l = sqrt(c/|dk|), with nothing to lighten. Pull 1 N.
+   !> l = sqrt(2 c/|dk|), with nothing to lighten. Pull 1 N.
    subroutine test_pair()
       type(model_type) :: model
       type(case_result_type) :: result
@@ -170,7 +171,7 @@ contains
                     0.127_wp + 2.0_wp*clearance, 0.0_wp, pipe(0.0_wp, 0.127_wp, 0.07_wp))
       call set_case(model, operation_static, -1.0_wp, 0.0_wp)
       jump = bending_stiffness(model%strings(1)%components(1))*curvature
-      length = sqrt(clearance/curvature)
+      length = sqrt(2.0_wp*clearance/curvature)
       call solve(rigid, model, result)
       ! The pull of 1 N, and the tension E I k^2/2 that bending makes, add 1 per cent in the bend.
       call assertRelativelyEqual(jump/length, result%normal_force, 0.01_wp, message='sum of contact forces')
@@ -199,6 +200,48 @@ contains
       end function at
    end subroutine test_moment
 
+   !> Hook load and sum of contact of a finite-difference beam between two walls (steps of 0.2 m, friction along the hole): casing
+   !> in a build, and heavy pipe in a dogleg of 9 deg in 20 m, pulled and lowered. The stiff string presses too hard in the dogleg.
+   subroutine test_walls()
+      real(wp), parameter :: casing(2, 2) = reshape([818.766_wp, 479.06_wp, 562.131_wp, 376.39_wp], [2, 2])      ! kN
+      real(wp), parameter :: dogleg(2, 2) = reshape([608.063_wp, 100.11_wp, 325.595_wp, 62.23_wp], [2, 2])
+      type(model_type) :: model
+      type(component_type) :: steel
+      steel = pipe(10.0_wp*69.9_wp, 0.2445_wp, 0.2205_wp)
+      steel%joint_od = 0.2699_wp
+      call new_well(model, [0.0_wp, 300.0_wp, 900.0_wp, 1450.0_wp], [0.0_wp, 0.0_wp, 50.0_wp, 50.0_wp], spread(77.0_wp, 1, 4), &
+                    0.3112_wp, 0.3_wp, steel)
+      model%mud_density = 1300.0_wp
+      call compare(casing, [0.0_wp, 0.0_wp], 5.0e-3_wp, 0.02_wp, 'casing')
+      steel = pipe(10.0_wp*73.4_wp, 0.127_wp, 0.0762_wp)
+      steel%joint_od = 0.1651_wp
+      call new_well(model, [0.0_wp, 250.0_wp, 270.0_wp, 560.0_wp], [2.0_wp, 2.0_wp, 11.0_wp, 11.0_wp], spread(77.0_wp, 1, 4), &
+                    0.2159_wp, 0.2_wp, steel)
+      model%mud_density = 1200.0_wp
+      call compare(dogleg, [-250.0e3_wp, 0.0_wp], 0.01_wp, 0.2_wp, 'dogleg')
+
+   contains
+
+      subroutine compare(beam, wob, hookload_within, contact_within, what)
+         real(wp), intent(in) :: beam(2, 2)      !< hook load and contact, pulled and lowered [kN]
+         real(wp), intent(in) :: wob(2)          !< [N]
+         real(wp), intent(in) :: hookload_within, contact_within
+         character(*), intent(in) :: what
+         integer, parameter :: operations(2) = [operation_trip_out, operation_trip_in]
+         type(case_result_type) :: result
+         integer :: i
+         model%gravity = 9.80665_wp
+         do i = 1, 2
+            call set_case(model, operations(i), wob(i), 0.0_wp)
+            call solve(rigid, model, result)
+            call note(what//': hook load over the beam''s', 1.0e-3_wp*result%hookload/beam(1, i) - 1.0_wp)
+            call note(what//': contact over the beam''s', 1.0e-3_wp*result%normal_force/beam(2, i) - 1.0_wp)
+            call assertRelativelyEqual(beam(1, i), 1.0e-3_wp*result%hookload, hookload_within, message=what//': hook load')
+            call assertRelativelyEqual(beam(2, i), 1.0e-3_wp*result%normal_force, contact_within, message=what//': contact')
+         end do
+      end subroutine compare
+   end subroutine test_walls
+
    !> Shear force: |d|/(2 l) where the wall bends a slack pipe, and M k for a torque M in a bend, which beams have too. A soft
    !> string has none.
    subroutine test_shear()
@@ -211,8 +254,9 @@ contains
       call set_case(model, operation_static, -1.0_wp, 0.0_wp)
       call solve(rigid, model, result)
       i = minloc(abs(result%profile%md - 200.0_wp), dim=1)
-      call assertRelativelyEqual(0.5_wp*bending_stiffness(model%strings(1)%components(1))*curvature/sqrt(clearance/curvature), &
-                                 result%profile%shear(i), 1.0e-6_wp, message='at the change of curvature')
+      call assertRelativelyEqual(0.5_wp*bending_stiffness(model%strings(1)%components(1))*curvature/ &
+                                 sqrt(2.0_wp*clearance/curvature), result%profile%shear(i), 1.0e-6_wp, &
+                                 message='at the change of curvature')
       call set_case(model, operation_rotary_drilling, -1.0e3_wp, torque)
       do which = rigid, mcge
          call solve(which, model, result)

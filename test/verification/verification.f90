@@ -32,6 +32,7 @@ contains
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
       use dg_test_columns, only: columns_suite
+      use dg_test_margins, only: margins_suite
       use dg_test_boundary_layers, only: boundary_layers_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
@@ -59,6 +60,7 @@ contains
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())
       call suite%addTest(columns_suite())
+      call suite%addTest(margins_suite())
       call suite%addTest(boundary_layers_suite())
    end function load_tests
 end program verification

@@ -1,0 +1,54 @@
+!> What a calibration has learnt of the friction of hole sections, for a Monte Carlo that goes on from it.
+module dg_learnt_friction
+   use dg_kinds, only: wp
+   use dg_calibration, only: calibration_type
+   use dg_calibration_result, only: calibration_result_type
+   use dg_fit_statistics, only: student_quantile
+   use dg_missing, only: is_missing
+   implicit none
+   private
+   public :: learn_friction
+
+   !> Deviations and correlations are handed on as they are printed, so that a deck that repeats them draws the same.
+   real(wp), parameter :: deviation_steps = 1.0e5_wp, correlation_steps = 1.0e4_wp
+   !> Degrees of freedom of a normal distribution, for all purposes.
+   integer, parameter :: as_normal = 100000
+
+contains
+
+   !> Standard deviations of the coefficients of all hole sections, and their correlations. Sections that share a factor vary
+   !> together; those that were not looked for do not vary. A deviation is that of a normal distribution with the factor's 95 %
+   !> interval: few measurements make it larger than the fit's own. `known` is false where a section's factor has no interval.
+   pure subroutine learn_friction(calibration, result, deviations, correlation, known)
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      real(wp), intent(out) :: deviations(:)         !< one a hole section of the deck [-]
+      real(wp), intent(out) :: correlation(:, :)
+      logical, intent(out) :: known
+      integer :: unknown(size(deviations)), i, j, u
+      unknown = 0
+      do j = 1, size(calibration%holes)
+         do u = 1, size(calibration%unknowns)
+            if (calibration%unknowns(u)%is_offset) cycle
+            if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
+            unknown(calibration%holes(j)) = u
+         end do
+      end do
+      known = allocated(result%statistics%half_width) .and. any(unknown > 0)
+      deviations = 0.0_wp
+      correlation = 0.0_wp
+      do i = 1, size(deviations)
+         correlation(i, i) = 1.0_wp
+         if (unknown(i) == 0 .or. .not. known) cycle
+         associate (half => result%statistics%half_width(unknown(i)))
+            known = .not. is_missing(half)
+            if (known) deviations(i) = anint(deviation_steps*half/student_quantile(0.975_wp, as_normal))/deviation_steps
+         end associate
+         do j = 1, i - 1
+            if (unknown(j) == 0) cycle
+            correlation(i, j) = anint(correlation_steps*result%statistics%correlation(unknown(i), unknown(j)))/correlation_steps
+            correlation(j, i) = correlation(i, j)
+         end do
+      end do
+   end subroutine learn_friction
+end module dg_learnt_friction

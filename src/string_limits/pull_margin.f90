@@ -1,0 +1,61 @@
+!> How far a place of the string is from yielding when it is pulled.
+!>
+!> What yields is von Mises' stress with bending. A pull changes the moment. A taut string follows the hole, so its moment is at
+!> least EI times the hole's curvature; what was more, at stabilisers and ends of bends, is taken to stay. A buckled string is
+!> straightened by the pull. Between tool joints that touch alone the moment grows with tension
+!> (dg_joint_bending).
+module dg_pull_margin
+   use dg_kinds, only: wp
+   use dg_component, only: bending_stiffness, component_type, has_joints, tube_area
+   use dg_joint_bending, only: pulled_magnification
+   use dg_pipe_stress, only: tension_capacity
+   implicit none
+   private
+   public :: pull_margin
+
+   !> Halvings of the pull: to 1e-9 of it.
+   integer, parameter :: halvings = 30
+
+contains
+
+   !> Tension that may be added at one place [N]; where it yields already, negative: by how much compression or tension is too much.
+   pure function pull_margin(part, axial, torque, moment, curvature, apart, buckled) result(margin)
+      type(component_type), intent(in) :: part   !< with a yield strength
+      real(wp), intent(in) :: axial              !< effective [N]
+      real(wp), intent(in) :: torque             !< [N.m]
+      real(wp), intent(in) :: moment             !< now, >= 0 [N.m]
+      real(wp), intent(in) :: curvature          !< of the hole [1/m]
+      logical, intent(in) :: apart               !< whether joints were solved one by one
+      logical, intent(in) :: buckled
+      real(wp) :: margin
+      real(wp) :: low, high, middle
+      integer :: i
+      margin = tension_capacity(part%od, part%id, torque, moment, part%yield) - abs(axial)
+      if (margin < 0.0_wp) return
+      high = tension_capacity(part%od, part%id, torque, moment_at(axial), part%yield)
+      margin = high - axial
+      if (.not. (apart .and. has_joints(part))) return
+      low = min(axial, high)
+      do i = 1, halvings
+         middle = 0.5_wp*(low + high)
+         if (tension_capacity(part%od, part%id, torque, moment_at(middle), part%yield) > middle) then
+            low = middle
+         else
+            high = middle
+         end if
+      end do
+      margin = low - axial
+
+   contains
+
+      !> Moment under a tension [N].
+      pure function moment_at(tension) result(pulled)
+         real(wp), intent(in) :: tension
+         real(wp) :: pulled
+         pulled = bending_stiffness(part)*curvature
+         if (apart .and. has_joints(part)) pulled = pulled*pulled_magnification(tension, bending_stiffness(part), &
+            0.5_wp*part%joint_spacing, curvature, 0.5_wp*(part%joint_od - part%od))
+         if (.not. buckled) pulled = max(pulled, moment)
+      end function moment_at
+   end function pull_margin
+end module dg_pull_margin
