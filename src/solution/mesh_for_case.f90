@@ -44,14 +44,14 @@ module dg_mesh_for_case
 contains
 
    !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
-   pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, waves, pressing, shortened)
+   pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, strained, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
       type(soft_totals_type), intent(out) :: totals  !< of the coiled soft string: whether it is locked up
       real(wp), intent(out) :: compressed      !< largest compression of the soft string over its coiling load [-]
-      real(wp), intent(out) :: waves           !< of buckling, sqrt(2 EI/F) 2 pi long, in the string beyond the sinusoidal limit [-]
+      real(wp), intent(out) :: strained        !< largest axial strain of the soft string [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:)
@@ -59,7 +59,7 @@ contains
       real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
-      waves = 0.0_wp
+      strained = 0.0_wp
       pressing = 0.0_wp
       shortened = 0
       associate (load_case => model%cases(case_index))
@@ -88,10 +88,10 @@ contains
             end if
             longest(e) = min(longest(e), mesh%length(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
+            strained = max(strained, abs(axial(e))/mesh%ea(e), abs(axial(e + 1))/mesh%ea(e))
             if (.not. compression > 0.0_wp) cycle
             share = compression/max(tiny(1.0_wp), coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e)))
             compressed = max(compressed, share)
-            if (share > snake_share) waves = waves + mesh%length(e)*sqrt(0.5_wp*compression/mesh%ei(e))/(2.0_wp*pi)
          end do
          depths = subdivided(mesh%md, longest)
          ! where joints touch their spacing rules, and nothing else bends the string as shortly

@@ -72,6 +72,9 @@ module dg_static_analysis
    real(wp), parameter :: buckling_share = 0.4_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
+   !> Axial strain of the soft string, and its contact force over its weight, beyond which friction counts as holding the string
+   !> [-]: steel yields at a tenth of the strain, and forces that contact makes grow by factors from bend to bend.
+   real(wp), parameter :: most_strain = 0.05_wp, held_by = 10.0_wp
    !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
    !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
    real(wp), parameter :: most_work = 1.0e7_wp
@@ -150,16 +153,16 @@ contains
       type(string_type) :: string
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
-      real(wp) :: margin, waves
+      real(wp) :: margin, strained
       logical :: found
       integer :: i, outcome, in_plane
       integer :: most              ! iterations
       integer :: tried             ! attempts on a mesh before
       associate (equations => string%equations, mesh => string%mesh)
-         call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, waves, string%pressing, &
+         call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
-         if (totals%runaway) then
-            call result_of_lock_up(model, case_index, result)
+         if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
+            call result_of_lock_up(model, case_index, strained, result)
             return
          end if
          most = min(allowed, size(history) + int(most_work/mesh%elements))

@@ -192,11 +192,12 @@ contains
       call add_message(result, text)
    end subroutine add_outside
 
-   !> The result of a case that no push at the top can bring about: friction of the coiled string outgrows all bounds. Forces are
-   !> those of the soft string below that depth.
-   subroutine result_of_lock_up(model, case_index, result)
+   !> The result of a case that nothing at the top can bring about: friction of the coiled string outgrows all bounds, or no pipe
+   !> bears the pull against it. Forces are those of the soft string, below the depth from which on they have no bounds.
+   subroutine result_of_lock_up(model, case_index, strained, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
+      real(wp), intent(in) :: strained      !< largest axial strain of the soft string [-]
       type(case_result_type), intent(out) :: result
       type(soft_totals_type) :: totals
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
@@ -214,6 +215,13 @@ contains
       result%friction = totals%weight - model%cases(case_index)%wob - axial(1)
       result%torque = torque(1)
       result%normal_force = totals%normal_force
+      allocate (result%gaps(0), result%history(0))
+      if (.not. totals%runaway) then
+         result%message = 'friction holds the string: the force that moves it, '//to_text(axial(1)/kilonewton, shown)// &
+                          ' kN at surface, would stretch it by '//to_text(100.0_wp*strained, shown)//' %, which no pipe bears; '// &
+                          'forces are those of the soft string'
+         return
+      end if
       result%message = 'friction of the coiled string grows without bound above '//to_text(anint(totals%runaway_md))//' m; '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
@@ -223,7 +231,6 @@ contains
       else
          result%message = result%message//'no push at the top brings the string down to this depth'
       end if
-      allocate (result%gaps(0), result%history(0))
    end subroutine result_of_lock_up
 
    !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen

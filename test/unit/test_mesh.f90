@@ -147,7 +147,7 @@ contains
       type(error_type), allocatable :: error
       real(wp), parameter :: pull(2) = [0.0_wp, 2.0e6_wp], level(2) = 90.0_wp*degree
       integer, parameter :: parts(2) = [3, 2]
-      real(wp) :: compressed, waves, pressing
+      real(wp) :: compressed, strained, pressing
       integer :: i, shortened(scale_count)
       call build(model)
       call new_trajectory(model%trajectory, [0.0_wp, 300.0_wp], level, [0.0_wp, 0.0_wp], interpolation_minimum_curvature, error)
@@ -156,7 +156,7 @@ contains
       model%cases(1)%bit_depth = 300.0_wp
       do i = 1, size(pull)
          model%cases(1)%wob = -pull(i)
-         call mesh_for_case(model, 1, 30.0_wp, mesh, totals, compressed, waves, pressing, shortened)
+         call mesh_for_case(model, 1, 30.0_wp, mesh, totals, compressed, strained, pressing, shortened)
          call assertEqual(10*parts(i), mesh%elements, message='parts')
          call assertLessThan(sag(30.0_wp/parts(i)), 0.25_wp, message='bears it')
          call assertLessThan(0.25_wp, sag(30.0_wp/(parts(i) - 1)), message='no shorter than that')

@@ -57,10 +57,10 @@ contains
       type(soft_totals_type) :: totals
       type(error_type), allocatable :: error
       real(wp), allocatable :: state(:, :), pressed(:)
-      real(wp) :: compressed, waves, pressing
+      real(wp) :: compressed, strained, pressing
       integer :: shortened(scale_count)
       call pushed(ratio, model)
-      call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, waves, pressing, shortened)
+      call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
       call lay_out_gaps(model%numerics, mesh, gaps)
       allocate (state(6, mesh%nodes), pressed(mesh%elements))
       call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
