@@ -27,8 +27,8 @@ module dg_plane
 contains
 
    !> Chooses plane or space. Where the hole lies in a vertical plane and the string neither rotates nor has torque on its bit,
-   !> weight, walls and friction leave it there, and it is at rest there if it is at rest at all; where it may buckle out of the
-   !> plane that rest would not last.
+   !> weight, walls and friction leave it there, and its equilibrium is there if it has any; where it may buckle out of the plane
+   !> that equilibrium would not last.
    pure subroutine choose_way(asked, mesh, tob, may_buckle, plane, way)
       logical, intent(in) :: asked          !< for planes
       type(mesh_type), intent(in) :: mesh

@@ -7,8 +7,9 @@
 !> One iteration:
 !>   1. The linear problem of dg_contact_problem gives the step and the contact forces at its end, gaps opened and closed within
 !>      it. rho grows to the wall's own as gaps settle.
-!>   2. A compressed string is watched: viscosity is raised until the energy's tangent is positive definite with it, and until no
-!>      node moves by more than the step limit times its own clearance.
+!>   2. A compressed string is watched; any other one in space is once its step is too long or leads uphill. Viscosity is raised
+!>      until the energy's tangent is positive definite with it, and until no node moves by more than the step limit times its own
+!>      clearance. What is still longer than one clearance is shortened to it.
 !>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
 !>      axial forces of the linear problem: an axial stiffness would make kilonewtons of the square of a lateral step.
 !>   4. The step is shortened while the slope along it of the energy, friction's forces frozen, is uphill at its end. Walls press

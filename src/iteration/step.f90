@@ -248,7 +248,7 @@ contains
       end associate
    end function energy_slope
 
-   !> Shortens the step until the slope along it is no longer uphill, and takes it.
+   !> Shortens the step until the slope along it is no longer uphill, or the residual is less than before it, and takes it.
    subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations

@@ -24,7 +24,7 @@ module dg_bent_start
 contains
 
    !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are under the soft string's forces, and
-   !> finds what each element then presses with. `found` is false where the beam finds no rest: y is then what it was.
+   !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
    pure subroutine bend_start(model, mesh, axial, torque, rotary, wall, y, pressed, found)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

@@ -22,15 +22,16 @@ module dg_buckled_start
    integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
    !> Where a snake's first zero lies, in half waves from what ends it, and by how many radians of phase its envelope is longer
    !> than the way from there. At an end in the middle of the hole: linear theory at the load of onset, where the snake
-   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall (dg_end_span: 1.745 long, 2.019
-   !> of contact force where it touches). At a part r times as stiff: 1 - 1/(2 r) and nothing, which is a clamp's where it is rigid
-   !> and what the beams' own solutions have at heavy-weight pipe (r = 1.9: 0.73) and at collars (r = 5: 0.87 to 0.93).
+   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall: 1.745 l long, with a contact
+   !> force of 2.019 n l where it touches, n the side load and l = (EI c/n)^(1/4). At a part r times as stiff: 1 - 1/(2 r) and
+   !> nothing, which is a clamp's where it is rigid and what the beams' own solutions have at heavy-weight pipe (r = 1.9: 0.73)
+   !> and at collars (r = 5: 0.87 to 0.93).
    real(wp), parameter :: zero_at_end = 0.730_wp, lead_at_end = 2.926_wp
    real(wp), parameter :: zero_at_clamp = 1.0_wp, zero_by_stiffness = 0.5_wp
    !> Phase from a centred end at which a coil turns at its full rate [rad]: as the beams' own solutions do, a quarter turn late.
    real(wp), parameter :: coil_turns = pi
    !> The angle to the low side, before it, at which a coil comes from the middle of the hole [rad]: its weight is lowest so, the
-   !> end turning slowly as `held_back` has it, at the height of dg_end_span.
+   !> end turning slowly as `held_back` has it, at the height of a beam between axis and wall.
    real(wp), parameter :: lag_at_end = 0.92_wp
    !> Waves are stretched or pressed together by no more than this to suit both ends of a zone [-].
    real(wp), parameter :: largest_stretch = 0.25_wp

@@ -320,7 +320,7 @@ contains
    end subroutine lean_to
 
    !> Leans the string, where it does not coil, from a centred top down a vertical part of the hole to where compression lays it
-   !> against the outside of a bend below: left as a step from the axis to the wall it takes plain Newton out of its way. Tension
+   !> against the outside of a bend below: left as a step from the axis to the wall it leads the iteration astray. Tension
    !> would lay it against the inside, which it reaches only further down.
    pure subroutine lean_on_bend(mesh, axial, offset, slope)
       type(mesh_type), intent(in) :: mesh

@@ -2,8 +2,8 @@
 !>
 !> The soft string gives axial force, torque and the side on which each place touches. Nodes are laid against that
 !> side, pressed into the wall by the contact force, turned up the wall when the string rotates, bent as a beam (dg_bent_start), and
-!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From rest with the
-!> full load the iteration takes many times as long, and may be lost.
+!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From the hole
+!> axis with the full load the iteration takes many times as long, and may be lost.
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
