@@ -5,7 +5,6 @@ module dg_gap_table
    implicit none
    private
    public :: gap_table_type, new_gap_table, judge_states, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
-   public :: open_pulling
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -75,18 +74,6 @@ contains
          changed = changed + 1
       end do
    end subroutine judge_states
-
-   !> Opens the gaps whose walls pull the string, which may by the threshold r_n0: many of them add up.
-   pure subroutine open_pulling(table, force, opened)
-      type(gap_table_type), intent(inout) :: table
-      real(wp), intent(in) :: force(:)      !< contact force of each gap [N]
-      integer, intent(out) :: opened
-      opened = count(table%state /= state_free .and. force < 0.0_wp)
-      where (table%state /= state_free .and. force < 0.0_wp)
-         table%state = state_free
-         table%flips = table%flips + 1
-      end where
-   end subroutine open_pulling
 
    !> Moves a gap to the extremum x0 = xi L (Eq. 2). The paper puts x0 where the element "is to make first contact": a
    !> free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by

@@ -36,7 +36,7 @@ module dg_summary_file
       column_type('torque', quantity_moment, 'torque at the top, bit torque included: the force moment of Table 1'), &
       column_type('normal_force', quantity_force, 'sum of the contact forces over the string'), &
       column_type('status', quantity_text, 'converged, not_converged or locked_up: only the first is a solution'), &
-      column_type('iterations', quantity_none, 'Newton iterations on the final mesh, all stages and attempts '// &
+      column_type('iterations', quantity_none, 'Newton iterations of all attempts and meshes of a case '// &
          'together; 0 for the other models'), &
       column_type('elements', quantity_none, 'beam elements, or steps of integration of the others'), &
       column_type('seconds', quantity_time, 'wall time of this case''s solution alone'), &

@@ -39,7 +39,8 @@ module dg_predictor
 contains
 
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
-   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there.
+   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
+   !> `wall`; contact forces are those against the mesh's own.
    pure subroutine predict(model, case_index, mesh, scale, wall, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -53,7 +54,8 @@ contains
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
-      logical :: found
+      real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
+      logical :: found, sharp
       integer :: i, e, laid
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, scale, scale, coiled=.true.)
       offset = 0.0_wp
@@ -76,6 +78,11 @@ contains
       y(1:2, :) = offset
       y(3:4, :) = slope
       call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, forces, found)
+      if (found) then      ! against the wall itself: a soft one spreads the load of places where the string touches
+         bent = y
+         call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
+         if (sharp) forces = hard
+      end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
