@@ -19,20 +19,13 @@ module dg_predictor
    use dg_predicted_helix, only: touch_above_bit
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
+   use dg_tuning, only: tuning_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
    public :: predict
 
-   !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
-   !> joint is long.
-   real(wp), parameter :: shortest_bend = 0.1_wp
-   !> The same over the length of the element below, but for tool joints [-].
-   real(wp), parameter :: sliver = 0.4_wp
-   !> A resultant so far off the middle of its element, over its length, places the gap there [-]: next to places that the string
-   !> lifts off from. Less comes of the load's change along an element.
-   real(wp), parameter :: aside = 0.05_wp
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
 
@@ -68,14 +61,15 @@ contains
          offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
-      call slopes_of(mesh, offset, slope)
-      call lay_buckled(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, &
-                       model%boundary%bit_centred, wall, load, offset, slope, laid)
+      call slopes_of(model%numerics%tuning, mesh, offset, slope)
+      call lay_buckled(model, mesh, axial, gaps%xi, wall, load, offset, slope, laid)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       y(1:2, :) = offset
       y(3:4, :) = slope
-      call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, forces, found)
+      found = .false.
+      if (model%numerics%tuning%start_bent) &
+         call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, forces, found)
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
@@ -84,7 +78,7 @@ contains
          gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
          if (.not. (found .and. pressed(e) > 0.0_wp .and. model%numerics%gap_location == gap_at_extremum)) cycle
          place = dot_product(contact_xi, forces(:, e))/pressed(e)
-         if (abs(place - gaps%xi(e)) > aside) gaps%xi(e) = place
+         if (abs(place - gaps%xi(e)) > model%numerics%tuning%aside) gaps%xi(e) = place
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
@@ -93,7 +87,8 @@ contains
    !> component ends beside a station, or next to an element many times as long, are laid on the cubic through their neighbours: the
    !> offset may jump there with the clearance, and a sliver between two such nodes would start with up to millions of times the
    !> force that it can carry.
-   pure subroutine slopes_of(mesh, offset, slope)
+   pure subroutine slopes_of(tuning, mesh, offset, slope)
+      type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(inout) :: offset(:, :)
       real(wp), intent(out) :: slope(:, :)
@@ -102,9 +97,9 @@ contains
       knots = 1
       knot(1) = 1
       do i = 2, mesh%nodes
-         least = shortest_bend
+         least = tuning%shortest_bend
          if (i < mesh%nodes) then
-            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, sliver*mesh%length(i))
+            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, tuning%sliver*mesh%length(i))
          end if
          if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) then
             if (i == mesh%nodes) knot(knots) = i
