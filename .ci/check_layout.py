@@ -48,9 +48,21 @@ def saved_locals(text):
     return found
 
 
+def untried_numbers(root):
+    """Numbers of dg_tuning that nothing uses, or that `bench -- ablation` does not try; the list of attempts is tried by its length."""
+    body = re.search(r"type :: tuning_type\n(.*?)end type", (root / "src/model/tuning.f90").read_text(encoding="utf-8"), re.S).group(1)
+    names = set(re.findall(r"^ +(?:real|integer|logical)[^:!]*:: (\w+)", body, re.M))
+    table = re.findall(r"case.*call change\('(\w+)', tuning%(\w+),",
+                       (root / "app/bench/bench_ablation.f90").read_text(encoding="utf-8"))
+    used = " ".join(path.read_text(encoding="utf-8") for path in (root / "src").rglob("*.f90"))
+    return [f"src/model/tuning.f90: {name}: nothing uses it" for name in sorted(names) if f"tuning%{name}" not in used] + \
+           [f"app/bench/bench_ablation.f90: {name}: not tried, or under another name, or no number of dg_tuning"
+            for name in sorted(names ^ {name for name, changed in table if name == changed})]
+
+
 def check(root):
     faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
-              if not p.name.startswith(".") and p.name not in TOP]
+              if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root)
     for top in ("src", "app", "test"):
         for path in sorted((root / top).rglob("*.f90")):
             if "build" in path.relative_to(root).parts:

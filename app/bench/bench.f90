@@ -2,9 +2,12 @@
 !> convergence; what the stiffness of the wall changes; and what the fidelity auto is worth on the sample decks.
 !> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
-!> Given any argument it does nothing: `fpm run -- DECK` starts every program of the manifest with that argument.
+!> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
+!> it and without it. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest with that
+!> argument.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
+   use dg_bench_ablation, only: print_ablation
    use dg_bench_decks, only: print_decks
    use dg_bench_moments, only: print_moments
    use dg_bench_orders, only: print_orders
@@ -40,35 +43,53 @@ program bench
    integer, parameter :: pulled = 9
    !> Element lengths: a thousand to a hundred thousand elements [m].
    real(wp), parameter :: lengths(5) = [3.2_wp, 1.0_wp, 0.32_wp, 0.1_wp, 0.032_wp]
-   type(model_type) :: model
-   type(job_type) :: job
-   type(text_type), allocatable :: notes(:)
-   type(fault_list_type) :: faults
+   character(4096), allocatable :: arguments(:)
+   integer :: i
 
-   if (command_argument_count() > 0) stop
+   allocate (arguments(command_argument_count()))
+   do i = 1, size(arguments)
+      call get_command_argument(i, arguments(i))
+   end do
    call keep_freed_memory()      ! as the program does
-   allocate (notes(0))
-   call read_deck(deck, model, job, notes, faults)
-   if (faults%count > 0) then
-      write (error_unit, '(a)') 'bench: cannot read '//deck//'; run it from the root of the repository'
-      error stop 2
+   if (size(arguments) == 0) then
+      call print_costs()
+   else if (arguments(1) == 'ablation') then
+      if (size(arguments) > 1) then
+         call print_ablation(arguments(2:))
+      else
+         call print_ablation(decks)
+      end if
    end if
-   write (output_unit, '(a)') program_name//' '//program_version//', '//machine_name()
-   write (output_unit, '(a)') compiler_version()
-   write (output_unit, '(a)') compiler_options()
-   if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
-   write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
-   call print_cases(model)
-   call print_moments(model)
-   call print_sizes(model, turning, lengths, runs)
-   call print_phases(model, turning, lengths, runs)
-   call print_plane(model, pulled, lengths(:3), runs)
-   call print_solvers(model, turning, lengths, runs)
-   call print_orders(model)
-   call print_walls(model, turning)
-   call print_decks(decks)
 
 contains
+
+   !> What solutions cost.
+   subroutine print_costs()
+      type(model_type) :: model
+      type(job_type) :: job
+      type(text_type), allocatable :: notes(:)
+      type(fault_list_type) :: faults
+      allocate (notes(0))
+      call read_deck(deck, model, job, notes, faults)
+      if (faults%count > 0) then
+         write (error_unit, '(a)') 'bench: cannot read '//deck//'; run it from the root of the repository'
+         error stop 2
+      end if
+      write (output_unit, '(a)') program_name//' '//program_version//', '//machine_name()
+      write (output_unit, '(a)') compiler_version()
+      write (output_unit, '(a)') compiler_options()
+      if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
+      write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
+      call print_cases(model)
+      call print_moments(model)
+      call print_sizes(model, turning, lengths, runs)
+      call print_phases(model, turning, lengths, runs)
+      call print_plane(model, pulled, lengths(:3), runs)
+      call print_solvers(model, turning, lengths, runs)
+      call print_orders(model)
+      call print_walls(model, turning)
+      call print_decks(decks)
+   end subroutine print_costs
 
    !> The cases of the deck, each several times.
    subroutine print_cases(model)

@@ -10,7 +10,7 @@ module dg_bench_chain
    use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
-   use dg_predictor, only: predict
+   use dg_predictor, only: predict, start_type
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
@@ -55,7 +55,7 @@ contains
          call new_workspace(mesh, chain%work)
          chain%matrix = new_block_matrix(mesh%nodes)
          allocate (chain%state(6, mesh%nodes), chain%residual(6, mesh%nodes))
-         call predict(model, case_index, mesh, 1.0_wp, mesh%wall, chain%work%climb, chain%state, chain%gaps, chain%work%normal)
+         call predict(model, case_index, mesh, start_type(), chain%work%climb, chain%state, chain%gaps, chain%work%normal)
       end associate
       chain%loads = load_type(wob=model%cases(case_index)%wob, top_support=support, bit_support=support)
       call survey_chain(model, chain)

@@ -8,11 +8,7 @@ module dg_walls
    implicit none
    private
    public :: softness, lay_out_gaps, tolerance_at
-   public :: soft_penetration
 
-   !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres
-   !> are between two contacts, so that no single gap matters.
-   real(wp), parameter :: soft_penetration = 0.1_wp
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
@@ -24,7 +20,8 @@ contains
 
    !> Stiffness of the walls that a start is made for over their own [-]: the expected load presses in by a visible part of the
    !> clearance. Against the wall itself every gap that opens or closes throws its neighbours about.
-   pure function softness(mesh, pressing) result(share)
+   pure function softness(soft_penetration, mesh, pressing) result(share)
+      real(wp), intent(in) :: soft_penetration   !< as of tuning_type [-]
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
       real(wp) :: share

@@ -23,16 +23,13 @@ module dg_contact_problem
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
    use dg_plane, only: fold_rows
+   use dg_tuning, only: tuning_type
    use dg_viscosity, only: raise_viscosity
    use dg_workspace, only: workspace_type
    implicit none
    private
    public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
    public :: add_closed, solve_problem, change_of_gap, in_series
-
-   !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard wells
-   !> found no equilibrium, with ten 11.
-   integer, parameter :: most_rounds = 10
 
    type :: contact_problem_type
       integer :: unknowns = block_size         !< of a node
@@ -139,7 +136,8 @@ contains
    end subroutine is_definite
 
    !> Raises viscosity until that tangent is positive definite with it, or with the margin.
-   pure subroutine hold_by_viscosity(energy, lump, problem, margin, matrix, viscosity)
+   pure subroutine hold_by_viscosity(tuning, energy, lump, problem, margin, matrix, viscosity)
+      type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
@@ -147,12 +145,13 @@ contains
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(inout) :: viscosity
       call add_closed(energy, problem, matrix)
-      call raise_viscosity(matrix, lump, margin, viscosity)
+      call raise_viscosity(tuning, matrix, lump, margin, viscosity)
    end subroutine hold_by_viscosity
 
    !> Solves the linear problem for equations%step, the forces wanted and the gaps closed. equations%matrix is that without closed
    !> gaps; it is left with them.
-   subroutine solve_problem(equations, gaps, residual, force, live, problem, fault)
+   subroutine solve_problem(most_rounds, equations, gaps, residual, force, live, problem, fault)
+      integer, intent(in) :: most_rounds           !< times that gaps are opened and closed
       type(equations_type), intent(inout) :: equations
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)       !< r(d, R)

@@ -27,23 +27,14 @@ module dg_equilibrium
    use dg_interruption, only: is_interrupted
    use dg_mesh, only: mesh_type
    use dg_outside_hole, only: measure_outside, outside_type
-   use dg_step, only: equilibrium_type, find_step, go_back, growth_at_start, look, margin_of, measure, move_gaps, &
-                      new_equilibrium, rigid, search_along, settle
+   use dg_step, only: equilibrium_type, find_step, go_back, look, margin_of, measure, move_gaps, new_equilibrium, &
+                      rigid, search_along, settle
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: ease_viscosity, until_definite, viscosity_most, viscosity_start, weigh_all
+   use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_all
    use dg_workspace, only: workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_equilibrium
-
-   !> A slope at a step's end over that at its start by which the step is refused [-].
-   real(wp), parameter :: refused = 0.6_wp
-   !> Largest lateral change by the last step of a compressed string, over its clearance, at which it is in equilibrium [-]: near
-   !> its buckling load next to no force moves it.
-   real(wp), parameter :: still = 1.0e-4_wp
-   !> Times that gaps may move from an equilibrium to the extremum of their element, and iterations after which a string whose gaps
-   !> have moved is given up and taken back to its equilibrium before.
-   integer, parameter :: most_rounds = 4, longest_round = 25
 
 contains
 
@@ -120,8 +111,8 @@ contains
       do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. it%row%flips == 0)
          definite = .true.
          if (it%watched) then
-            if (it%row%lateral_step > still*maxval(mesh%clearance)) exit
-            call weigh_all(mesh, work, it%soft, it%lump)
+            if (it%row%lateral_step > it%numerics%tuning%still*maxval(mesh%clearance)) exit
+            call weigh_all(it%numerics%tuning, mesh, work, it%soft, it%lump)
             it%problem%closed = gaps%state /= state_free
             call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, definite)
          end if
@@ -135,7 +126,7 @@ contains
                return
             end if
          end if
-         if (it%rounds < most_rounds) then
+         if (it%rounds < it%numerics%tuning%most_moves) then
             it%rounds = it%rounds + 1
             it%round_start = equations%iterations
             it%rest = state
@@ -144,7 +135,7 @@ contains
             call keep_gaps(gaps, it%kept)
             call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., it%loads%bit_support > 0.0_wp, gaps, work)
             if (it%row%moves > 0) then
-               it%growth = growth_at_start
+               it%growth = it%numerics%tuning%growth
                call look(it, trajectory, mesh, .false., gaps, work)
                call measure_here(it, equations, trajectory, mesh, gaps, state, work)
                cycle
@@ -154,13 +145,14 @@ contains
          ended = .true.
          return
       end do
-      if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. equations%iterations >= it%round_start + longest_round) then
+      if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. &
+          equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
          state = it%rest
          work%normal = it%rest_force
          call take_gaps_back(it%rest_gaps, gaps)
          call take_gaps_back(it%rest_gaps, it%kept)
          equations%gaps_taken_back = .true.
-         it%rounds = most_rounds
+         it%rounds = it%numerics%tuning%most_moves
          it%growth = rigid
          call settle(trajectory, mesh, gaps, state, work)
          call look(it, trajectory, mesh, .false., gaps, work)
@@ -179,20 +171,25 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      if (.not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < refused*abs(it%slope)) .or. it%trial < it%before) then
-         it%row%judged = judged_whole
-         if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
-         call measure_here(it, equations, trajectory, mesh, gaps, state, work)
-         call ease_viscosity(it%raised <= until_definite, it%viscosity)
-         it%raised = until_definite
-      else
-         it%growth = it%old_growth
-         call go_back(it, trajectory, mesh, gaps, state, work)
-         call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
-         it%row%flips = 0
-         it%row%judged = judged_refused
-         it%viscosity = max(it%viscosity, viscosity_start)*it%raised
-         it%raised = until_definite*it%raised
-      end if
+      logical :: taken
+      associate (tuning => it%numerics%tuning)
+         taken = .not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
+                 it%trial < it%before
+         if (taken) then
+            it%row%judged = judged_whole
+            if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
+            call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+            call ease_viscosity(tuning, it%raised <= tuning%until_definite, it%viscosity)
+            it%raised = tuning%until_definite
+         else
+            it%growth = it%old_growth
+            call go_back(it, trajectory, mesh, gaps, state, work)
+            call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+            it%row%flips = 0
+            it%row%judged = judged_refused
+            it%viscosity = max(it%viscosity, tuning%viscosity_start)*it%raised
+            it%raised = tuning%until_definite*it%raised
+         end if
+      end associate
    end subroutine judge_step
 end module dg_equilibrium

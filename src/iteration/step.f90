@@ -17,38 +17,21 @@ module dg_step
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_plane, only: unfold
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: add_viscosity, until_definite, viscosity_start, weigh_all
+   use dg_tuning, only: tuning_type
+   use dg_viscosity, only: add_viscosity, weigh_all
    use dg_wall_turn, only: turn_along_wall
-   use dg_walls, only: soft_penetration
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_step, search_along, go_back, look, measure, move_gaps, settle
-   public :: growth_at_start, margin_of, rigid
+   public :: margin_of, rigid
 
-   !> rho begins so many times stiffer than a wall that its load presses in visibly, and grows by as much when few gaps change, this
-   !> part of the closed ones, and the residual is below this part of the force scale; then it is the wall's own [-].
-   real(wp), parameter :: growth_at_start = 100.0_wp, few = 0.05_wp, calm = 1.0e-2_wp, stiff = 1.0e4_wp
+   !> What rho grows by where it is the wall's own [-].
    real(wp), parameter :: rigid = 1.0e30_wp
-   !> Viscosity is raised by this factor, so often at most, while a node moves by more than the step limit; what is left is
-   !> a matter of the step's share [-].
-   real(wp), parameter :: held_more = 4.0_wp
-   integer, parameter :: most_holds = 8
-   !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
-   !> element is too long for the iteration, and is cut where it stays so.
-   real(wp), parameter :: gently = 0.1_wp
-   !> Residual over the force scale next to an equilibrium [-].
-   real(wp), parameter :: near = 1.0e-4_wp
-   !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
-   real(wp), parameter :: largest_turn = 0.1_wp
    !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
    !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
    !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
    real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
-   !> A slope at a step's end over that at its start from which the step is shortened [-]; times that it is shortened,
-   !> each between these parts.
-   real(wp), parameter :: uphill = 0.3_wp, shortest = 0.1_wp, longest = 0.7_wp
-   integer, parameter :: most_searches = 3
 
    !> One run of the iteration: what it is asked for, and its state.
    type :: equilibrium_type
@@ -66,8 +49,8 @@ module dg_step
       type(block_matrix_type) :: energy       !< the tangent without friction and torque, where the string is watched
       real(wp), allocatable :: lump(:, :)     !< what a unit of viscosity adds to its diagonal
       real(wp) :: viscosity = 0.0_wp          !< in units of F^2/(4 EI) [-]
-      real(wp) :: raised = until_definite     !< what a refusal raises viscosity by
-      real(wp) :: growth = growth_at_start    !< of rho since the softest [-]
+      real(wp) :: raised = 1.0_wp             !< what a refusal raises viscosity by
+      real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
       real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
       real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
@@ -99,7 +82,9 @@ contains
       it%numerics = numerics
       it%loads = loads
       it%tolerance = tolerance
-      it%soft = max(pressing, least*maxval(mesh%wall))/soft_penetration
+      it%soft = max(pressing, least*maxval(mesh%wall))/numerics%tuning%soft_penetration
+      it%raised = numerics%tuning%until_definite
+      it%growth = numerics%tuning%growth
       it%watched = watched
       call new_contact_problem(mesh, unknowns, it%problem)
       allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), source=0.0_wp)
@@ -132,12 +117,12 @@ contains
       it%problem%closed = gaps%state /= state_free
       if (.not. it%watched) then
          call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
-         call solve_problem(equations, gaps, it%residual, work%normal, .true., it%problem, fault)
+         call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, fault)
          if (fault /= 0) then
             it%outcome = outcome_singular
             return
          end if
-         reach = reach_of(equations, mesh)
+         reach = reach_of(it%numerics%tuning, equations, mesh)
          if ((reach > it%numerics%step_limit .or. .not. energy_slope(equations, it%problem%load) < 0.0_wp) &
              .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
@@ -165,32 +150,34 @@ contains
       real(wp) :: margin
       logical :: live          ! friction follows the contact forces within the step
       integer :: hold, fault
-      call weigh_all(mesh, work, it%soft, it%lump)
+      call weigh_all(it%numerics%tuning, mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
-      margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
-      if (it%before < near*equations%force_scale) margin = margin_of(it, mesh)
-      live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
-      do hold = 0, most_holds
-         call hold_by_viscosity(it%energy, it%lump, it%problem, margin, equations%matrix, it%viscosity)
-         do
-            call copy_matrix(it%energy, equations%matrix)
-            if (live) call add_friction(mesh, it%loads, gaps, state, work, equations%matrix)
-            call add_viscosity(it%viscosity, it%lump, equations%matrix)
-            call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
-            call solve_problem(equations, gaps, it%residual, work%normal, live, it%problem, fault)
-            if (fault /= 0) then
-               it%outcome = outcome_singular
-               reach = 0.0_wp
-               return
-            end if
-            if (.not. live .or. energy_slope(equations, it%problem%load) < 0.0_wp) exit
-            live = .false.          ! friction's tangent leads uphill: its forces are left as they are
-            it%problem%closed = gaps%state /= state_free
+      associate (tuning => it%numerics%tuning)
+         margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
+         if (it%before < tuning%near*equations%force_scale) margin = margin_of(it, mesh)
+         live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
+         do hold = 0, tuning%most_holds
+            call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, equations%matrix, it%viscosity)
+            do
+               call copy_matrix(it%energy, equations%matrix)
+               if (live) call add_friction(mesh, it%loads, gaps, state, work, equations%matrix)
+               call add_viscosity(it%viscosity, it%lump, equations%matrix)
+               call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
+               call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
+               if (fault /= 0) then
+                  it%outcome = outcome_singular
+                  reach = 0.0_wp
+                  return
+               end if
+               if (.not. live .or. energy_slope(equations, it%problem%load) < 0.0_wp) exit
+               live = .false.          ! friction's tangent leads uphill: its forces are left as they are
+               it%problem%closed = gaps%state /= state_free
+            end do
+            reach = reach_of(tuning, equations, mesh)
+            if (reach <= it%numerics%step_limit .or. hold == tuning%most_holds) exit
+            it%viscosity = max(it%viscosity, tuning%viscosity_start)*tuning%held_more
          end do
-         reach = reach_of(equations, mesh)
-         if (reach <= it%numerics%step_limit .or. hold == most_holds) exit
-         it%viscosity = max(it%viscosity, viscosity_start)*held_more
-      end do
+      end associate
    end subroutine find_held_step
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
@@ -225,12 +212,13 @@ contains
    end function margin_of
 
    !> Largest lateral step of a node over its clearance, or turn over the largest one [-].
-   pure function reach_of(equations, mesh) result(reach)
+   pure function reach_of(tuning, equations, mesh) result(reach)
+      type(tuning_type), intent(in) :: tuning
       type(equations_type), intent(in) :: equations
       type(mesh_type), intent(in) :: mesh
       real(wp) :: reach
       integer :: n
-      reach = maxval(abs(equations%step(equations%slopes(1):equations%slopes(2), :)))/largest_turn
+      reach = maxval(abs(equations%step(equations%slopes(1):equations%slopes(2), :)))/tuning%largest_turn
       do n = 1, mesh%nodes
          reach = max(reach, norm2(equations%step(equations%laterals(1):equations%laterals(2), n)) &
                             /mesh%clearance(min(n, mesh%elements)))
@@ -274,22 +262,24 @@ contains
          it%move = equations%step
       end if
       call find_lengths(mesh, work, state, it%move, it%length, it%longer)
-      do search = 0, most_searches
-         call try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
-         if (.not. (it%slope < 0.0_wp .and. it%slope_after > uphill*abs(it%slope)) .or. search == most_searches .or. &
-             it%trial < it%before) exit
-         call go_back(it, trajectory, mesh, gaps, state, work)
-         part = max(shortest, min(longest, it%slope/(it%slope - it%slope_after)))
-         it%share = part*it%share
-         equations%step = part*equations%step
-         it%move = part*it%move
-         it%longer = part*it%longer
-         it%slope = part*it%slope
-      end do
-      call take_step(it, trajectory, mesh, gaps, work)
-      if (it%row%flips <= nint(few*count(gaps%state /= state_free)) .and. it%before < calm*equations%force_scale) &
-         it%growth = it%growth*growth_at_start
-      if (it%growth >= stiff) it%growth = rigid
+      associate (tuning => it%numerics%tuning)
+         do search = 0, tuning%most_searches
+            call try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
+            if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
+                search == tuning%most_searches .or. it%trial < it%before) exit
+            call go_back(it, trajectory, mesh, gaps, state, work)
+            part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
+            it%share = part*it%share
+            equations%step = part*equations%step
+            it%move = part*it%move
+            it%longer = part*it%longer
+            it%slope = part*it%slope
+         end do
+         call take_step(it, trajectory, mesh, gaps, work)
+         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%before < tuning%calm*equations%force_scale) &
+            it%growth = it%growth*tuning%growth
+         if (it%growth >= tuning%stiff) it%growth = rigid
+      end associate
    end subroutine search_along
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
@@ -354,11 +344,12 @@ contains
       real(wp) :: slide
       integer :: e
       if (it%watched) then
-         call turn_along_wall(trajectory, mesh, work, it%move, state)
+         call turn_along_wall(it%numerics%tuning, trajectory, mesh, work, it%move, state)
       else
          state = state + it%move
       end if
       call place_nodes(mesh, state, work)
+      if (.not. it%numerics%tuning%keep_lengths) return
       slide = 0.0_wp
       do e = 1, mesh%elements
          slide = slide + it%length(e) + it%longer(e) - membrane_length(mesh%chord(:, e) + (work%shift(:, e + 1) &
@@ -436,7 +427,7 @@ contains
          end if
          if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
       end do
-      call look(it, trajectory, mesh, it%growth < stiff, gaps, work)
+      call look(it, trajectory, mesh, it%growth < it%numerics%tuning%stiff, gaps, work)
    end subroutine take_step
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
@@ -474,7 +465,7 @@ contains
       real(wp) :: deep
       integer :: e, next
       it%row%moves = 0
-      if (relocate) call move_gaps(it, trajectory, mesh, gently, it%row%flips == 0, .false., gaps, work)
+      if (relocate) call move_gaps(it, trajectory, mesh, it%numerics%tuning%gently, it%row%flips == 0, .false., gaps, work)
       it%row%flips = 0
       do e = 1, mesh%elements
          associate (law => gaps%law(e), force => work%normal(e))

@@ -7,27 +7,20 @@ module dg_viscosity
    use dg_block_matrix, only: block_matrix_type, block_size
    use dg_block_solver, only: block_positive_definite
    use dg_mesh, only: mesh_type
+   use dg_tuning, only: tuning_type
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
    public :: weigh, weigh_all, add_viscosity, ease_viscosity, raise_viscosity
-   public :: until_definite, viscosity_start, viscosity_most
+   public :: viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
    !> cubic element, rounded.
    real(wp), parameter :: slope_lump = 0.01_wp
    !> What every place gets of the largest F^2/(4 EI) [-], lest something else than compression be unstable.
    real(wp), parameter :: viscosity_everywhere = 1.0e-4_wp
-   !> The least of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly, and
-   !> the part of viscosity that holds nodes back along the hole: friction that slides them drives that, too [-].
-   real(wp), parameter :: of_soft_wall = 1.0e-2_wp, along_hole = 0.1_wp
-   !> Below the least it is none; where it is called for anew it starts so, and beyond the most it is given up.
-   real(wp), parameter :: viscosity_least = 1.0e-5_wp, viscosity_start = 1.0e-3_wp, viscosity_most = 1.0e9_wp
-   !> What is left of it after a step that was good at first try, and after one that was not; each refusal doubles its own factor
-   !> (Nielsen 1999) [-].
-   real(wp), parameter :: after_success = 0.3_wp, after_refusal = 0.8_wp
-   !> What it grows by while the tangent is indefinite [-].
-   real(wp), parameter :: until_definite = 2.0_wp
+   !> Beyond this a run is given up [-].
+   real(wp), parameter :: viscosity_most = 1.0e9_wp
 
 contains
 
@@ -44,12 +37,13 @@ contains
    end subroutine weigh
 
    !> The same for strings that may be all in tension, and along the hole.
-   pure subroutine weigh_all(mesh, work, soft, lump)
+   pure subroutine weigh_all(tuning, mesh, work, soft, lump)
+      type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: soft                 !< stiffness of a wall that yields visibly [N/m2]
       real(wp), intent(inout) :: lump(:, :)
-      call lay_weights(mesh, work, of_soft_wall*soft, along_hole, lump)
+      call lay_weights(mesh, work, tuning%of_soft_wall*soft, tuning%along_hole, lump)
    end subroutine weigh_all
 
    !> Weights of a string whose places have a least stiffness, with a part of the lateral one along the hole.
@@ -86,15 +80,17 @@ contains
    end subroutine add_viscosity
 
    !> Viscosity after a step that was good, at first try or not.
-   elemental subroutine ease_viscosity(first_try, viscosity)
+   pure subroutine ease_viscosity(tuning, first_try, viscosity)
+      type(tuning_type), intent(in) :: tuning
       logical, intent(in) :: first_try
       real(wp), intent(inout) :: viscosity
-      viscosity = viscosity*merge(after_success, after_refusal, first_try)
-      if (viscosity < viscosity_least) viscosity = 0.0_wp
+      viscosity = viscosity*merge(tuning%after_success, tuning%after_refusal, first_try)
+      if (viscosity < tuning%viscosity_least) viscosity = 0.0_wp
    end subroutine ease_viscosity
 
    !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin.
-   pure subroutine raise_viscosity(energy, lump, margin, viscosity)
+   pure subroutine raise_viscosity(tuning, energy, lump, margin, viscosity)
+      type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to its diagonal
       real(wp), intent(in) :: margin                !< as that of viscosity [-]
@@ -103,7 +99,7 @@ contains
       do
          call block_positive_definite(energy, max(viscosity, margin), lump, definite)
          if (definite .or. viscosity > viscosity_most) return
-         viscosity = until_definite*max(viscosity, viscosity_start)
+         viscosity = tuning%until_definite*max(viscosity, tuning%viscosity_start)
       end do
    end subroutine raise_viscosity
 end module dg_viscosity

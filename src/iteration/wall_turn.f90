@@ -4,20 +4,19 @@ module dg_wall_turn
    use dg_gap_survey, only: node_offset
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: trajectory_type
+   use dg_tuning, only: tuning_type
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist, workspace_type
    implicit none
    private
    public :: turn_along_wall
-
-   !> Nodes so far off the axis, over the clearance, are turned about it, by no more than this in a step [rad].
-   real(wp), parameter :: turned_beyond = 0.3_wp, largest_swing = 0.5_wp
 
 contains
 
    !> state <- state + step, where the lateral step of a node across its offset from the hole axis is a turn about that axis:
    !> offset and slope turn by the step over the radius. To first order it is the plain sum; along straight lines a string on a
    !> round wall could only creep.
-   pure subroutine turn_along_wall(trajectory, mesh, work, step, state)
+   pure subroutine turn_along_wall(tuning, trajectory, mesh, work, step, state)
+      type(tuning_type), intent(in) :: tuning
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed at `state`
@@ -34,7 +33,8 @@ contains
          slope = state(dof_slope_1:dof_slope_2, n)
          square = sum(offset**2)
          turn = offset(1)*move(2) - offset(2)*move(1)
-         if (square > (turned_beyond*mesh%clearance(min(n, mesh%elements)))**2 .and. abs(turn) < largest_swing*square) then
+         if (square > (tuning%turned_beyond*mesh%clearance(min(n, mesh%elements)))**2 .and. &
+             abs(turn) < tuning%largest_swing*square) then
             turn = turn/square
             along = dot_product(move, offset)/square
             move = turned((1.0_wp + along)*offset, turn) - offset

@@ -2,6 +2,7 @@
 module dg_numerics
    use dg_kinds, only: wp
    use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
+   use dg_tuning, only: tuning_type
    implicit none
    private
    public :: numerics_type, default_elastic_share
@@ -55,6 +56,7 @@ module dg_numerics
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
       logical :: history = .false.             !< keep and write the iteration history
+      type(tuning_type) :: tuning              !< of start and iteration: no deck changes it
    end type numerics_type
 
 contains

@@ -6,7 +6,7 @@
 !>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
 !>      friction's forces frozen, or the largest residual. In the plane of the hole where the string stays there, else in space.
 !>   4. An equilibrium must be stable, and within the hole.
-!>   5. Where there is none: the attempts in the list `attempts`, and all of them again with shorter elements.
+!>   5. Where there is none: the attempts of dg_tuning, and all of them again with shorter elements.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -27,12 +27,13 @@ module dg_static_analysis
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
-   use dg_predictor, only: predict
+   use dg_predictor, only: predict, start_type
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, touched
    use dg_text, only: to_text
+   use dg_tuning, only: attempt_type
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
    use dg_workspace, only: new_workspace, workspace_type
@@ -40,35 +41,12 @@ module dg_static_analysis
    private
    public :: solve_static_analysis
 
-   !> One attempt at a case.
-   type :: attempt_type
-      integer :: longest = 0               !< iterations that it may have
-      real(wp) :: growth = 0.0_wp          !< of rho over the softest, to begin with [-]
-      logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
-   end type attempt_type
-   !> The attempts in their order. The first finds an ordinary string's equilibrium in three to five iterations, and that of most
-   !> others in a hundred. The second has walls as soft as those of the start for longer: gaps settle more slowly and more surely.
-   !> The third has the gaps at their other place: short packed assemblies may have no equilibrium at the place asked for.
-   type(attempt_type), parameter :: attempts(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp), &
-                                                   attempt_type(150, 100.0_wp, other_place=.true.)]
-   !> Times that elements are cut where the string stands outside its hole.
-   integer, parameter :: most_cuts = 3
-   !> Iterations in the plane of the hole before the string is solved in space.
-   integer, parameter :: longest_in_plane = 30
-   !> Where that many iterations, or half of those allowed, found no equilibrium, elements so much shorter have the others. A string
-   !> that is pushed near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half
-   !> few.
-   integer, parameter :: enough = 400
-   real(wp), parameter :: finer = 0.25_wp
    !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
    !> string within micrometres of the axis, not so stiff as to spoil the matrix.
    real(wp), parameter :: support_length = 1.0_wp
    !> Of a string without weight and load, which has no scale of its own [N].
    real(wp), parameter :: least_scale = 1.0_wp
-   !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
-   !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long.
-   real(wp), parameter :: watch_share = 0.25_wp
-   !> From this part of it on a string may buckle: friction's climb fades, and the margin of stability is told.
+   !> Part of the coiling load from which a string may buckle: friction's climb fades, and the margin of stability is told [-].
    real(wp), parameter :: buckling_share = 0.4_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
@@ -119,9 +97,11 @@ contains
       if (present(totals_only)) moments = moments .and. .not. totals_only
       allocate (history(0))
       first = most
-      if (finer*model%numerics%element_length > shortest) first = min(most, max(enough, most/2))
+      associate (tuning => model%numerics%tuning)
+         if (tuning%finer*model%numerics%element_length > shortest) first = min(most, max(tuning%enough, most/2))
+      end associate
       call solve_on_mesh(model, case_index, model%numerics%element_length, first, moments, history, result)
-      length = finer*min(model%numerics%element_length, result%element_lengths(2))
+      length = model%numerics%tuning%finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. work_is_done(result) .and. .not. is_interrupted()) then
          history = result%history
@@ -174,7 +154,7 @@ contains
          found = .false.
          in_plane = 0
          if (equations%planar) then
-            numerics%max_iterations = min(most, equations%iterations + longest_in_plane)
+            numerics%max_iterations = min(most, equations%iterations + numerics%tuning%longest_in_plane)
             call try_in_plane(model, case_index, numerics, tried + 1, string, found)
             outcome = outcome_converged
             if (.not. found) then     ! whatever the reason, space decides, as if nothing had been tried before
@@ -184,11 +164,11 @@ contains
                call make_room(equations, numerics%linear_solver, mesh%nodes, planar=.false.)
             end if
          end if
-         do i = 1, merge(0, size(attempts), found)
+         do i = 1, merge(0, model%numerics%tuning%most_attempts, found)
             numerics = model%numerics
-            numerics%max_iterations = min(most, equations%iterations + attempts(i)%longest)
-            if (attempts(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
-            call make_attempt(model, case_index, numerics, attempts(i)%growth, tried + i, string, outcome)
+            numerics%max_iterations = min(most, equations%iterations + numerics%tuning%attempt(i)%longest)
+            if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
+            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + i, string, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
          if (is_interrupted()) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
@@ -261,7 +241,7 @@ contains
       logical, intent(out) :: stays
       real(wp) :: residual
       integer :: outcome
-      call make_attempt(model, case_index, numerics, attempts(1)%growth, number, string, outcome)
+      call make_attempt(model, case_index, numerics, numerics%tuning%attempt(1), number, string, outcome)
       call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
                           residual)
       stays = outcome == outcome_converged
@@ -270,30 +250,32 @@ contains
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
    !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
-   subroutine make_attempt(model, case_index, numerics, growth, number, string, outcome)
+   subroutine make_attempt(model, case_index, numerics, attempt, number, string, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
-      real(wp), intent(in) :: growth       !< as of attempt_type
+      type(attempt_type), intent(in) :: attempt
       integer, intent(in) :: number        !< of the attempt
       type(string_type), intent(inout) :: string
       integer, intent(out) :: outcome
       type(equilibrium_type) :: it
+      type(start_type) :: start
       real(wp) :: fraction, worst
       integer :: increment, place, cut
       call lay_out_gaps(numerics, string%mesh, string%gaps)
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, string%loads)
-         if (increment == 1) call predict(model, case_index, string%mesh, fraction, softness(string%mesh, string%pressing) &
-                                          *string%mesh%wall, string%work%climb, string%state, string%gaps, string%work%normal)
-         do cut = 0, most_cuts
+         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
+         if (increment == 1) call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, &
+                                          string%work%normal)
+         do cut = 0, numerics%tuning%most_cuts
             call new_iteration(numerics, string, it)
-            it%growth = growth
+            it%growth = attempt%growth
             it%row%increment = increment
             it%row%attempt = number
             it%row%stage = 1 + cut
-            if (increment == numerics%load_steps .and. cut < most_cuts) it%cut_from = 2.0_wp*shortest
+            if (increment == numerics%load_steps .and. cut < numerics%tuning%most_cuts) it%cut_from = 2.0_wp*shortest
             call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
             outcome = it%outcome
             if (outcome /= outcome_outside) exit
@@ -313,7 +295,8 @@ contains
       associate (equations => string%equations)
          if (equations%planar) call flatten(equations%plane, string%state)
          call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%gaps, equations%force_scale), &
-                              string%pressing, string%compressed > watch_share .and. .not. equations%planar, equations%unknowns, it)
+                              string%pressing, string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, &
+                              equations%unknowns, it)
       end associate
    end subroutine new_iteration
 
@@ -351,7 +334,8 @@ contains
          call new_workspace(mesh, string%work)
          if (string%compressed > buckling_share) call find_climb(model, case_index, mesh, string%work%climb)
          allocate (string%state(6, mesh%nodes))
-         call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > watch_share, equations%plane, string%way)
+         call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
+                          string%way)
          call make_room(equations, numerics%linear_solver, mesh%nodes, planar=string%way == way_planar)
          allocate (equations%history(numerics%max_iterations + 1))
          equations%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)

@@ -9,6 +9,7 @@ module dg_buckled_start
    use dg_constants, only: pi
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
    use dg_predicted_helix, only: lay_helix
    use dg_snake, only: snake_swing, snake_wave
    use dg_soft_string_loads, only: coil_force, coiling_load
@@ -58,12 +59,11 @@ contains
    !>   beyond Dawson & Paslay's   a snake about the side that it lies on (dg_snake)
    !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
    !>                              could not leave that state
-   pure subroutine lay_buckled(mesh, axial, place, imperfection, top_centred, bit_centred, wall, load, offset, slope, laid)
+   pure subroutine lay_buckled(model, mesh, axial, place, wall, load, offset, slope, laid)
+      type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)           !< tension > 0, by node [N]
       real(wp), intent(in) :: place(:)           !< x0/L of the gaps, by element [-]
-      real(wp), intent(in) :: imperfection       !< over the clearance [-]
-      logical, intent(in) :: top_centred, bit_centred
       real(wp), intent(in) :: wall(:)            !< stiffness per length, by element [N/m2]
       real(wp), intent(inout) :: load(:)         !< contact force per metre, by node [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
@@ -72,8 +72,15 @@ contains
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
       call sort_out(mesh, axial, load, does, rate)
-      call lay_helix(mesh, axial, place, top_centred, bit_centred, wall, load, offset, slope, laid, angle, does == snaking)
-      does(:laid) = coiling
+      laid = 0
+      angle = 0.0_wp
+      if (model%numerics%tuning%start_buckled) then
+         call lay_helix(mesh, axial, place, model%boundary%top_centred, model%boundary%bit_centred, wall, load, offset, slope, &
+                        laid, angle, does == snaking)
+         does(:laid) = coiling
+      else
+         where (does /= stretched) does = lying
+      end if
       phase = 0.0_wp
       do i = 2, mesh%nodes
          phase(i) = phase(i - 1) + rate(i)*(mesh%md(i) - mesh%md(i - 1))
@@ -81,8 +88,8 @@ contains
       zone%first = laid + 1
       do while (zone%first <= mesh%nodes)
          zone%last = last_like(does, zone%first)
-         zone%above = what_ends(mesh, does, zone%first, -1, top_centred)
-         zone%below = what_ends(mesh, does, zone%last, 1, bit_centred)
+         zone%above = what_ends(mesh, does, zone%first, -1, model%boundary%top_centred)
+         zone%below = what_ends(mesh, does, zone%last, 1, model%boundary%bit_centred)
          select case (does(zone%first))
          case (coiling)
             if (laid > 0 .and. zone%first == laid + 1) then
@@ -96,7 +103,7 @@ contains
          case (lying)
             do i = max(zone%first, 2), zone%last
                e = min(i, mesh%elements)
-               offset(:, i) = offset(:, i) + imperfection*mesh%clearance(e)*[cos(phase(i)), sin(phase(i))]
+               offset(:, i) = offset(:, i) + model%numerics%imperfection*mesh%clearance(e)*[cos(phase(i)), sin(phase(i))]
             end do
          case default      ! in tension: nothing
          end select

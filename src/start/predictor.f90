@@ -19,20 +19,22 @@ module dg_predictor
    use dg_predicted_helix, only: touch_above_bit
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
+   use dg_tuning, only: tuning_type
    use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: predict
+   public :: predict, start_type
 
-   !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
-   !> joint is long.
-   real(wp), parameter :: shortest_bend = 0.1_wp
-   !> The same over the length of the element below, but for tool joints [-].
-   real(wp), parameter :: sliver = 0.4_wp
-   !> A resultant so far off the middle of its element, over its length, places the gap there [-]: next to places that the string
-   !> lifts off from. Less comes of the load's change along an element.
-   real(wp), parameter :: aside = 0.05_wp
+   !> What a start is asked for.
+   type :: start_type
+      real(wp) :: scale = 1.0_wp       !< of friction and bit loads [-]
+      real(wp) :: softness = 1.0_wp    !< stiffness of the walls that it is laid against over their own [-]
+      !> Contact forces are spread as the soft wall does. The wall itself gathers them where the string touches, and with that the
+      !> places of the gaps are right.
+      logical :: spread = .false.
+   end type start_type
+
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
 
@@ -40,47 +42,48 @@ contains
 
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
    !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
-   !> `wall`; contact forces are those against the mesh's own.
-   pure subroutine predict(model, case_index, mesh, scale, wall, climb, state, gaps, pressed)
+   !> the soft wall; contact forces are those against the wall itself, where they are not left spread.
+   pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: scale    !< of friction and bit loads [-]
-      real(wp), intent(in) :: wall(:)  !< stiffness of the wall per length, by element [N/m2]
+      type(start_type), intent(in) :: start
       real(wp), intent(in) :: climb(:) !< share of circumferential friction's force, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
-      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes)
+      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
       real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
       logical :: found, sharp
       integer :: i, e, laid
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, scale, scale, coiled=.true.)
+      wall = start%softness*mesh%wall
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, start%scale, start%scale, coiled=.true.)
       offset = 0.0_wp
       do i = 1, mesh%nodes
          force = norm2(contact(:, i))
          load(i) = force
          if (.not. force > 0.0_wp) cycle
          e = min(i, mesh%elements)
-         friction = mesh%rotary(e)*climb(e)*scale
+         friction = mesh%rotary(e)*climb(e)*start%scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
          offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
                                                                  dot_product(n, mesh%frame(:, 3, i))]
       end do
-      call slopes_of(mesh, offset, slope)
-      call lay_buckled(mesh, axial, gaps%xi, model%numerics%imperfection, model%boundary%top_centred, &
-                       model%boundary%bit_centred, wall, load, offset, slope, laid)
+      call slopes_of(model%numerics%tuning, mesh, offset, slope)
+      call lay_buckled(model, mesh, axial, gaps%xi, wall, load, offset, slope, laid)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       y(1:2, :) = offset
       y(3:4, :) = slope
-      call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, wall, y, forces, found)
-      if (found) then      ! against the wall itself: a soft one spreads the load of places where the string touches
+      found = .false.
+      if (model%numerics%tuning%start_bent) &
+         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, wall, y, forces, found)
+      if (found .and. .not. start%spread) then
          bent = y
-         call bend_start(model, mesh, axial, torque, scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
+         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
          if (sharp) forces = hard
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
@@ -91,7 +94,7 @@ contains
          gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
          if (.not. (found .and. pressed(e) > 0.0_wp .and. model%numerics%gap_location == gap_at_extremum)) cycle
          place = dot_product(contact_xi, forces(:, e))/pressed(e)
-         if (abs(place - gaps%xi(e)) > aside) gaps%xi(e) = place
+         if (abs(place - gaps%xi(e)) > model%numerics%tuning%aside) gaps%xi(e) = place
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
@@ -100,7 +103,8 @@ contains
    !> component ends beside a station, or next to an element many times as long, are laid on the cubic through their neighbours: the
    !> offset may jump there with the clearance, and a sliver between two such nodes would start with up to millions of times the
    !> force that it can carry.
-   pure subroutine slopes_of(mesh, offset, slope)
+   pure subroutine slopes_of(tuning, mesh, offset, slope)
+      type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(inout) :: offset(:, :)
       real(wp), intent(out) :: slope(:, :)
@@ -109,9 +113,9 @@ contains
       knots = 1
       knot(1) = 1
       do i = 2, mesh%nodes
-         least = shortest_bend
+         least = tuning%shortest_bend
          if (i < mesh%nodes) then
-            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, sliver*mesh%length(i))
+            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, tuning%sliver*mesh%length(i))
          end if
          if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) then
             if (i == mesh%nodes) knot(knots) = i

@@ -15,7 +15,7 @@ module dg_test_mesh
    use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
-   use dg_predictor, only: predict
+   use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
@@ -250,7 +250,7 @@ contains
       gaps = new_gap_table([(law, e=1, mesh%elements)], 0.5_wp)
       allocate (state(6, mesh%nodes), residual(6, mesh%nodes), axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), &
                 pressed(mesh%elements))
-      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
+      call predict(model, 1, mesh, start_type(), spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
       call soft_string_at(model, 1, mesh%md, axial, torque, contact)
       call assertTrue(all(gaps%state == state_elastic), message='an inclined string touches everywhere')
       gaps%state = state_free

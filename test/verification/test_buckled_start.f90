@@ -12,7 +12,7 @@ module dg_test_buckled_start
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
-   use dg_predictor, only: predict
+   use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe
@@ -63,7 +63,7 @@ contains
       call mesh_for_case(model, 1, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
       call lay_out_gaps(model%numerics, mesh, gaps)
       allocate (state(6, mesh%nodes), pressed(mesh%elements))
-      call predict(model, 1, mesh, 1.0_wp, mesh%wall, spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
+      call predict(model, 1, mesh, start_type(), spread(1.0_wp, 1, mesh%elements), state, gaps, pressed)
       md = mesh%md
       predicted = atan2(state(3, :), -state(2, :))      ! n_1 is the high side here
       call solve_static_analysis(model, 1, result, error)

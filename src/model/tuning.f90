@@ -1,0 +1,126 @@
+!> Every number that steers the start and the iteration of beams, and is neither physics nor the user's choice. What each of them is
+!> worth: `fpm run bench --profile release -- ablation` solves wells with it and without it.
+module dg_tuning
+   use dg_kinds, only: wp
+   implicit none
+   private
+   public :: attempt_type, tuning_type
+
+   !> One attempt at a case.
+   type :: attempt_type
+      integer :: longest = 0               !< iterations that it may have
+      real(wp) :: growth = 0.0_wp          !< of rho over the softest, to begin with [-]
+      logical :: spread = .false.          !< contact forces of the start are those against soft walls
+      logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
+   end type attempt_type
+
+   type :: tuning_type
+      ! ---- the attempts at a case (dg_static_analysis)
+      !> The attempts in their order. The first finds an ordinary string's equilibrium in three to five iterations, and that of most
+      !> others in a hundred. The second begins with contact forces that soft walls spread, and has such walls for longer: gaps
+      !> settle more slowly and more surely. The third has the gaps at their other place: short packed assemblies may have no
+      !> equilibrium at the place asked for.
+      type(attempt_type) :: attempt(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
+                                          attempt_type(150, 100.0_wp, other_place=.true.)]
+      !> How many of them are made, at most 3.
+      integer :: most_attempts = 3
+      !> Times that elements are cut where the string stands outside its hole.
+      integer :: most_cuts = 3
+      !> Iterations in the plane of the hole before the string is solved in space.
+      integer :: longest_in_plane = 30
+      !> Where so many iterations, or half of those allowed, found no equilibrium, shorter elements have the others.
+      integer :: enough = 400
+      !> Length of those over what they were [-]; 0: there are none. A string that is pushed near lock-up leaves the soft string
+      !> that its mesh was made for behind; a quarter cures most of those, a half few.
+      real(wp) :: finer = 0.25_wp
+      !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
+      !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long. No more than 0.4: a string that may buckle
+      !> is not solved in a plane.
+      real(wp) :: watch_share = 0.25_wp
+
+      ! ---- the start (dg_predictor, dg_buckled_start, dg_bent_start, dg_walls)
+      !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres are
+      !> between two contacts, so that no single gap matters.
+      real(wp) :: soft_penetration = 0.1_wp
+      !> Parts compressed beyond their buckling load start as a helix or a snake. Without that they start on the low side, with the
+      !> imperfection.
+      logical :: start_buckled = .true.
+      !> The soft string's line is bent as a beam before it is the start.
+      logical :: start_bent = .true.
+      !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
+      !> joint is long.
+      real(wp) :: shortest_bend = 0.1_wp
+      !> The same over the length of the element below, but for tool joints [-].
+      real(wp) :: sliver = 0.4_wp
+      !> A resultant so far off the middle of its element, over its length, places the gap there [-]: next to places that the string
+      !> lifts off from. Less comes of the load's change along an element.
+      real(wp) :: aside = 0.05_wp
+
+      ! ---- contact forces (dg_contact_problem, dg_step)
+      !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard
+      !> wells found no equilibrium, with ten 11.
+      integer :: most_settlings = 10
+      !> rho grows by this when few gaps change and the residual is small, and is so many times the softest again when gaps have
+      !> moved from an equilibrium [-].
+      real(wp) :: growth = 100.0_wp
+      !> Gaps that change over those closed, at which that is few [-].
+      real(wp) :: few = 0.05_wp
+      !> Residual over the force scale at which it is small [-].
+      real(wp) :: calm = 1.0e-2_wp
+      !> From this growth on rho is the wall's own, and gaps stay where they are [-].
+      real(wp) :: stiff = 1.0e4_wp
+      !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
+      !> element is too long for the iteration, and is cut where it stays so.
+      real(wp) :: gently = 0.1_wp
+      !> Times that gaps may move from an equilibrium to the extremum of their element.
+      integer :: most_moves = 4
+      !> Iterations after which a string whose gaps have so moved is given up, and taken back to its equilibrium before.
+      integer :: longest_round = 25
+
+      ! ---- viscosity (dg_viscosity, dg_step)
+      !> The least of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly
+      !> [-].
+      real(wp) :: of_soft_wall = 1.0e-2_wp
+      !> The part of viscosity that holds nodes back along the hole [-]: friction that slides them drives that, too.
+      real(wp) :: along_hole = 0.1_wp
+      !> Below this it is none [-].
+      real(wp) :: viscosity_least = 1.0e-5_wp
+      !> Where it is called for anew it starts so [-].
+      real(wp) :: viscosity_start = 1.0e-3_wp
+      !> What is left of it after a step that was good at first try [-].
+      real(wp) :: after_success = 0.3_wp
+      !> The same after a step that was not; each refusal doubles its own factor (Nielsen 1999) [-].
+      real(wp) :: after_refusal = 0.8_wp
+      !> What it grows by while the tangent is indefinite, and at the first refusal [-].
+      real(wp) :: until_definite = 2.0_wp
+      !> It is raised by this factor while a node moves by more than the step limit [-].
+      real(wp) :: held_more = 4.0_wp
+      !> So often at most; what is left is a matter of the step's share.
+      integer :: most_holds = 8
+      !> Residual over the force scale next to an equilibrium [-]: there a string that would count as stable is not held.
+      real(wp) :: near = 1.0e-4_wp
+
+      ! ---- the step (dg_step, dg_wall_turn, dg_equilibrium)
+      !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
+      logical :: keep_lengths = .true.
+      !> Nodes so far off the axis, over the clearance, are turned about it [-].
+      real(wp) :: turned_beyond = 0.3_wp
+      !> By no more than this in a step [rad].
+      real(wp) :: largest_swing = 0.5_wp
+      !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
+      real(wp) :: largest_turn = 0.1_wp
+      !> A slope at a step's end over that at its start from which the step is shortened [-].
+      real(wp) :: uphill = 0.3_wp
+      !> Times that it is shortened.
+      integer :: most_searches = 3
+      !> Each time to no less than this part [-].
+      real(wp) :: shortest = 0.1_wp
+      !> And to no more than this part [-].
+      real(wp) :: longest = 0.7_wp
+      !> A slope at a step's end over that at its start by which the step is refused [-].
+      real(wp) :: refused = 0.6_wp
+      !> Largest lateral change by the last step of a compressed string, over its clearance, at which it is in equilibrium [-]: near
+      !> its buckling load next to no force moves it.
+      real(wp) :: still = 1.0e-4_wp
+   end type tuning_type
+end module dg_tuning
