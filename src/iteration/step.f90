@@ -122,7 +122,7 @@ contains
             it%outcome = outcome_singular
             return
          end if
-         reach = reach_of(it%numerics%tuning, equations, mesh)
+         reach = reach_of(equations, mesh)
          if ((reach > it%numerics%step_limit .or. .not. energy_slope(equations, it%problem%load) < 0.0_wp) &
              .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
@@ -173,7 +173,7 @@ contains
                live = .false.          ! friction's tangent leads uphill: its forces are left as they are
                it%problem%closed = gaps%state /= state_free
             end do
-            reach = reach_of(tuning, equations, mesh)
+            reach = reach_of(equations, mesh)
             if (reach <= it%numerics%step_limit .or. hold == tuning%most_holds) exit
             it%viscosity = max(it%viscosity, tuning%viscosity_start)*tuning%held_more
          end do
@@ -211,14 +211,13 @@ contains
       margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
    end function margin_of
 
-   !> Largest lateral step of a node over its clearance, or turn over the largest one [-].
-   pure function reach_of(tuning, equations, mesh) result(reach)
-      type(tuning_type), intent(in) :: tuning
+   !> Largest lateral step of a node over its clearance [-].
+   pure function reach_of(equations, mesh) result(reach)
       type(equations_type), intent(in) :: equations
       type(mesh_type), intent(in) :: mesh
       real(wp) :: reach
       integer :: n
-      reach = maxval(abs(equations%step(equations%slopes(1):equations%slopes(2), :)))/tuning%largest_turn
+      reach = 0.0_wp
       do n = 1, mesh%nodes
          reach = max(reach, norm2(equations%step(equations%laterals(1):equations%laterals(2), n)) &
                             /mesh%clearance(min(n, mesh%elements)))

@@ -85,7 +85,6 @@ contains
       logical, intent(in) :: first_try
       real(wp), intent(inout) :: viscosity
       viscosity = viscosity*merge(tuning%after_success, tuning%after_refusal, first_try)
-      if (viscosity < tuning%viscosity_least) viscosity = 0.0_wp
    end subroutine ease_viscosity
 
    !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin.

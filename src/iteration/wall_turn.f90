@@ -33,8 +33,7 @@ contains
          slope = state(dof_slope_1:dof_slope_2, n)
          square = sum(offset**2)
          turn = offset(1)*move(2) - offset(2)*move(1)
-         if (square > (tuning%turned_beyond*mesh%clearance(min(n, mesh%elements)))**2 .and. &
-             abs(turn) < tuning%largest_swing*square) then
+         if (square > (tuning%turned_beyond*mesh%clearance(min(n, mesh%elements)))**2) then
             turn = turn/square
             along = dot_product(move, offset)/square
             move = turned((1.0_wp + along)*offset, turn) - offset

@@ -28,10 +28,8 @@ module dg_tuning
       integer :: most_cuts = 3
       !> Iterations in the plane of the hole before the string is solved in space.
       integer :: longest_in_plane = 30
-      !> Where so many iterations, or half of those allowed, found no equilibrium, shorter elements have the others.
-      integer :: enough = 400
-      !> Length of those over what they were [-]; 0: there are none. A string that is pushed near lock-up leaves the soft string
-      !> that its mesh was made for behind; a quarter cures most of those, a half few.
+      !> Length of elements over what it was, where no attempt found an equilibrium [-]; 0: there are none. A string that is pushed
+      !> near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
       real(wp) :: finer = 0.25_wp
       !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
       !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long. No more than 0.4: a string that may buckle
@@ -47,10 +45,8 @@ module dg_tuning
       logical :: start_buckled = .true.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
-      !> Nodes closer than this to one above start on a smooth line between others [m]: less than a string bends over, or a tool
-      !> joint is long.
-      real(wp) :: shortest_bend = 0.1_wp
-      !> The same over the length of the element below, but for tool joints [-].
+      !> Nodes closer than this to one above, over the length of the element below, start on a smooth line between others, but at
+      !> tool joints [-]: a sliver may jump there with the clearance.
       real(wp) :: sliver = 0.4_wp
       !> A resultant so far off the middle of its element, over its length, places the gap there [-]: next to places that the string
       !> lifts off from. Less comes of the load's change along an element.
@@ -83,8 +79,6 @@ module dg_tuning
       real(wp) :: of_soft_wall = 1.0e-2_wp
       !> The part of viscosity that holds nodes back along the hole [-]: friction that slides them drives that, too.
       real(wp) :: along_hole = 0.1_wp
-      !> Below this it is none [-].
-      real(wp) :: viscosity_least = 1.0e-5_wp
       !> Where it is called for anew it starts so [-].
       real(wp) :: viscosity_start = 1.0e-3_wp
       !> What is left of it after a step that was good at first try [-].
@@ -105,10 +99,6 @@ module dg_tuning
       logical :: keep_lengths = .true.
       !> Nodes so far off the axis, over the clearance, are turned about it [-].
       real(wp) :: turned_beyond = 0.3_wp
-      !> By no more than this in a step [rad].
-      real(wp) :: largest_swing = 0.5_wp
-      !> Largest change of a slope in one iteration [rad]: a tenth of what directors could bear.
-      real(wp) :: largest_turn = 0.1_wp
       !> A slope at a step's end over that at its start from which the step is shortened [-].
       real(wp) :: uphill = 0.3_wp
       !> Times that it is shortened.

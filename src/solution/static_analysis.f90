@@ -88,7 +88,7 @@ contains
       logical, intent(in), optional :: totals_only   !< .true.: no moments on shorter elements, which cost time
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: ticks, start, rate
-      integer :: most, first, given_up
+      integer :: most, given_up
       logical :: moments
       real(wp) :: length
       call system_clock(start, rate)
@@ -96,11 +96,7 @@ contains
       moments = model%numerics%moments
       if (present(totals_only)) moments = moments .and. .not. totals_only
       allocate (history(0))
-      first = most
-      associate (tuning => model%numerics%tuning)
-         if (tuning%finer*model%numerics%element_length > shortest) first = min(most, max(tuning%enough, most/2))
-      end associate
-      call solve_on_mesh(model, case_index, model%numerics%element_length, first, moments, history, result)
+      call solve_on_mesh(model, case_index, model%numerics%element_length, most, moments, history, result)
       length = model%numerics%tuning%finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. work_is_done(result) .and. .not. is_interrupted()) then

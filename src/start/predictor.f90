@@ -99,9 +99,9 @@ contains
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
 
-   !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes closer than `shortest_bend` to one above, as where a
-   !> component ends beside a station, or next to an element many times as long, are laid on the cubic through their neighbours: the
-   !> offset may jump there with the clearance, and a sliver between two such nodes would start with up to millions of times the
+   !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes close to one above, as where a component ends beside a
+   !> station, next to an element many times as long, are laid on the cubic through their neighbours: the offset may jump there with
+   !> the clearance, and a sliver between two such nodes would start with up to millions of times the
    !> force that it can carry.
    pure subroutine slopes_of(tuning, mesh, offset, slope)
       type(tuning_type), intent(in) :: tuning
@@ -113,9 +113,9 @@ contains
       knots = 1
       knot(1) = 1
       do i = 2, mesh%nodes
-         least = tuning%shortest_bend
+         least = 0.0_wp
          if (i < mesh%nodes) then
-            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = max(least, tuning%sliver*mesh%length(i))
+            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = tuning%sliver*mesh%length(i)
          end if
          if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) then
             if (i == mesh%nodes) knot(knots) = i
