@@ -4,13 +4,14 @@ module dg_column
    use dg_kinds, only: wp
    use dg_constants, only: pi
    use dg_missing, only: is_missing
-   use dg_number_text, only: csv_number, csv_text
+   use dg_number_text, only: csv_number, csv_text, put_csv_number
    use dg_load_case, only: optional_real
+   use dg_ten_digits, only: longest_number
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: column_type, field_type, field_list_type, column_header, column_named, unit_text, unit_size
-   public :: csv_header, csv_row, csv_value, put, put_none
+   public :: csv_header, csv_row, put_csv_value, put, put_none
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_percent, quantity_turns, quantity_curvature, quantity_time, quantity_wall
    public :: field_absent, field_text, field_integer, field_real
@@ -162,26 +163,31 @@ contains
       type(unit_system_type), intent(in) :: units
       type(field_type), intent(in) :: fields(:)
       character(:), allocatable :: line
-      integer :: i
+      character(longest_number) :: number
+      integer :: i, filled
       line = ''
       do i = 1, size(columns)
          if (i > 1) line = line//','
          select case (fields(i)%kind)
          case (field_text); line = line//csv_text(fields(i)%text)
          case (field_integer); line = line//csv_number(fields(i)%integer_value)
-         case (field_real); line = line//csv_value(fields(i)%real_value, unit_size(columns(i)%quantity, units))
+         case (field_real)
+            filled = 0
+            call put_csv_value(number, filled, fields(i)%real_value, unit_size(columns(i)%quantity, units))
+            line = line//number(:filled)
          case default
          end select
       end do
    end function csv_row
 
-   !> A number in SI units over the SI value of its unit; empty where missing or beyond all numbers.
-   pure function csv_value(value, unit) result(text)
+   !> Puts a number in SI units over the SI value of its unit behind the letters that a row has so far; nothing where it is missing
+   !> or beyond all numbers.
+   pure subroutine put_csv_value(row, filled, value, unit)
+      character(*), intent(inout) :: row      !< with room for `longest_number` letters
+      integer, intent(inout) :: filled        !< letters so far
       real(wp), intent(in) :: value, unit
-      character(:), allocatable :: text
-      text = ''
-      if (.not. is_missing(value)) text = csv_number(value/unit)
-   end function csv_value
+      if (.not. is_missing(value)) call put_csv_number(row, filled, value/unit)
+   end subroutine put_csv_value
 
    !> A number that is not there.
    pure subroutine put_none(row)

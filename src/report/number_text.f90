@@ -4,11 +4,12 @@ module dg_number_text
    use dg_load_case, only: optional_real
    use dg_missing, only: is_shown
    use dg_printable, only: printable
+   use dg_ten_digits, only: longest_number, put_ten_digits
    use dg_text, only: put_piece
    implicit none
    private
    public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
-   public :: csv_number, csv_text
+   public :: csv_number, csv_text, put_csv_number
 
    !> A cell of a table, '-' where there is no value.
    interface fixed_cell
@@ -114,15 +115,24 @@ contains
       if (len(text) >= width) cell = text(:width - 4)//'...'
    end function left_aligned
 
-   !> Ten significant digits: users compare files to 1e-6 and better. Empty where it is no number.
+   !> Puts a number behind the letters that a row has so far; nothing where it is no number. Ten significant digits: users compare
+   !> files to 1e-6 and better.
+   pure subroutine put_csv_number(row, filled, value)
+      character(*), intent(inout) :: row      !< with room for `longest_number` letters
+      integer, intent(inout) :: filled        !< letters so far
+      real(wp), intent(in) :: value
+      if (is_shown(value)) call put_ten_digits(row, filled, value + 0.0_wp) ! no negative zero
+   end subroutine put_csv_number
+
+   !> The same as a text of its own.
    pure function csv_real(value) result(field)
       real(wp), intent(in) :: value
       character(:), allocatable :: field
-      character(40) :: buffer
-      field = ''
-      if (.not. is_shown(value)) return
-      write (buffer, '(g0.10)') value + 0.0_wp ! no negative zero
-      field = trim(adjustl(buffer))
+      character(longest_number) :: buffer
+      integer :: filled
+      filled = 0
+      call put_csv_number(buffer, filled, value)
+      field = buffer(:filled)
    end function csv_real
 
    pure function csv_integer(value) result(field)

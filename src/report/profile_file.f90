@@ -3,12 +3,13 @@ module dg_profile_file
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_column, only: csv_header, csv_value, quantity_text, unit_size
+   use dg_column, only: csv_header, put_csv_value, quantity_text, unit_size
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type
    use dg_profile_columns, only: code_names, profile_codes, profile_columns, profile_values
-   use dg_text, only: text_type
+   use dg_ten_digits, only: longest_number
+   use dg_text, only: put_piece, text_type
    implicit none
    private
    public :: write_profile
@@ -25,9 +26,9 @@ contains
       type(text_type), allocatable :: lines(:)
       real(wp), allocatable :: values(:, :)
       integer, allocatable :: codes(:, :)
-      character(10) :: names(0:2)
-      character(:), allocatable :: row
-      integer :: i, j, n
+      character(10) :: names(0:2)    ! none longer than a number
+      character(size(profile_columns)*(longest_number + 1)) :: row
+      integer :: i, j, n, filled
       n = 0
       if (allocated(result%profile%md)) n = size(result%profile%md)
       allocate (lines(0:n), values(n, size(profile_columns)), codes(n, size(profile_columns)))
@@ -39,17 +40,17 @@ contains
          end do
       end if
       do i = 1, n
-         row = ''
+         filled = 0
          do j = 1, size(profile_columns)
-            if (j > 1) row = row//','
+            if (j > 1) call put_piece(row, filled, ',')
             if (profile_columns(j)%quantity == quantity_text) then
                names = code_names(trim(profile_columns(j)%name))
-               row = row//trim(names(codes(i, j)))
+               call put_piece(row, filled, trim(names(codes(i, j))))
             else
-               row = row//csv_value(values(i, j), unit_size(profile_columns(j)%quantity, job%units))
+               call put_csv_value(row, filled, values(i, j), unit_size(profile_columns(j)%quantity, job%units))
             end if
          end do
-         lines(i)%text = row
+         lines(i)%text = row(:filled)
       end do
       call write_text_file(path, lines, error)
    end subroutine write_profile

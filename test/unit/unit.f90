@@ -57,6 +57,7 @@ contains
       use dg_test_sweep, only: sweep_suite
       use dg_test_calibration, only: calibration_suite
       use dg_test_calibration_coverage, only: calibration_coverage_suite
+      use dg_test_ten_digits, only: ten_digits_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
       type(TestSuite) :: suite
@@ -74,6 +75,7 @@ contains
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
       call suite%addTest(survey_file_suite())
+      call suite%addTest(ten_digits_suite())
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())
       call suite%addTest(closest_point_suite())
