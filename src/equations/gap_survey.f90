@@ -85,16 +85,17 @@ contains
       real(wp), intent(in) :: threshold          !< relative to the clearance [-]
       real(wp), intent(in) :: most               !< no gap moves to where the string is farther outside, over the clearance [-]
       logical, intent(in) :: closed
-      logical, intent(in) :: closely             !< at contacts next to the bit
+      logical, intent(in) :: closely             !< at contacts that stand by themselves
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
       real(wp) :: gap_i(3), gap_j(3), tangent_i(3), tangent_j(3), xi, estimate, scale
       logical :: changed
-      integer :: e, known, lone
+      logical :: lone(mesh%elements)
+      integer :: e, known
       moved = 0
-      lone = mesh%elements + 1
-      if (closely) lone = lone_contacts(gaps%state)
+      lone = .false.
+      if (closely) lone = lone_contacts(gaps%state) .and. .not. mesh%spacing > 0.0_wp
       known = 0                    ! node whose offset stands in gap_j
       do e = 1, mesh%elements
          if (.not. (closed .or. gaps%state(e) == state_free)) cycle
@@ -112,7 +113,7 @@ contains
                                        mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
          scale = gaps%law(e)%clearance
-         if (e >= lone) scale = deepest(gaps, work, e)
+         if (lone(e)) scale = deepest(gaps, work, e)
          if (mesh%spacing(e) > 0.0_wp .and. estimate - work%displacement(e) < least_gain*gaps%law(e)%clearance) cycle
          call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold*scale, changed)
          if (.not. changed) cycle

@@ -20,9 +20,6 @@ module dg_gap_table
 
    !> Closed gaps next to each other that are still one contact: two gaps may meet at a node.
    integer, parameter :: most_lone = 2
-   !> Contacts above the bit whose places are looked at closely: a moment at one support of a long beam comes to the next but one
-   !> weaker by 2 - sqrt(3) for each span, 0.5 % after four.
-   integer, parameter :: contacts_above_bit = 4
 
 contains
 
@@ -96,28 +93,26 @@ contains
       table%moves(e) = table%moves(e) + 1
    end subroutine move_gap
 
-   !> First of the elements from which on, down to the bit, contacts stand by themselves: one gap or two next to each other,
-   !> open ones beyond. Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes
-   !> no difference that the mesh could show; to move one wakes its neighbours. A stabiliser's one gap carries all of the
-   !> load between two spans, and its place rules the side force at the bit.
-   pure function lone_contacts(state) result(first)
-      integer, intent(in) :: state(:)   !< of the gaps, from the top down
-      integer :: first
-      integer :: e, run, contacts
-      first = size(state) + 1
-      run = 0
-      contacts = 0
-      do e = size(state), 1, -1
-         if (state(e) /= state_free) then
-            if (run == 0) contacts = contacts + 1
-            run = run + 1
-            if (run > most_lone .or. contacts > contacts_above_bit) return
-         else
-            first = e
-            run = 0
+   !> Gaps whose contacts stand by themselves, and the open ones next to them: one gap or two next to each other, open ones beyond.
+   !> Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes no difference that
+   !> the mesh could show; to move one wakes its neighbours. Where it touches at one place, at a stabiliser or in a sharp bend, that
+   !> gap carries all of the load between two spans, and its place rules how the spans bend.
+   pure function lone_contacts(state) result(lone)
+      integer, intent(in) :: state(:)   !< of the gaps
+      logical :: lone(size(state))
+      integer :: e, first
+      lone = .false.
+      first = 0                         ! of a run of closed gaps
+      do e = 1, size(state) + 1
+         if (e <= size(state)) then
+            if (state(e) /= state_free) then
+               if (first == 0) first = e
+               cycle
+            end if
          end if
+         if (first > 0 .and. e - first <= most_lone) lone(max(first - 1, 1):min(e, size(state))) = .true.
+         first = 0
       end do
-      first = 1
    end function lone_contacts
 
    !> Number of gaps in each state, 0:2.

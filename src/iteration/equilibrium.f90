@@ -133,7 +133,7 @@ contains
             it%rest_force = work%normal
             call keep_gaps(gaps, it%rest_gaps)
             call keep_gaps(gaps, it%kept)
-            call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., it%loads%bit_support > 0.0_wp, gaps, work)
+            call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
             if (it%row%moves > 0) then
                it%growth = it%numerics%tuning%growth
                call look(it, trajectory, mesh, .false., gaps, work)

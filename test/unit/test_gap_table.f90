@@ -76,13 +76,15 @@ contains
       call assertEqual(4, table%moves(1))
    end subroutine test_moves_end
 
-   !> States from the top down to the bit; 1 is closed. Three closed gaps in a row are a string that lies on the wall.
+   !> 1 and 2 are closed. Three closed gaps in a row are a string that lies on the wall.
    subroutine test_lone_contacts()
-      call assertEqual(6, lone_contacts([1, 1, 1, 1, 1, 0, 0, 1, 1, 0]), message='a stabiliser below a string that lies')
-      call assertEqual(8, lone_contacts([1, 0, 0, 1, 1, 2, 1, 0, 0]), message='a slick assembly')
-      call assertEqual(5, lone_contacts([1, 1, 1, 1]), message='none')
-      call assertEqual(1, lone_contacts([0, 1, 0, 1, 1, 0]), message='none lies')
-      call assertEqual(1, lone_contacts([0, 0]), message='nothing touches')
-      call assertEqual(2, lone_contacts([1, 0, 1, 0, 1, 0, 1, 0, 1, 0]), message='no more than four')
+      logical, parameter :: t = .true., f = .false.
+      call assertTrue(all(lone_contacts([1, 1, 1, 1, 1, 0, 0, 1, 1, 0]) .eqv. [f, f, f, f, f, f, t, t, t, t]), &
+                      message='a stabiliser below a string that lies')
+      call assertTrue(all(lone_contacts([1, 0, 0, 1, 1, 2, 1, 0, 0]) .eqv. [t, t, f, f, f, f, f, f, f]), message='one at the top')
+      call assertTrue(.not. any(lone_contacts([1, 1, 1, 1])), message='none')
+      call assertTrue(all(lone_contacts([0, 1, 0, 1, 1, 0])), message='none lies')
+      call assertTrue(.not. any(lone_contacts([0, 0])), message='nothing touches')
+      call assertTrue(all(lone_contacts([0, 0, 1, 0, 0]) .eqv. [f, t, t, t, f]), message='and its neighbours')
    end subroutine test_lone_contacts
 end module dg_test_gap_table

@@ -137,16 +137,16 @@ contains
                        graded(depths, [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp], 2.0_wp), 1.0e-12_wp, message='short everywhere')
    end subroutine test_graded
 
-   !> A string along a level hole may sag between two gaps by a quarter of the clearance, and no element is shorter than that asks
+   !> A string along a level hole may sag between two gaps by a fifth of the clearance, and no element is shorter than that asks
    !> for: fixed ends hold it by q l^4/(384 EI) as a beam, and under tension T by q l^2/(8 T) as a rope, both side by side. 30 m
-   !> take three parts without tension, two with 2 MN.
+   !> take four parts without tension, two with 2 MN.
    subroutine test_sag()
       type(model_type) :: model
       type(mesh_type) :: mesh
       type(soft_totals_type) :: totals
       type(error_type), allocatable :: error
       real(wp), parameter :: pull(2) = [0.0_wp, 2.0e6_wp], level(2) = 90.0_wp*degree
-      integer, parameter :: parts(2) = [3, 2]
+      integer, parameter :: parts(2) = [4, 2]
       real(wp) :: compressed, strained, pressing
       integer :: i, shortened(scale_count)
       call build(model)
@@ -158,8 +158,8 @@ contains
          model%cases(1)%wob = -pull(i)
          call mesh_for_case(model, 1, 30.0_wp, mesh, totals, compressed, strained, pressing, shortened)
          call assertEqual(10*parts(i), mesh%elements, message='parts')
-         call assertLessThan(sag(30.0_wp/parts(i)), 0.25_wp, message='bears it')
-         call assertLessThan(0.25_wp, sag(30.0_wp/(parts(i) - 1)), message='no shorter than that')
+         call assertLessThan(sag(30.0_wp/parts(i)), 0.2_wp, message='bears it')
+         call assertLessThan(0.2_wp, sag(30.0_wp/(parts(i) - 1)), message='no shorter than that')
       end do
 
    contains
