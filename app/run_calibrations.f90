@@ -133,6 +133,7 @@ contains
       real(wp), dimension(size(calibration%data)) :: measured, deviation
       logical :: is_hookload(size(calibration%data))
       integer :: kinds(size(calibration%data))
+      integer, allocatable :: of_kind(:)   !< of every measured value
       integer(int64) :: start, finish
       call system_clock(start)
       call new_string_function(function, model, calibration, calibration%models(place), threads)
@@ -156,7 +157,8 @@ contains
       kinds = variance_kinds(calibration)
       call fit_by_kinds(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, kinds, &
                         deviation, result%fit, result%halvings)
-      call judge_fit(result, measured, deviation, kinds, calibration%data%kind)
+      of_kind = calibration%data%kind       ! a section would be copied to be passed
+      call judge_fit(result, measured, deviation, kinds, of_kind)
       if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
          calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
       if (result%fit%status == fit_without_values) then

@@ -12,6 +12,8 @@ module dg_walls
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
+   !> The loosest that the iteration works with [-]: what is left at many nodes adds up in the sum of contact.
+   real(wp), parameter :: loosest = 1.0e-6_wp
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
@@ -35,7 +37,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance
-      tolerance = max(numerics%tolerance, round_off_of_places*maxval(gaps%law%maximum)/force_scale)
+      tolerance = max(min(numerics%tolerance, loosest), round_off_of_places*maxval(gaps%law%maximum)/force_scale)
    end function tolerance_at
 
    !> A table of free gaps with their laws, at their first places.
