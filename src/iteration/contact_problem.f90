@@ -29,7 +29,7 @@ module dg_contact_problem
    implicit none
    private
    public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
-   public :: add_closed, solve_problem, change_of_gap, in_series
+   public :: solve_problem, change_of_gap, in_series
 
    type :: contact_problem_type
       integer :: unknowns = block_size         !< of a node
