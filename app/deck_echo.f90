@@ -7,6 +7,7 @@ module dg_deck_echo
       unit_speed, unit_stress, unit_wall
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_printed_text, only: print_line, print_lines
@@ -127,11 +128,26 @@ contains
                   quantity(part%density, units%density, unit_label(units, unit_density))// &
                   optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))// &
                   optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
-                  optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment)))
+                  optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
+                  friction_text(' axial ', part%friction_axial, part%scale_axial)// &
+                  friction_text(' rotary ', part%friction_rotary, part%scale_rotary))
             end associate
          end do
       end associate
    end subroutine add_string
+
+   !> What a component says of its friction in one way; nothing where it has that of the hole.
+   pure function friction_text(way, own, scale) result(text)
+      character(*), intent(in) :: way
+      real(wp), intent(in) :: own, scale    !< missing: none; one: none [-]
+      character(:), allocatable :: text
+      text = ''
+      if (.not. is_missing(own)) then
+         text = ', friction'//way//to_text(own, digits)
+      else if (abs(scale - 1.0_wp) > 0.0_wp) then
+         text = ', friction'//way//to_text(scale, digits)//' of the hole''s'
+      end if
+   end function friction_text
 
    !> One load case.
    pure subroutine add_case(lines, units, case)

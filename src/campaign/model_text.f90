@@ -6,6 +6,7 @@ module dg_model_text
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_name
+   use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_numerics, only: numerics_type
    use dg_sweep, only: sweep_type
@@ -139,6 +140,14 @@ contains
       call append_text(lines, head//'joint_od = '//to_text(part%joint_od))
       call append_text(lines, head//'joint_length = '//to_text(part%joint_length))
       call append_text(lines, head//'joint_spacing = '//to_text(part%joint_spacing))
+      if (.not. is_missing(part%friction_axial)) &
+         call append_text(lines, head//'friction_axial = '//to_text(part%friction_axial))
+      if (.not. is_missing(part%friction_rotary)) &
+         call append_text(lines, head//'friction_rotary = '//to_text(part%friction_rotary))
+      if (abs(part%scale_axial - 1.0_wp) > 0.0_wp) &
+         call append_text(lines, head//'friction_scale_axial = '//to_text(part%scale_axial))
+      if (abs(part%scale_rotary - 1.0_wp) > 0.0_wp) &
+         call append_text(lines, head//'friction_scale_rotary = '//to_text(part%scale_rotary))
    end subroutine append_component
 
    !> All settings of the solver in the order of their type: list-directed output takes in those that come new.

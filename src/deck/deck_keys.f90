@@ -96,7 +96,7 @@ module dg_deck_keys
    type(key_rule_type), parameter :: fluid_keys(1) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the mud')]
 
-   type(key_rule_type), parameter :: component_keys(16) = [ &
+   type(key_rule_type), parameter :: component_keys(22) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -124,7 +124,17 @@ module dg_deck_keys
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
-         meaning='make-up torque of its connections; 0: not given')]
+         meaning='make-up torque of its connections; 0: not given'), &
+      key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
+         meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
+      key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
+      key_rule_type('component', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its own mu1; default friction'), &
+      key_rule_type('component', 'friction_scale', low=0.0_wp, high=roughest, default='1', &
+         meaning='times the friction of the hole, axial and rotary'), &
+      key_rule_type('component', 'friction_scale_axial', low=0.0_wp, high=roughest, &
+         meaning='times mu2 of the hole; default friction_scale'), &
+      key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
+         meaning='times mu1 of the hole; default friction_scale')]
 
    type(key_rule_type), parameter :: boundary_keys(2) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &

@@ -7,6 +7,7 @@ module dg_deck_parts
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
+   use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
    use dg_text, only: is_separator_free, quoted, to_text
@@ -72,6 +73,7 @@ contains
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
          part%yield = real_of(group, 'yield', part%yield)
          part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
+         call draft_friction()
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
             call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
@@ -88,6 +90,35 @@ contains
       end associate
 
    contains
+
+      !> Coefficients of its own, or scales of the hole's: not both for one way.
+      subroutine draft_friction()
+         real(wp) :: own, scale
+         logical :: refused
+         own = real_of(group, 'friction', missing)
+         scale = real_of(group, 'friction_scale', 1.0_wp)
+         item%component%friction_axial = real_of(group, 'friction_axial', own)
+         item%component%friction_rotary = real_of(group, 'friction_rotary', own)
+         item%component%scale_axial = real_of(group, 'friction_scale_axial', scale)
+         item%component%scale_rotary = real_of(group, 'friction_scale_rotary', scale)
+         refused = .false.
+         call refuse_both('axial', item%component%friction_axial, refused)
+         call refuse_both('rotary', item%component%friction_rotary, refused)
+      end subroutine draft_friction
+
+      !> A coefficient of its own in one way leaves nothing to scale there.
+      subroutine refuse_both(way, own, refused)
+         character(*), intent(in) :: way
+         real(wp), intent(in) :: own
+         logical, intent(inout) :: refused
+         character(:), allocatable :: scale
+         if (is_missing(own) .or. refused) return
+         scale = 'friction_scale_'//way
+         if (.not. is_given(group, scale)) scale = 'friction_scale'
+         refused = is_given(group, scale)
+         if (refused) call fault(line_of(group, scale), scale//' has nothing to scale: the component has its own '//way// &
+                                 ' friction; give one of the two')
+      end subroutine refuse_both
 
       subroutine fault(line, message)
          integer, intent(in) :: line

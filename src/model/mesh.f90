@@ -5,11 +5,12 @@
 !> hole where the string rests on it unstretched.
 module dg_mesh
    use dg_kinds, only: wp
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter, &
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
                            effective_joint_length, has_joints, torsional_stiffness
+   use dg_contact_friction, only: find_friction
    use dg_drillstring, only: at_joint, blade_places, component_at, component_tops, joint_ends
    use dg_hole_section, only: hole_section_at
-   use dg_load_case, only: friction_split, load_case_type
+   use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
@@ -105,7 +106,7 @@ contains
             mesh%gj(e) = torsional_stiffness(component)
             mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
             mesh%radius(e) = 0.5_wp*contact_diameter(component)
-            call put_in_hole(model, load_case, middle, e, mesh)
+            call put_in_hole(model, load_case, component, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
             mesh%gathered(e) = 1.0_wp
             mesh%spacing(e) = 0.0_wp
@@ -118,32 +119,28 @@ contains
             else
                mesh%gathered(e) = 0.0_wp
                mesh%radius(e) = 0.5_wp*component%od
-               call put_in_hole(model, load_case, middle, e, mesh)
+               call put_in_hole(model, load_case, component, middle, e, mesh)
             end if
          end associate
       end do
    end subroutine new_mesh
 
    !> What the hole at a depth [m] gives to an element whose contact radius is known.
-   pure subroutine put_in_hole(model, load_case, md, e, mesh)
+   pure subroutine put_in_hole(model, load_case, component, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
+      type(component_type), intent(in) :: component
       real(wp), intent(in) :: md
       integer, intent(in) :: e
       type(mesh_type), intent(inout) :: mesh
-      real(wp) :: mu_axial, mu_rotary
       associate (hole => model%holes(hole_section_at(model%holes, md)))
          mesh%clearance(e) = 0.5_wp*hole%diameter - mesh%radius(e)
          mesh%wall(e) = hole%wall_stiffness
          if (.not. hole%wall_stiffness > 0.0_wp) mesh%wall(e) = model%numerics%gk_contact
          mesh%eps_nmax(e) = model%numerics%eps_nmax
          if (hole%mud_sheath > 0.0_wp) mesh%eps_nmax(e) = hole%mud_sheath/mesh%clearance(e)  ! = 2 t/(D - d)
-         mu_axial = hole%friction_axial
-         mu_rotary = hole%friction_rotary
+         call find_friction(hole, component, load_case, mesh%radius(e), 1.0_wp, mesh%axial(e), mesh%rotary(e))
       end associate
-      if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
-      if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
-      call friction_split(load_case, mu_axial, mu_rotary, mesh%radius(e), mesh%axial(e), mesh%rotary(e))
    end subroutine put_in_hole
 
    !> Depths of the nodes [m], from the first station to the bit: all breaks, and between them equal parts no longer

@@ -17,9 +17,9 @@ module dg_soft_string_loads
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    use dg_snake, only: snake_contact, snake_swing
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
+   use dg_contact_friction, only: find_friction
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_at
-   use dg_load_case, only: friction_split
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
    use dg_vector, only: cross
@@ -169,7 +169,6 @@ contains
       real(wp), intent(in) :: friction_scale
       logical, intent(in), optional :: coiled   !< absent: no
       type(piece_type) :: piece
-      real(wp) :: mu_axial, mu_rotary
       real(wp), allocatable :: tops(:)
       integer :: i, hole
       i = arc_at(model%trajectory, md)
@@ -180,10 +179,6 @@ contains
       if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
       if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
       associate (load_case => model%cases(case_index))
-         mu_axial = model%holes(hole)%friction_axial
-         if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
-         mu_rotary = model%holes(hole)%friction_rotary
-         if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
          associate (string => model%strings(string_index(model%strings, load_case%string)))
             allocate (tops, source=load_case%bit_depth - component_tops(string, load_case%bit_depth - top_md(model%trajectory)))
             do i = 1, size(tops) - 1
@@ -195,9 +190,9 @@ contains
             piece%stiffness = bending_stiffness(string%components(i))
             piece%stretching = axial_stiffness(string%components(i))
             piece%clearance = 0.5_wp*model%holes(hole)%diameter - piece%radius
+            call find_friction(model%holes(hole), string%components(i), load_case, piece%radius, friction_scale, &
+                               piece%axial, piece%rotary)
          end associate
-         call friction_split(load_case, friction_scale*mu_axial, friction_scale*mu_rotary, piece%radius, &
-                             piece%axial, piece%rotary)
          if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
          if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
       end associate

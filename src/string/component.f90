@@ -3,6 +3,7 @@
 module dg_component
    use dg_kinds, only: wp
    use dg_constants, only: pi, steel_density
+   use dg_missing, only: missing
    use dg_text, only: lower_case
    implicit none
    private
@@ -29,6 +30,10 @@ module dg_component
       real(wp) :: joint_spacing = 9.5_wp     !< [m]
       real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
       real(wp) :: makeup_torque = 0.0_wp     !< of its connections [N.m]; 0: not given
+      real(wp) :: friction_axial = missing   !< mu2 of its own, in any hole [-]; missing: that of the hole
+      real(wp) :: friction_rotary = missing  !< mu1 of its own, in any hole [-]; missing: that of the hole
+      real(wp) :: scale_axial = 1.0_wp       !< on mu2 of the hole [-]
+      real(wp) :: scale_rotary = 1.0_wp      !< on mu1 of the hole [-]
    end type component_type
 
 contains

@@ -182,6 +182,8 @@ contains
 
    subroutine test_components()
       call refuse("id = 108.6", "id = 130", 13, 'id = 130 is not smaller than od = 127')
+      call refuse("id = 108.6", "id = 108.6, friction = 0.1, friction_scale_rotary = 0.5", 13, &
+                  'friction_scale_rotary has nothing to scale: the component has its own rotary friction')
       call refuse("joint_od = 168.3", "joint_od = 100", 14, 'joint_od = 100 is smaller than od = 127')
       call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')

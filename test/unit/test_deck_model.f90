@@ -10,6 +10,7 @@ module dg_test_deck_model
    use dg_file_system, only: delete_file, write_text_file
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_load_case, only: operation_backream, operation_trip_out
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, numerics_type
    use dg_read_deck, only: read_deck
@@ -137,8 +138,9 @@ contains
       call append_text(lines, "&hole name='lower' md_top=600 md_bottom=1000 diameter=200 friction=0.2 friction_rotary=0.1 /")
       call append_text(lines, "&hole name='upper' md_bottom=600 md_top=0 diameter=220 wall_stiffness=50 mud_sheath=2 /")
       call append_text(lines, "&component string='b' od=100 length=20 density=8000 youngs=70 poisson=0.25 yield=500 /")
-      call append_text(lines, "&component string='main' od=120 id=100 joint_od=150 joint_length=0.5 joint_spacing=12 /")
-      call append_text(lines, "&component string='b' od=110 mass=0 /")
+      call append_text(lines, "&component string='main' od=120 id=100 joint_od=150 joint_length=0.5 joint_spacing=12")
+      call append_text(lines, "  friction_scale=0.8 friction_scale_axial=0.7 /")
+      call append_text(lines, "&component string='b' od=110 mass=0 friction=0.15 friction_axial=0.05 /")
       call append_text(lines, "&boundary top_lateral='free' bit_lateral='Centred' /")
       call append_text(lines, "&load_case name='a' section='s' operation='backream' bit_depth=900 wob=-5 string='b'")
       call append_text(lines, "  friction=0.3 friction_rotary=0 rpm=60 trip_speed=0.2 measured_torque=2 reference_hookload=3 /")
@@ -165,7 +167,12 @@ contains
       call assertEqual(70.0e9_wp, model%strings(1)%components(1)%youngs)
       call assertEqual(500.0e6_wp, model%strings(1)%components(1)%yield)
       call assertEqual(0.0_wp, model%strings(1)%components(2)%mass, message='weightless where the deck says so')
+      call assertEqual(0.05_wp, model%strings(1)%components(2)%friction_axial)
+      call assertEqual(0.15_wp, model%strings(1)%components(2)%friction_rotary)
+      call assertTrue(is_missing(model%strings(1)%components(1)%friction_axial), message='that of the hole')
       call assertEqual(0.15_wp, model%strings(2)%components(1)%joint_od, rounding)
+      call assertEqual(0.7_wp, model%strings(2)%components(1)%scale_axial)
+      call assertEqual(0.8_wp, model%strings(2)%components(1)%scale_rotary)
       call assertFalse(model%boundary%top_centred)
       call assertTrue(model%boundary%bit_centred)
       associate (case => model%cases(1))

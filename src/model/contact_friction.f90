@@ -1,0 +1,35 @@
+!> Friction where a component rubs on its hole: coefficients of hole, load case and component together.
+module dg_contact_friction
+   use dg_kinds, only: wp
+   use dg_component, only: component_type
+   use dg_hole_section, only: hole_section_type
+   use dg_load_case, only: friction_split, load_case_type
+   use dg_missing, only: is_missing
+   implicit none
+   private
+   public :: find_friction
+
+contains
+
+   !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
+   !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say.
+   pure subroutine find_friction(hole, component, load_case, radius, scale, axial, rotary)
+      type(hole_section_type), intent(in) :: hole
+      type(component_type), intent(in) :: component
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: radius     !< at which the string touches [m]
+      real(wp), intent(in) :: scale      !< on all coefficients [-]
+      real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]
+      real(wp), intent(out) :: rotary    !< against the rotation, >= 0 [-]
+      real(wp) :: mu_axial, mu_rotary
+      mu_axial = hole%friction_axial
+      if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
+      mu_axial = mu_axial*component%scale_axial
+      if (.not. is_missing(component%friction_axial)) mu_axial = component%friction_axial
+      mu_rotary = hole%friction_rotary
+      if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
+      mu_rotary = mu_rotary*component%scale_rotary
+      if (.not. is_missing(component%friction_rotary)) mu_rotary = component%friction_rotary
+      call friction_split(load_case, scale*mu_axial, scale*mu_rotary, radius, axial, rotary)
+   end subroutine find_friction
+end module dg_contact_friction
