@@ -18,7 +18,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(42) = [ &
+   type(column_type), parameter :: limits_columns(44) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -69,7 +69,9 @@ module dg_limits_file
       column_type('largest_von_mises', quantity_stress, 'equivalent stress along the string'), &
       column_type('von_mises_error', quantity_percent, 'how far it may be off for that'), &
       column_type('wob_yield', quantity_force, 'weight on bit at which a compressed part of the string yields, bending and '// &
-         'coils included; empty where it is locked up before')]
+         'coils included; empty where it is locked up before'), &
+      column_type('least_standoff', quantity_percent, 'of the body, along the string; mcge alone'), &
+      column_type('least_standoff_md', quantity_length, 'where')]
 
 contains
 
@@ -152,6 +154,8 @@ contains
       call put(row, whole%von_mises)
       call put(row, in_percent(whole%von_mises_error))
       call put(row, whole%wob_yield)
+      call put(row, in_percent(whole%least_standoff))
+      call put(row, whole%least_standoff_md)
    end subroutine limits_fields
 
    !> A share [-] in per cent.

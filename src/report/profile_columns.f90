@@ -5,14 +5,14 @@ module dg_profile_columns
    use dg_along_string, only: along_string_type
    use dg_buckling_limits, only: buckling_name
    use dg_column, only: column_type, quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
-                        quantity_moment, quantity_none, quantity_stress, quantity_text, quantity_width
-   use dg_missing, only: missing
+                        quantity_moment, quantity_none, quantity_percent, quantity_stress, quantity_text, quantity_width
+   use dg_missing, only: is_missing, missing
    use dg_profile, only: profile_type, state_name
    implicit none
    private
    public :: profile_columns, profile_values, profile_codes, code_names
 
-   type(column_type), parameter :: profile_columns(36) = [ &
+   type(column_type), parameter :: profile_columns(37) = [ &
       column_type('md', quantity_length, 'measured depth, of the point before loading'), &
       column_type('tvd', quantity_length, 'true vertical depth of the hole axis, from the first station'), &
       column_type('north', quantity_length, 'of the hole axis, from the first station'), &
@@ -57,7 +57,9 @@ module dg_profile_columns
       column_type('joint_von_mises', quantity_stress, 'equivalent stress in a tool joint, if one stands here; empty '// &
          'without joints'), &
       column_type('joint_side_force', quantity_force, 'contact force of a tool joint: side_force times the distance of joints; '// &
-         'of joints solved one by one that of the joint that stands here, 0 between; empty without joints')]
+         'of joints solved one by one that of the joint that stands here, 0 between; empty without joints'), &
+      column_type('standoff', quantity_percent, 'least distance of the body from the wall, over that of a centred one: 100 '// &
+         'where it is centred, 0 where it touches; of mcge alone')]
 
 contains
 
@@ -103,6 +105,8 @@ contains
       case ('jointed_bending_stress'); values = along%jointed_bending
       case ('joint_von_mises'); values = along%joint_von_mises
       case ('joint_side_force'); values = along%joint_side_force
+      case ('standoff')
+         where (.not. is_missing(along%standoff)) values = 100.0_wp*along%standoff
       case default
       end select
    end subroutine profile_values

@@ -52,6 +52,7 @@ module dg_along_string
       real(wp), allocatable :: curvature(:)         !< of the hole, the larger of both sides [1/m]
       real(wp), allocatable :: od(:)                !< of the body of the stressed side [m]
       real(wp), allocatable :: hole_diameter(:)     !< the smaller of both sides [m]
+      real(wp), allocatable :: standoff(:)          !< of the body, least annular distance over that of a centred one [-]
    end type along_string_type
 
    !> Half the distance between what counts as above and below a row [m].
@@ -102,6 +103,8 @@ contains
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1)) &
                   call put_limits(model, i, profile%md(i), components(part(side)), model%holes(hole(side))%diameter, &
                                   arc(side), along)
+               if (result%model == model_mcge) call put_standoff(i, components(part(side))%od, &
+                                                                 model%holes(hole(side))%diameter, profile%displacement(i), along)
             end do
             if (rotates(model%cases(result%case_index)%operation)) along%bending_range(i) = 2.0_wp*along%bending_stress(i)
             if (.not. is_missing(along%sinusoidal(i))) then
@@ -212,6 +215,16 @@ contains
       curvature = norm2(bend)
    end function curvature_at
 
+   !> Standoff of the body at row `i` on one side of it, as API 10D-2 has it: 1 where it is centred, 0 where it touches; kept where
+   !> less than on the other side.
+   pure subroutine put_standoff(i, od, diameter, displacement, along)
+      integer, intent(in) :: i
+      real(wp), intent(in) :: od, diameter   !< of body and hole [m]
+      real(wp), intent(in) :: displacement   !< of the string off the hole axis [m]
+      type(along_string_type), intent(inout) :: along
+      if (diameter > od) call keep_least(along%standoff(i), max(1.0_wp - displacement/(0.5_wp*(diameter - od)), 0.0_wp))
+   end subroutine put_standoff
+
    !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
    pure subroutine put_limits(model, i, md, part, diameter, arc, along)
       type(model_type), intent(in) :: model
@@ -268,7 +281,7 @@ contains
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
-                along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), source=missing)
+                along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), along%standoff(n), source=missing)
       allocate (along%buckling(n), source=buckling_none)
    end function new_along_string
 end module dg_along_string

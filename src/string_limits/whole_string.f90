@@ -57,6 +57,8 @@ module dg_whole_string
       type(optional_real) :: rig_margin             !< rig_limit - hook load [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
       type(optional_real) :: makeup_margin_md       !< where [m]
+      type(optional_real) :: least_standoff         !< of the body, gap elements only [-]
+      type(optional_real) :: least_standoff_md      !< where [m]
    end type whole_string_type
 
    !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is
@@ -88,6 +90,7 @@ contains
          call least_of(along%envelope_margin, profile%md, whole%least_envelope_margin)
          call least_of(along%overpull, profile%md, whole%overpull_margin)
          call least_of(along%buckling_margin, profile%md, whole%buckling_margin, whole%buckling_margin_md)
+         call least_of(along%standoff, profile%md, whole%least_standoff, whole%least_standoff_md)
          whole%buckling = maxval(along%buckling)
          do i = 2, size(profile%md)
             associate (length => profile%md(i) - profile%md(i - 1), state => maxval(along%buckling(i - 1:i)))

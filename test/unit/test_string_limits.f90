@@ -36,6 +36,7 @@ contains
       call suite%addTest(TestMethod('stress_and_safety', test_stress))
       call suite%addTest(TestMethod('margins_hold_bending', test_bent_margins))
       call suite%addTest(TestMethod('weight_that_yields', test_wob_yield))
+      call suite%addTest(TestMethod('standoff', test_standoff))
       call suite%addTest(TestMethod('weaker_side_of_a_joint', test_joint))
       call suite%addTest(TestMethod('force_of_a_tool_joint', test_joint_forces))
       call suite%addTest(TestMethod('fatigue_only_when_turning', test_fatigue))
@@ -196,6 +197,27 @@ contains
       call assertRelativelyEqual(moment*0.08_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
       call assertEqual(0.16_wp, along%od(2), rounding)
    end subroutine test_joint
+
+   !> 1 - |offset|/c, c = (D - d)/2 of the body; where two components meet the thicker one stands off less, and what presses into
+   !> the wall has none. A soft string has no offset of its own.
+   subroutine test_standoff()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      call build(model, result, 60.0_wp, operation_trip_out)
+      result%profile%displacement = [0.01_wp, 0.015_wp, 0.02001_wp]
+      call find_along_string(model, result, along)
+      call assertEqual([1.0_wp - 0.01_wp/0.0365_wp, 0.25_wp, 0.0_wp], along%standoff, rounding)
+      result%profile%displacement(3) = 0.018_wp
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertEqual(0.1_wp, whole%least_standoff%value, rounding)
+      call assertEqual(result%profile%md(3), whole%least_standoff_md%value)
+      result%model = model_soft
+      call find_along_string(model, result, along)
+      call assertTrue(all(is_missing(along%standoff)), message='soft')
+   end subroutine test_standoff
 
    !> Smeared joints have their share of the string's contact; those solved one by one stand at the row nearest to them.
    subroutine test_joint_forces()
