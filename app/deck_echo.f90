@@ -11,6 +11,7 @@ module dg_deck_echo
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_printed_text, only: print_line, print_lines
+   use dg_rig, only: rig_type
    use dg_study_plan, only: most_variants
    use dg_sweep_echo, only: add_sweeps
    use dg_text, only: append_text, text_type, to_text
@@ -61,6 +62,7 @@ contains
       call append_text(lines, 'results in  '//job%output_dir)
       if (job%rig_limit%present) call append_text(lines, 'rig         '// &
          quantity(job%rig_limit%value, job%units%force, unit_label(job%units, unit_force))//' of hook load')
+      if (model%rig%given) call append_text(lines, rig_line(job%units, model%rig))
       call add_hole(lines, job%units, model)
       do i = 1, size(model%strings)
          call add_string(lines, job%units, model, i)
@@ -78,6 +80,17 @@ contains
       if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
                                                  ' variants of '//to_text(size(job%study%cases))//' cases')
    end subroutine echo_lines
+
+   !> What stands between string and weight indicator.
+   pure function rig_line(units, rig) result(line)
+      type(unit_system_type), intent(in) :: units
+      type(rig_type), intent(in) :: rig
+      character(:), allocatable :: line
+      line = 'rig         block '//quantity(rig%block_weight, units%force, unit_label(units, unit_force))
+      if (.not. rig%sheave_efficiency < 1.0_wp) return
+      line = line//', '//to_text(rig%lines)//' lines, sheaves of efficiency '//to_text(rig%sheave_efficiency, digits)// &
+         ', dead-line sheave '//trim(merge('active  ', 'inactive', rig%active_deadline_sheave))
+   end function rig_line
 
    !> Path, sections of the hole, mud.
    pure subroutine add_hole(lines, units, model)

@@ -2,7 +2,7 @@
 module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, factors_of_deck, hookload_datum, variance_kinds
+   use dg_calibration, only: apply_factors, apply_offset, calibration_type, factors_of_deck, hookload_datum, variance_kinds
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
@@ -49,7 +49,7 @@ contains
       type(text_type), allocatable :: others(:)
       type(error_type), allocatable :: failure
       integer :: i, j, n, n_lost
-      logical :: divided
+      logical :: divided, applied
       calibrated = model
       divided = job%parts > 0 .or. job%merge > 0
       n = size(job%stickings)
@@ -72,8 +72,10 @@ contains
                call tell('calibration '//quoted(job%calibrations(i)%name)//', model '// &
                          trim(model_name(results(n)%model))//': no fit; '//results(n)%message)
             end if
-            if (job%calibrations(i)%apply .and. results(n)%fit%status == fit_done) call apply_factors(job%calibrations(i), &
-               results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%holes)
+            if (job%calibrations(i)%apply .and. results(n)%fit%status == fit_done) then
+               call apply_factors(job%calibrations(i), results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%holes)
+               call apply_offset(job%calibrations(i), results(n)%fit%unknowns, .not. results(n)%fit%unfelt, calibrated%rig, applied)
+            end if
             call hand_on(i, job%calibrations(i), results(n), size(model%holes), uncertainties, error)
             if (job%calibrations(i)%apply .and. results(n)%fit%status /= fit_done .and. .not. allocated(error)) &
                call raise(error, status_not_converged, 'calibration '//quoted(job%calibrations(i)%name)// &

@@ -11,6 +11,7 @@ module dg_run_stickings
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_printed_text, only: print_and_keep, printed_text_type
+   use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
@@ -104,7 +105,7 @@ contains
       result%torque_below = value_at(free%profile%md, free%profile%torque, sticking%depth)
       call new_stuck_function(function, model, result%case_index, sticking%depth, result%model)
       associate (case => model%cases(result%case_index))
-         measured = [case%measured_hookload%value]
+         measured = [string_load(model%rig, case%operation, case%measured_hookload%value)]
          start = [result%tension_below + measured(1) - free%hookload]
          lower = [-widest*measured(1)]
          if (case%measured_torque%present) then
@@ -117,7 +118,8 @@ contains
       end associate
       deviation = any_deviation*max(measured, tiny(1.0_wp)/any_deviation)
       if (size(measured) > 1) deviation(2) = max(deviation(2), any_deviation)      ! a torque of nothing
-      if (sticking%hookload_deviation%present) deviation(1) = sticking%hookload_deviation%value
+      if (sticking%hookload_deviation%present) deviation(1) = sticking%hookload_deviation%value &
+         /indicator_factor(model%rig, model%cases(result%case_index)%operation)
       if (size(measured) > 1 .and. sticking%torque_deviation%present) deviation(2) = sticking%torque_deviation%value
       call fit_least_squares(function, start, lower, widest*max(measured, 1.0_wp), max(measured, 1.0_wp), measured, deviation, fit)
       if (fit%status /= fit_done) then
@@ -145,7 +147,8 @@ contains
       associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
          result%depth_without_friction = free_point_without_friction( &
             model%strings(string_index(model%strings, first%string)), first%bit_depth, &
-            second%measured_hookload%value - first%measured_hookload%value, sticking%stretch)
+            string_load(model%rig, second%operation, second%measured_hookload%value) - &
+            string_load(model%rig, first%operation, first%measured_hookload%value), sticking%stretch)
          low = shallowest*first%bit_depth
          high = first%bit_depth
       end associate
@@ -196,7 +199,9 @@ contains
       found = missing
       do i = 1, 2
          call new_stuck_function(function, model, sticking%cases(i), depth, result%model)
-         measured = model%cases(sticking%cases(i))%measured_hookload%value
+         associate (case => model%cases(sticking%cases(i)))
+            measured = string_load(model%rig, case%operation, case%measured_hookload%value)
+         end associate
          call fit_least_squares(function, measured, -widest*measured, widest*measured, measured, measured, &
                                 any_deviation*measured, fit)
          if (fit%status == fit_done) call solve_held(function, fit%unknowns, held(i), totals_only=.false.)

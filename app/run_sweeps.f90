@@ -12,6 +12,7 @@ module dg_run_sweeps
    use dg_model_text, only: sweep_lines
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
+   use dg_rig, only: indicated_load
    use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_type, sweep_type
    use dg_sweep_file, only: write_sweep
@@ -93,6 +94,7 @@ contains
                to_text(size(run%points))//' points, in '//run%keeper%path)
             return
          end if
+         call add_indicator(model, sweep, run%points)
          call write_sweep(job%output_dir//'/sweep_'//sweep%name//'.csv', job, sweep, run%points, error)
          if (allocated(error)) return
          if (job%merge == 0) call close_record(run%keeper, run%points, closing)
@@ -105,6 +107,20 @@ contains
          end if
       end associate
    end subroutine run_sweep
+
+   !> What the rig shows of points that are solved.
+   subroutine add_indicator(model, sweep, points)
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(inout) :: points(:)
+      type(point_type) :: place
+      integer :: i
+      if (.not. model%rig%given) return
+      do i = 1, size(points)
+         place = point_at(sweep, i)
+         points(i)%weight_indicator = indicated_load(model%rig, sweep%operations(place%operation), points(i)%hookload)
+      end do
+   end subroutine add_indicator
 
    !> Solves the points of this part that have no result yet, as many at a time as the job allows. Points do not know of each
    !> other: results do not depend on the number of threads, nor on what was solved before.

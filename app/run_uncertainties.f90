@@ -12,6 +12,7 @@ module dg_run_uncertainties
    use dg_model_text, only: uncertainty_lines
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
+   use dg_rig, only: indicated_load
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_sampled_model, only: draw_model
    use dg_solve_case, only: solve_case
@@ -99,13 +100,14 @@ contains
             end if
             allocate (statistics(point_count(uncertainty%range)))
             do i = 1, size(statistics)
+               call add_indicator(model, uncertainty, i, run%pieces)
                statistics(i) = find_point_statistics(uncertainty, i, run%pieces)
             end do
             call write_uncertainty(job%output_dir//'/uncertainty_'//name//'.csv', job, uncertainty, statistics, error)
             if (allocated(error)) return
             if (job%merge == 0) call close_record(run%keeper, run%pieces, closing)
          end associate
-         allocate (lines, source=uncertainty_table(job%units, uncertainty, statistics))
+         allocate (lines, source=uncertainty_table(job%units, uncertainty, statistics, model%rig%given))
          call print_and_keep(printed, lines)
          if (job%merge > 0) then
             call print_line(to_text(size(run%pieces))//' solutions, joined from '//to_text(job%merge)//' parts')
@@ -114,6 +116,23 @@ contains
          end if
       end associate
    end subroutine run_uncertainty
+
+   !> What the rig shows of all samples of a point.
+   subroutine add_indicator(model, uncertainty, point, pieces)
+      type(model_type), intent(in) :: model
+      type(uncertainty_type), intent(in) :: uncertainty
+      integer, intent(in) :: point                 !< its number in the range
+      type(sweep_result_type), intent(inout) :: pieces(:)
+      type(point_type) :: place
+      integer :: sample, piece
+      if (.not. model%rig%given) return
+      place = point_at(uncertainty%range, point)
+      do sample = 1, uncertainty%samples
+         piece = piece_number(uncertainty, point, sample)
+         pieces(piece)%weight_indicator = indicated_load(model%rig, uncertainty%range%operations(place%operation), &
+                                                         pieces(piece)%hookload)
+      end do
+   end subroutine add_indicator
 
    !> Solves what this part still lacks, sample after sample. What a sample draws depends on the seed and its number alone:
    !> results do not depend on the number of threads, on parts, nor on what was solved before.

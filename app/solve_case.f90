@@ -9,6 +9,7 @@ module dg_solve_case
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_profile, only: profile_type
+   use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
@@ -66,6 +67,8 @@ contains
          result%message = 'ended by '//interruption_name()//' before it was solved'
          !$omp end critical (interruption_text)
       end if
+      if (model%rig%given .and. allocated(result%profile%md)) result%weight_indicator = &
+         indicated_load(model%rig, model%cases(case_index)%operation, result%hookload)
       result%case_index = case_index
       result%model = number
    end subroutine solve_case

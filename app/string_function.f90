@@ -10,6 +10,7 @@ module dg_string_function
    use dg_load_case, only: optional_real
    use dg_missing, only: missing
    use dg_model, only: copy_without_cases, model_type
+   use dg_rig, only: indicated_load
    use dg_solve_case, only: solve_case
    use dg_threads, only: thread_count
    implicit none
@@ -76,7 +77,7 @@ contains
          self%known_solved = sound(:, 1)
       end if
       do p = 1, size(points, 2)
-         call take_data(self%calibration, points(:, p), found(:, :, p), sound(:, p), values(:, p), solved(:, p))
+         call take_data(self, points(:, p), found(:, :, p), sound(:, p), values(:, p), solved(:, p))
       end do
    end subroutine evaluate
 
@@ -91,7 +92,7 @@ contains
       tasks(1, :) = [(i, i=1, size(sound))]
       tasks(2, :) = 1
       call solve_tasks(self, no_points, tasks, found, sound)
-      call take_data(self%calibration, no_points(:, 1), found(:, :, 1), sound(:, 1), values, solved)
+      call take_data(self, no_points(:, 1), found(:, :, 1), sound(:, 1), values, solved)
       where (.not. solved) values = missing
    end subroutine as_given
 
@@ -163,21 +164,23 @@ contains
       holes%friction_rotary = changed%friction_rotary
    end subroutine set_holes
 
-   !> Puts hook loads, as the gauge shows them, and torques of cases in the order of the data.
-   pure subroutine take_data(calibration, point, found, sound, values, solved)
-      type(calibration_type), intent(in) :: calibration
+   !> Puts hook loads, as the indicator of the rig shows them, and torques of cases in the order of the data.
+   pure subroutine take_data(self, point, found, sound, values, solved)
+      class(string_function_type), intent(in) :: self
       real(wp), intent(in) :: point(:)            !< empty: as the deck has it
       real(wp), intent(in) :: found(:, :)
       logical, intent(in) :: sound(:)
       real(wp), intent(out) :: values(:)
       logical, intent(out) :: solved(:)
-      integer :: d
+      integer :: d, offset
       do d = 1, size(values)
-         associate (datum => calibration%data(d))
+         associate (datum => self%calibration%data(d))
             values(d) = found(merge(1, 2, datum%kind == hookload_datum), datum%case)
             solved(d) = sound(datum%case)
-            if (size(point) == 0 .or. datum%kind /= hookload_datum) cycle
-            if (calibration%offset_of(datum%case) > 0) values(d) = values(d) + point(calibration%offset_of(datum%case))
+            if (datum%kind /= hookload_datum) cycle
+            offset = self%calibration%offset_of(datum%case)
+            if (size(point) > 0 .and. offset > 0) values(d) = values(d) + point(offset)
+            values(d) = indicated_load(self%model%rig, self%model%cases(self%calibration%cases(datum%case))%operation, values(d))
          end associate
       end do
    end subroutine take_data

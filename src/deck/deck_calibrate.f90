@@ -2,7 +2,7 @@
 module dg_deck_calibrate
    use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
-                             offset_name, parameter_name, set_data, set_unknowns, tells, unknown_type
+                             offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
@@ -255,6 +255,9 @@ contains
          end do
          do i = 1, size(calibrations) - 1
             if (.not. (calibrations(i)%apply .and. allocated(calibrations(i)%holes))) cycle
+            if (draft%rig%given .and. mine%offset == offset_one .and. calibrations(i)%offset == offset_one) &
+               call fault('calibration '//quoted(calibrations(i)%name)//' applies an offset to the block_weight of &rig '// &
+                          'already; keep one')
             if (mine%parameter /= calibrate_friction .and. calibrations(i)%parameter /= calibrate_friction .and. &
                 mine%parameter /= calibrations(i)%parameter) cycle
             do j = 1, size(mine%holes)

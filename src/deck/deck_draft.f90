@@ -8,6 +8,7 @@ module dg_deck_draft
    use dg_load_case, only: load_case_type
    use dg_model, only: boundary_type
    use dg_numerics, only: numerics_type
+   use dg_rig, only: rig_type
    use dg_survey_file, only: station_list_type
    use dg_trajectory, only: interpolation_minimum_curvature
    use dg_units, only: unit_system_type
@@ -54,6 +55,7 @@ module dg_deck_draft
       type(draft_case_type), allocatable :: cases(:)
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
+      type(rig_type) :: rig
       real(wp) :: mud_density = 0.0_wp         !< [kg/m3]
       real(wp) :: gravity = standard_gravity   !< [m/s2]
    end type draft_type

@@ -11,11 +11,12 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(13) = [ &
+   type(group_rule_type), parameter :: group_rules(14) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
       group_rule_type('fluid', meaning='the mud'), &
+      group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
       group_rule_type('component', repeatable=.true., required=.true., &
          meaning='a part of a drillstring; listed from the bit upwards'), &
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
@@ -40,6 +41,8 @@ module dg_deck_keys
    real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
    real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
    real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller
+   real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
+   real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
@@ -58,7 +61,7 @@ module dg_deck_keys
          meaning='catalogue of pipe, path relative to the deck; default: catalogue.csv beside the deck'), &
       key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
       key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='hook load that the rig may carry; default: not known'), &
+         meaning='hook load that the rig may carry, its block counted in; default: not known'), &
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
@@ -95,6 +98,16 @@ module dg_deck_keys
 
    type(key_rule_type), parameter :: fluid_keys(1) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the mud')]
+
+   type(key_rule_type), parameter :: rig_keys(4) = [ &
+      key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
+         meaning='of what hangs on the lines beside the string: travelling block, hook, top drive'), &
+      key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
+         meaning='lines strung to the travelling block; needed by a sheave_efficiency below 1'), &
+      key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
+         meaning='tension behind a sheave that turns over that before it; roller bearings 0.96 to 0.99'), &
+      key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
+         meaning='active: the sheave of the dead line turns like the others')]
 
    type(key_rule_type), parameter :: component_keys(22) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
@@ -278,7 +291,7 @@ module dg_deck_keys
       key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
          meaning='what has a factor of its own; default holes'), &
       key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
-         meaning='what the gauge shows beyond the string is looked for too: one for all, or one a bit depth'), &
+         meaning='what the gauge shows beyond string and block is looked for too: one for all, or one a bit depth'), &
       key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several; default soft'), &
       key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
@@ -290,7 +303,7 @@ module dg_deck_keys
       key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
          meaning='of the string at surface from one pull to the other; needed by free_point'), &
       key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
-         meaning='all that follows uses the friction found in place of that of the hole sections')]
+         meaning='all that follows uses the friction found; with &rig the one offset too, as block weight')]
 
    type(key_rule_type), parameter :: uncertainty_keys(26) = [ &
       key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
@@ -355,6 +368,7 @@ contains
       case ('trajectory'); rules = trajectory_keys
       case ('hole'); rules = hole_keys
       case ('fluid'); rules = fluid_keys
+      case ('rig'); rules = rig_keys
       case ('component'); rules = component_keys
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys

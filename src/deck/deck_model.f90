@@ -36,6 +36,7 @@ contains
       call build_strings(draft, model%strings)
       model%boundary = draft%boundary
       model%numerics = draft%numerics
+      model%rig = draft%rig
       model%mud_density = draft%mud_density
       model%gravity = draft%gravity
    end subroutine build_model

@@ -7,6 +7,7 @@ module dg_deck_notes
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_error, only: error_type
    use dg_job, only: job_type
+   use dg_load_case, only: operation_trip_out
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -55,6 +56,7 @@ contains
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
          'group &solver: eps_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
          'force and friction come out too small')
+      call note_block(draft, notes)
       call note_path(draft, notes)
       if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
       do i = 1, size(draft%components)
@@ -62,6 +64,23 @@ contains
          call note_unused(draft, job, i, notes)
       end do
    end subroutine note_oddities
+
+   !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
+   subroutine note_block(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      if (.not. draft%rig%given) return
+      do i = 1, size(draft%cases)
+         associate (case => draft%cases(i)%load_case)
+            if (.not. case%measured_hookload%present .or. case%operation /= operation_trip_out) cycle
+            if (case%measured_hookload%value > draft%rig%block_weight) cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload is no more than block_weight of '// &
+                             '&rig; with &rig it is what the indicator shows, the block counted in')
+            return
+         end associate
+      end do
+   end subroutine note_block
 
    !> A survey that goes deeper, or turns more sharply, than any hole does.
    subroutine note_path(draft, notes)

@@ -1,4 +1,4 @@
-!> Makes holes, components, load cases, boundary and solver settings of checked groups, with the checks that
+!> Makes holes, components, load cases, boundary, rig and solver settings of checked groups, with the checks that
 !> concern one group alone.
 module dg_deck_parts
    use dg_kinds, only: wp
@@ -10,11 +10,12 @@ module dg_deck_parts
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
+   use dg_rig, only: rig_type
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
+   public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig
 
    !> A rigid wall where the deck sets the elastic one alone: stiffer by the ratio of the defaults.
    real(wp), parameter :: rigid_over_elastic = 10.0_wp
@@ -204,6 +205,22 @@ contains
       boundary%top_centred = text_of(group, 'top_lateral', 'centred') == 'centred'
       boundary%bit_centred = text_of(group, 'bit_lateral', 'centred') == 'centred'
    end function draft_boundary
+
+   !> The rig; sheaves that take tension need the number of lines.
+   subroutine draft_rig(path, group, rig, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(rig_type), intent(out) :: rig
+      type(fault_list_type), intent(inout) :: faults
+      rig%given = .true.
+      rig%block_weight = real_of(group, 'block_weight', rig%block_weight)
+      rig%lines = integer_of(group, 'lines', rig%lines)
+      rig%sheave_efficiency = real_of(group, 'sheave_efficiency', rig%sheave_efficiency)
+      rig%active_deadline_sheave = text_of(group, 'deadline_sheave', 'inactive') == 'active'
+      if (is_sound(group, 'sheave_efficiency') .and. rig%sheave_efficiency < 1.0_wp .and. .not. is_given(group, 'lines')) &
+         call add_fault(faults, path, line_of(group, 'sheave_efficiency'), 'group &rig: sheave_efficiency = '// &
+                        to_text(rig%sheave_efficiency, length_digits)//' needs lines, the number strung to the travelling block')
+   end subroutine draft_rig
 
    !> Settings of the solver; checks their order.
    subroutine draft_numerics(path, group, numerics, faults)

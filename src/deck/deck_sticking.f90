@@ -6,6 +6,7 @@ module dg_deck_sticking
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_load_case, only: given
+   use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type
    use dg_text, only: quoted, to_text
    implicit none
@@ -71,6 +72,10 @@ contains
             if (.not. case%load_case%measured_hookload%present) then
                call fault('cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
                           ') has no measured_hookload; give it or leave the case out')
+            else if (case%sound .and. string_load(draft%rig, case%load_case%operation, case%load_case%measured_hookload%value) &
+                     <= 0.0_wp) then
+               call fault('cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
+                          ') has no more measured_hookload than block_weight of &rig alone; nothing is left for the string')
             else if (kind == find_resistance .and. case%sound .and. sticking%depth > case%load_case%bit_depth) then
                call fault('sticking_depth', 'sticking_depth = '//shown(sticking%depth)//' lies below the bit of load case '// &
                           quoted(case%load_case%name)//' at '//shown(case%load_case%bit_depth))

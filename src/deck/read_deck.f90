@@ -14,7 +14,7 @@ module dg_read_deck
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
    use dg_deck_notes, only: note_oddities
-   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics
+   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_sweep, only: take_sweeps
@@ -293,6 +293,8 @@ contains
             call draft_hole(groups(i), holes, draft%holes(holes))
          case ('fluid')
             draft%mud_density = real_of(groups(i), 'density', draft%mud_density)
+         case ('rig')
+            call draft_rig(draft%path, groups(i), draft%rig, faults)
          case ('component')
             components = components + 1
             call draft_component(draft%path, groups(i), draft%units, draft%components(components), faults)

@@ -1,18 +1,19 @@
 !> What a &calibrate of a deck asks for: friction factors that are to be found from measured hook loads and torques.
 !>
 !> An unknown is one factor that hole sections and load cases share: all of them, or one for each hole section, operation,
-!> bit depth, or combination of these that occurs. Beside them a calibration may look for what the gauge shows too much (the
-!> travelling block, a weight that is not known): without that, a wrong weight goes into the friction.
+!> bit depth, or combination of these that occurs. Beside them a calibration may look for what the gauge shows beyond string and
+!> block (a weight that is not known): without that, a wrong weight goes into the friction.
 module dg_calibration
    use dg_kinds, only: wp
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, moves_axially, optional_real, rotates
+   use dg_rig, only: rig_type
    implicit none
    private
    public :: calibration_type, unknown_type, datum_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
-   public :: apply_factors, applied_factor, variance_kinds
+   public :: apply_factors, apply_offset, applied_factor, variance_kinds
    public :: offset_none, offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
@@ -239,6 +240,24 @@ contains
          end do
       end do
    end subroutine apply_factors
+
+   !> Gives the rig the one offset found as weight of its block. Without a rig, or where each depth has an offset of its own,
+   !> there is nothing that it could belong to.
+   pure subroutine apply_offset(calibration, factors, felt, rig, applied)
+      type(calibration_type), intent(in) :: calibration
+      real(wp), intent(in) :: factors(:)         !< one an unknown
+      logical, intent(in) :: felt(:)             !< one an unknown
+      type(rig_type), intent(inout) :: rig
+      logical, intent(out) :: applied
+      integer :: u
+      applied = .false.
+      if (.not. rig%given .or. calibration%offset /= offset_one) return
+      do u = 1, size(calibration%unknowns)
+         if (.not. (calibration%unknowns(u)%is_offset .and. felt(u))) cycle
+         rig%block_weight = rig%block_weight + factors(u)
+         applied = .true.
+      end do
+   end subroutine apply_offset
 
    !> A factor as it is applied.
    elemental function applied_factor(factor) result(applied)

@@ -6,6 +6,7 @@ module dg_model
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
    use dg_numerics, only: numerics_type
+   use dg_rig, only: rig_type
    use dg_trajectory, only: trajectory_type
    implicit none
    private
@@ -25,6 +26,7 @@ module dg_model
       type(load_case_type), allocatable :: cases(:)
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
+      type(rig_type) :: rig                               !< acts on no string, only on what is read of it
       real(wp) :: mud_density = 0.0_wp                    !< [kg/m3]
       real(wp) :: gravity = standard_gravity              !< [m/s2]
    end type model_type
@@ -51,6 +53,7 @@ contains
       copy%strings = model%strings
       copy%boundary = model%boundary
       copy%numerics = model%numerics
+      copy%rig = model%rig
       copy%mud_density = model%mud_density
       copy%gravity = model%gravity
       allocate (copy%cases(1))

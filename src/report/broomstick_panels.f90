@@ -24,7 +24,7 @@ contains
    end subroutine start_broomstick
 
    !> Title, legend, both panels and the end of the script.
-   pure subroutine draw_broomstick(lines, title, key, units, deepest, hookload, torque)
+   pure subroutine draw_broomstick(lines, title, key, units, deepest, hookload, torque, indicated)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: title
       type(series_type), intent(in) :: key(:)        !< what the legend names
@@ -32,12 +32,16 @@ contains
       real(wp), intent(in) :: deepest                !< end of the axis [m]
       type(series_type), intent(in) :: hookload(:)   !< curves of the left panel
       type(series_type), intent(in) :: torque(:)     !< of the right one; none: there is no such panel
+      logical, intent(in) :: indicated               !< hook loads as the rig shows them
       real(wp) :: wide
+      character(:), allocatable :: label
       call legend(lines, title, key, top, legend_top)
       call append_text(lines, 'set yrange ['//to_text(deepest/units%length, digits)//':0]')
       wide = right - left
       if (size(torque) > 0) wide = 0.5_wp*(right - left - gap)
-      call panel(lines, left, left + wide, bottom, top, 'hook load ['//unit_text(quantity_force, units)//']', &
+      label = 'hook load'
+      if (indicated) label = 'hook load as the rig shows it'
+      call panel(lines, left, left + wide, bottom, top, label//' ['//unit_text(quantity_force, units)//']', &
                  'bit depth ['//trim(units%length_label)//']')
       call plot(lines, hookload, may_lack=.true.)
       if (size(torque) > 0) then

@@ -38,7 +38,7 @@ module dg_calibration_file
       column_type('scatter', quantity_none, &
          'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these are right'), &
       column_type('message', quantity_text, 'why there is no fit'), &
-      column_type('offset', quantity_force, 'what the gauge shows beyond the string, in rows of a hookload_offset'), &
+      column_type('offset', quantity_force, 'what the gauge shows beyond string and block, in rows of a hookload_offset'), &
       column_type('offset_lower', quantity_force, 'lower end of its 95 % confidence interval'), &
       column_type('offset_upper', quantity_force, 'upper end'), &
       column_type('case', quantity_text, 'load case, in rows of sticking and free_point (its second pull)'), &

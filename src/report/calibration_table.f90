@@ -2,7 +2,7 @@
 !> after, and in plain words what the data cannot tell. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, calibration_type, hookload_datum, parameter_name, torque_datum, &
+   use dg_calibration, only: apply_factors, apply_offset, calibration_type, hookload_datum, parameter_name, torque_datum, &
                              unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
@@ -44,7 +44,7 @@ contains
       call append_factors(lines, units, model, calibration, result)
       call append_data(lines, units, model, calibration, result)
       call append_warnings(lines, units, model, calibration, result)
-      if (calibration%apply) call append_applied(lines, model, calibration, result)
+      if (calibration%apply) call append_applied(lines, units, model, calibration, result)
       if (calibration%apply) call append_learnt(lines, calibration, result, size(model%holes))
       call append_text(lines, to_text(result%fit%iterations)//' iterations, '//to_text(result%solutions)//' solutions, '// &
                        to_text(result%seconds, 3)//' s')
@@ -212,18 +212,21 @@ contains
    end subroutine append_warnings
 
    !> What the rest of the run uses, one line a hole section.
-   subroutine append_applied(lines, model, calibration, result)
+   subroutine append_applied(lines, units, model, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
       type(model_type) :: applied
       character(:), allocatable :: head
       integer :: i
+      logical :: weighed
       call copy_without_cases(model, applied)
       call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%holes)
+      call apply_offset(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%rig, weighed)
       head = 'Applied to all that follows:'
-      if (any(calibration%unknowns%is_offset)) head = 'Applied to all that follows, without the offset:'
+      if (any(calibration%unknowns%is_offset) .and. .not. weighed) head = 'Applied to all that follows, without the offset:'
       call append_text(lines, head)
       do i = 1, size(calibration%holes)
          associate (hole => applied%holes(calibration%holes(i)))
@@ -231,6 +234,8 @@ contains
                factor_digits)))//' along, '//trim(adjustl(fixed_cell(hole%friction_rotary, cell_width, factor_digits)))//' around')
          end associate
       end do
+      if (weighed) call append_text(lines, '  &rig: block_weight '// &
+         to_text(applied%rig%block_weight/units%force, depth_digits)//' '//trim(units%force_label)//', the offset counted in')
    end subroutine append_applied
 
    !> What a &uncertainty of another deck may repeat.

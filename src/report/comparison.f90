@@ -5,7 +5,7 @@ module dg_comparison
    use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: percent_error, known, difference
+   public :: percent_error, known, difference, as_measured
 
 contains
 
@@ -25,6 +25,15 @@ contains
       type(optional_real) :: number
       if (.not. is_missing(value)) number = given(value)
    end function known
+
+   !> The hook load that a gauge of the rig is compared with: what its indicator shows, or where no rig is given the string's own.
+   elemental function as_measured(hookload, weight_indicator) result(load)
+      real(wp), intent(in) :: hookload
+      real(wp), intent(in) :: weight_indicator     !< missing where no rig is given
+      real(wp) :: load
+      load = weight_indicator
+      if (is_missing(weight_indicator)) load = hookload
+   end function as_measured
 
    !> One number less another; missing where either is.
    elemental function difference(one, other) result(value)

@@ -3,12 +3,13 @@
 module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: as_measured, percent_error
    use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, letter_width, mark_style, panel, plot, row_tics, &
                                 series_type, start_script
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, optional_real, rotates
    use dg_model, only: model_type
+   use dg_rig, only: indicated_load
    use dg_text, only: append_text, text_type, to_text
    use dg_column, only: quantity_moment, unit_text
    implicit none
@@ -38,7 +39,7 @@ contains
       logical :: with_error, with_torque
       real(wp) :: left, wide, bottom, top, height
       integer :: i, n, panels, at, longest
-      character(:), allocatable :: tics
+      character(:), allocatable :: tics, label
       n = size(model%cases)
       height = real(head_height + foot_height + (row_height + model_height*(size(job%models) - 1))*n, wp)
       with_error = any(model%cases%measured_hookload%present)
@@ -68,7 +69,9 @@ contains
          call add_series(series, 'NaN', "with lines lc rgb '#ffffff'", 'not converged cases are left out')
       call legend(lines, 'Hook load of all cases', series, top + 8.0_wp/height, 1.0_wp - 40.0_wp/height)
       call append_text(lines, 'set yrange ['//to_text(real(n, wp) + 0.6_wp, digits)//':0.4]')
-      call panel(lines, left, left + wide, bottom, top, 'hook load ['//trim(job%units%force_label)//']', ' ')
+      label = 'hook load'
+      if (model%rig%given) label = 'hook load as the rig shows it'
+      call panel(lines, left, left + wide, bottom, top, label//' ['//trim(job%units%force_label)//']', ' ')
       call append_text(lines, 'set ytics ('//tics//'); unset ylabel')
       ! no mark on the frame
       call append_text(lines, 'set autoscale xfix; set offsets graph 0.04, graph 0.04, 0, 0')
@@ -126,13 +129,16 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       character(:), allocatable :: row
+      type(optional_real) :: reference
       integer :: i, k
       call append_text(lines, '# case, measured and reference hook load, measured torque; of each model hook load, error, torque')
       call append_text(lines, '$cases << END')
       do i = 1, size(model%cases)
          associate (load_case => model%cases(i))
+            reference = load_case%reference_hookload
+            if (model%rig%given) reference%value = indicated_load(model%rig, load_case%operation, reference%value)
             row = to_text(i)//' '//cell(load_case%measured_hookload, job%units%force)//' '// &
-               cell(load_case%reference_hookload, job%units%force)//' '//cell(load_case%measured_torque, job%units%moment)
+               cell(reference, job%units%force)//' '//cell(load_case%measured_torque, job%units%moment)
             do k = 1, size(job%models)
                row = row//model_cells(load_case, results, i, job%models(k), job)
             end do
@@ -150,12 +156,14 @@ contains
       integer, intent(in) :: model        !< number of the model
       type(job_type), intent(in) :: job
       character(:), allocatable :: cells
+      real(wp) :: hookload
       integer :: i
       do i = 1, size(results)
          if (results(i)%case_index /= number .or. results(i)%model /= model) cycle
          if (results(i)%status /= result_converged) cycle
-         cells = ' '//to_text(results(i)%hookload/job%units%force, digits)//' '// &
-            cell(percent_error(results(i)%hookload, load_case%measured_hookload), 1.0_wp)//' '
+         hookload = as_measured(results(i)%hookload, results(i)%weight_indicator)
+         cells = ' '//to_text(hookload/job%units%force, digits)//' '// &
+            cell(percent_error(hookload, load_case%measured_hookload), 1.0_wp)//' '
          if (has_torque(load_case)) then
             cells = cells//to_text(results(i)%torque/job%units%moment, digits)
          else

@@ -21,8 +21,9 @@ module dg_html_report
    public :: write_html_report
 
    !> Columns of summary.csv and limits.csv that the page shows; the files have all.
-   character(*), parameter :: summary_shown(14) = [character(16) :: 'section', 'case', 'operation', 'bit_depth', 'wob', &
-      'hookload', 'measured', 'error', 'reference', 'reference_error', 'friction', 'torque', 'normal_force', 'status']
+   character(*), parameter :: summary_shown(15) = [character(16) :: 'section', 'case', 'operation', 'bit_depth', 'wob', &
+      'hookload', 'weight_indicator', 'measured', 'error', 'reference', 'reference_error', 'friction', 'torque', 'normal_force', &
+      'status']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
    character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &

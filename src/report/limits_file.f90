@@ -45,7 +45,7 @@ module dg_limits_file
       column_type('wob_no_hookload', quantity_force, 'weight on bit that leaves no hook load (soft string, friction of '// &
          'buckled string left out: a bound of the lock-up load)'), &
       column_type('rig_limit', quantity_force, 'as in the deck'), &
-      column_type('rig_margin', quantity_force, 'rig_limit - hook load'), &
+      column_type('rig_margin', quantity_force, 'rig_limit - hook load - block_weight of &rig'), &
       column_type('makeup_margin', quantity_moment, 'least make-up torque of a connection - torque there; empty where none '// &
          'is given'), &
       column_type('makeup_margin_md', quantity_length, 'where'), &

@@ -4,9 +4,10 @@ module dg_result_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_status_name, scale_count, scale_name, way_count, way_name, &
                              way_not_asked, way_planar
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: as_measured, known, percent_error
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_text, only: append_text, text_type, to_text
@@ -26,8 +27,16 @@ module dg_result_table
    integer, parameter :: error_width = 9
    integer, parameter :: friction_width = 11
    integer, parameter :: moment_width = 8
+   integer, parameter :: indicator_width = 10
    integer, parameter :: reference_width = 10
    integer, parameter :: reference_error_width = 7
+
+   !> Which columns Table 1 has beside those of the paper.
+   type :: layout_type
+      logical :: reference = .false.
+      logical :: indicator = .false.           !< what the rig shows
+      integer :: section = section_width       !< narrower where both are there
+   end type layout_type
 
    !> Widths of the columns of the second table.
    integer, parameter :: name_width = 24
@@ -66,93 +75,105 @@ contains
       end do
    end function result_table
 
-   !> Table 1 of the paper; with reference hook loads where any case has one.
+   !> Table 1 of the paper; with reference hook loads where any case has one, with what the rig shows where one is given.
    pure subroutine append_table_1(lines, units, cases, results)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: label(:)
-      logical :: with_reference
+      type(layout_type) :: layout
       integer :: first, last, row
-      with_reference = any(cases%reference_hookload%present)
-      call append_table_1_head(lines, units, with_reference)
+      layout%reference = any(cases%reference_hookload%present)
+      layout%indicator = any(.not. is_missing(results%weight_indicator))
+      if (layout%reference .and. layout%indicator) layout%section = section_width - indicator_width
+      call append_table_1_head(lines, units, layout)
       first = 1
       do while (first <= size(cases))
          last = end_of_section(cases, first)
-         label = section_label(units, cases(first), results(first))
+         label = section_label(units, cases(first), results(first), layout%section)
          do row = first, max(last, first + size(label) - 1)
             if (row <= last) then
-               call append_text(lines, label_cell(label, row - first + 1)// &
-                                trim(table_1_row(units, cases(row), results(row), with_reference)))
+               call append_text(lines, label_cell(label, row - first + 1, layout%section)// &
+                                trim(table_1_row(units, cases(row), results(row), layout)))
             else
-               call append_text(lines, trim(label_cell(label, row - first + 1)))
+               call append_text(lines, trim(label_cell(label, row - first + 1, layout%section)))
             end if
          end do
          first = last + 1
       end do
-      call append_text(lines, repeat('-', table_1_width(with_reference)))
-      call append_error(lines, 'Hook load against measurement', cases, results, &
-                        percent_error(results%hookload, cases%measured_hookload))
+      call append_text(lines, repeat('-', table_1_width(layout)))
+      call append_error(lines, trim(merge('Weight indicator', 'Hook load       ', layout%indicator))//' against measurement', &
+                        cases, results, &
+                        percent_error(as_measured(results%hookload, results%weight_indicator), cases%measured_hookload))
       call append_error(lines, 'Hook load against reference', cases, results, &
                         percent_error(results%hookload, cases%reference_hookload))
       call append_error(lines, 'Force moment against measurement', cases, results, &
                         percent_error(results%torque, cases%measured_torque))
    end subroutine append_table_1
 
-   pure subroutine append_table_1_head(lines, units, with_reference)
+   pure subroutine append_table_1_head(lines, units, layout)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
-      logical, intent(in) :: with_reference
+      type(layout_type), intent(in) :: layout
       character(:), allocatable :: first, second, third
-      first = left_aligned('Section and well depth', section_width)//left_aligned('Load case', operation_width)// &
+      first = left_aligned(trim(merge('Section and well depth', 'Section, depth        ', layout%section == section_width)), &
+                           layout%section)//left_aligned('Load case', operation_width)// &
          right_aligned('Drilling', wob_width)//right_aligned('Calculated', calculated_width)// &
          right_aligned('Measured', measured_width)//right_aligned('Relative', error_width)// &
          right_aligned('Frictional', friction_width)//right_aligned('Force', moment_width)
-      second = repeat(' ', section_width + operation_width)// &
+      second = repeat(' ', layout%section + operation_width)// &
          right_aligned('weight', wob_width)//right_aligned('hook load', calculated_width)// &
          right_aligned('hook load', measured_width)//right_aligned('error', error_width)// &
          right_aligned('resistance', friction_width)//right_aligned('moment', moment_width)
-      third = repeat(' ', section_width + operation_width)// &
+      third = repeat(' ', layout%section + operation_width)// &
          right_aligned(trim(units%force_label), wob_width)//right_aligned(trim(units%force_label), calculated_width)// &
          right_aligned(trim(units%force_label), measured_width)//right_aligned('%', error_width)// &
          right_aligned(trim(units%force_label), friction_width)//right_aligned(moment_unit(units), moment_width)
-      if (with_reference) then
+      if (layout%indicator) then
+         first = first//right_aligned('Weight', indicator_width)
+         second = second//right_aligned('indicator', indicator_width)
+         third = third//right_aligned(trim(units%force_label), indicator_width)
+      end if
+      if (layout%reference) then
          first = first//right_aligned('Reference', reference_width)//right_aligned('Ref.', reference_error_width)
          second = second//right_aligned('hook load', reference_width)//right_aligned('error', reference_error_width)
          third = third//right_aligned(trim(units%force_label), reference_width)//right_aligned('%', reference_error_width)
       end if
-      call append_text(lines, repeat('-', table_1_width(with_reference)))
+      call append_text(lines, repeat('-', table_1_width(layout)))
       call append_text(lines, trim(first))
       call append_text(lines, trim(second))
       call append_text(lines, trim(third))
-      call append_text(lines, repeat('-', table_1_width(with_reference)))
+      call append_text(lines, repeat('-', table_1_width(layout)))
    end subroutine append_table_1_head
 
-   pure function table_1_width(with_reference) result(width)
-      logical, intent(in) :: with_reference
+   pure function table_1_width(layout) result(width)
+      type(layout_type), intent(in) :: layout
       integer :: width
-      width = section_width + operation_width + wob_width + calculated_width + measured_width + error_width + &
+      width = layout%section + operation_width + wob_width + calculated_width + measured_width + error_width + &
          friction_width + moment_width
-      if (with_reference) width = width + reference_width + reference_error_width
+      if (layout%indicator) width = width + indicator_width
+      if (layout%reference) width = width + reference_width + reference_error_width
    end function table_1_width
 
    !> One row without its section label. As in the paper, friction belongs to axial motion and the force
    !> moment to rotation.
-   pure function table_1_row(units, load_case, result, with_reference) result(row)
+   pure function table_1_row(units, load_case, result, layout) result(row)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
-      logical, intent(in) :: with_reference
+      type(layout_type), intent(in) :: layout
       character(:), allocatable :: row
       row = left_aligned(trim(operation_label(load_case%operation)), operation_width)// &
          fixed_cell(load_case%wob/units%force, wob_width, 1)// &
          fixed_cell(result%hookload/units%force, calculated_width, 1)// &
          fixed_cell(load_case%measured_hookload, units%force, measured_width, 1)// &
-         fixed_cell(percent_error(result%hookload, load_case%measured_hookload), 1.0_wp, error_width, 2)// &
+         fixed_cell(percent_error(as_measured(result%hookload, result%weight_indicator), load_case%measured_hookload), 1.0_wp, &
+                    error_width, 2)// &
          fixed_cell(optional_real(moves_axially(load_case%operation), result%friction), units%force, friction_width, 2)// &
          fixed_cell(optional_real(rotates(load_case%operation), result%torque), units%moment, moment_width, 2)
-      if (with_reference) row = row// &
+      if (layout%indicator) row = row//fixed_cell(known(result%weight_indicator), units%force, indicator_width, 1)
+      if (layout%reference) row = row// &
          fixed_cell(load_case%reference_hookload, units%force, reference_width, 1)// &
          fixed_cell(percent_error(result%hookload, load_case%reference_hookload), 1.0_wp, reference_error_width, 2)
       if (result%status /= result_converged) row = row//no_solution_mark
@@ -181,23 +202,25 @@ contains
    end function section_of
 
    !> Section, depth and inclination, as lines that fit their column.
-   pure function section_label(units, load_case, result) result(label)
+   pure function section_label(units, load_case, result, width) result(label)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
+      integer, intent(in) :: width
       type(text_type), allocatable :: label(:)
       real(wp), parameter :: tenth = 10.0_wp !< depths and angles are shown to one digit behind the point
       allocate (label(0))
-      if (section_of(load_case) /= '') call append_wrapped(label, '', section_of(load_case), section_width - 1)
+      if (section_of(load_case) /= '') call append_wrapped(label, '', section_of(load_case), width - 1)
       call append_wrapped(label, '', to_text(anint(tenth*load_case%bit_depth/units%length)/tenth)//' '// &
                           trim(units%length_label)//', '// &
-                          to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', section_width - 1)
+                          to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', width - 1)
    end function section_label
 
-   pure function label_cell(label, i) result(cell)
+   pure function label_cell(label, i, width) result(cell)
       type(text_type), intent(in) :: label(:)
       integer, intent(in) :: i
-      character(section_width) :: cell
+      integer, intent(in) :: width
+      character(width) :: cell
       cell = ''
       if (i <= size(label)) cell = label(i)%text
    end function label_cell

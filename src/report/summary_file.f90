@@ -3,7 +3,7 @@ module dg_summary_file
    use dg_case_result, only: case_result_type, result_status_name
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_angle, quantity_force, &
                         quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: as_measured, known, percent_error
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
@@ -17,7 +17,7 @@ module dg_summary_file
    public :: write_summary, summary_row, summary_columns, summary_fields
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: summary_columns(29) = [ &
+   type(column_type), parameter :: summary_columns(30) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('section', quantity_text, 'its label'), &
       column_type('model', quantity_text, 'mcge (beams with contact gap elements), soft (soft string), '// &
@@ -28,7 +28,8 @@ module dg_summary_file
       column_type('wob', quantity_force, 'weight on bit, as in the deck'), &
       column_type('hookload', quantity_force, 'axial force held at the top'), &
       column_type('measured', quantity_force, 'measured hook load, as in the deck'), &
-      column_type('error', quantity_percent, '100 |hookload - measured| / measured'), &
+      column_type('error', quantity_percent, '100 |hookload - measured| / measured; with &rig: '// &
+         '100 |weight_indicator - measured| / measured'), &
       column_type('reference', quantity_force, 'hook load of another calculation, as in the deck'), &
       column_type('reference_error', quantity_percent, '100 |hookload - reference| / reference'), &
       column_type('friction', quantity_force, 'frictional resistance: buoyed weight along the hole - wob - hookload; '// &
@@ -49,7 +50,9 @@ module dg_summary_file
       column_type('moves', quantity_none, 'changes of place x0 during the iteration'), &
       column_type('equilibrium', quantity_force, 'what is left of the sum of all forces on the string, supports included'), &
       column_type('equilibrium', quantity_moment, 'the same of all moments about the top'), &
-      column_type('message', quantity_text, 'reason and remedy where not converged, else warnings')]
+      column_type('message', quantity_text, 'reason and remedy where not converged, else warnings'), &
+      column_type('weight_indicator', quantity_force, 'what the rig shows: string and block, as the dead line has them; '// &
+         'empty without &rig')]
 
 contains
 
@@ -94,7 +97,7 @@ contains
       call put(row, load_case%wob)
       call put(row, of(result%hookload))
       call put(row, load_case%measured_hookload)
-      call put(row, error_of(result%hookload, load_case%measured_hookload))
+      call put(row, error_of(as_measured(result%hookload, result%weight_indicator), load_case%measured_hookload))
       call put(row, load_case%reference_hookload)
       call put(row, error_of(result%hookload, load_case%reference_hookload))
       call put(row, of(result%friction))
@@ -114,6 +117,7 @@ contains
       call put(row, of(result%equilibrium_force))
       call put(row, of(result%equilibrium_moment))
       call put(row, text_or_nothing(result%message))
+      call put(row, known(result%weight_indicator))
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)

@@ -4,7 +4,7 @@ module dg_sweep_file
    use dg_case_result, only: result_status_name
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: as_measured, known, percent_error
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
@@ -17,7 +17,7 @@ module dg_sweep_file
    public :: sweep_columns, write_sweep
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: sweep_columns(11) = [ &
+   type(column_type), parameter :: sweep_columns(12) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('friction', quantity_none, 'coefficient along and around the hole; empty: those of the hole sections'), &
@@ -27,8 +27,9 @@ module dg_sweep_file
       column_type('status', quantity_text, 'converged, not_converged or locked_up: only the first is a solution'), &
       column_type('measured_hookload', quantity_force, 'of the load case with this operation, depth and string'), &
       column_type('measured_torque', quantity_moment, 'the same of torque'), &
-      column_type('error', quantity_percent, '100 |hookload - measured| / measured'), &
-      column_type('message', quantity_text, 'reason and remedy where there is no solution, else warnings')]
+      column_type('error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator'), &
+      column_type('message', quantity_text, 'reason and remedy where there is no solution, else warnings'), &
+      column_type('weight_indicator', quantity_force, 'what the rig shows of the hook load, as in summary.csv')]
 
 contains
 
@@ -77,7 +78,8 @@ contains
       call put(row, trim(result_status_name(result%status)))
       call put(row, hookload)
       call put(row, torque)
-      call put(row, percent_error(result%hookload, hookload))
+      call put(row, percent_error(as_measured(result%hookload, result%weight_indicator), hookload))
       call put(row, text_or_nothing(result%message))
+      call put(row, known(result%weight_indicator))
    end subroutine sweep_fields
 end module dg_sweep_file

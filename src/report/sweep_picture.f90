@@ -22,11 +22,12 @@ module dg_sweep_picture
 contains
 
    !> One model's curves.
-   subroutine sweep_script(name, units, sweep, model, lines)
+   subroutine sweep_script(name, units, sweep, model, indicated, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model          !< number of the model
+      logical, intent(in) :: indicated      !< hook loads as the rig shows them
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: key(:)
       integer :: i, k
@@ -45,13 +46,14 @@ contains
                          friction_label(sweep%frictions(k)))
       end do
       call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, maxval(sweep%depths), &
-                           curves('hookload', .false.), curves('torque', .true.))
+                           curves(trim(merge('weight_indicator', 'hookload        ', indicated)), 'measured_hookload', .false.), &
+                           curves('torque', 'measured_torque', .true.), indicated)
 
    contains
 
       !> The curves of one panel; `turning`: only operations that have torque.
-      pure function curves(column, turning) result(series)
-         character(*), intent(in) :: column
+      pure function curves(column, measured, turning) result(series)
+         character(*), intent(in) :: column, measured
          logical, intent(in) :: turning
          type(series_type), allocatable :: series(:)
          integer :: operation, friction
@@ -63,7 +65,7 @@ contains
                                marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
             end do
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
-               curve(operation, friction_test(sweep%frictions(1)), 'measured_'//column), measured_look(operation), '')
+               curve(operation, friction_test(sweep%frictions(1)), measured), measured_look(operation), '')
          end do
       end function curves
 

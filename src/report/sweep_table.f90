@@ -2,9 +2,11 @@
 !> what was measured beside what was calculated. Every line fits 120 columns.
 module dg_sweep_table
    use dg_kinds, only: wp
+   use dg_comparison, only: as_measured
    use dg_case_result, only: result_converged
    use dg_job, only: model_name
    use dg_load_case, only: given, operation_label, optional_real, rotates
+   use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
@@ -74,7 +76,7 @@ contains
       integer :: i, k, n, row_count
       call append_text(lines, '')
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%model)))//': '// &
-                       quantity_text(units, quantity)//' at friction factors')
+                       quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors')
       head = right_aligned('Bit depth', depth_width)
       factors = right_aligned(trim(units%length_label), depth_width)
       i = 1
@@ -103,7 +105,7 @@ contains
                if (quantity == torque) then
                   row = row//fixed_cell(found%torque/units%moment, cell_width - 1, 2)
                else
-                  row = row//fixed_cell(found%hookload/units%force, cell_width - 1, 1)
+                  row = row//fixed_cell(as_measured(found%hookload, found%weight_indicator)/units%force, cell_width - 1, 1)
                end if
                row = row//merge(' ', '!', found%status == result_converged)
             end associate
@@ -187,7 +189,7 @@ contains
       do f = 1, size(values)
          point%friction = f
          associate (found => points(point_number(sweep, point)))
-            values(f) = found%hookload
+            values(f) = as_measured(found%hookload, found%weight_indicator)
             if (quantity == torque) values(f) = found%torque
             solved(f) = found%status == result_converged
             if (f <= shown) row = row//fixed_cell(values(f)/unit, cell_width - 1, quantity)// &
@@ -253,11 +255,13 @@ contains
       if (friction%present) text = to_text(friction%value, digits)
    end function factor_text
 
-   pure function quantity_text(units, quantity) result(text)
+   pure function quantity_text(units, quantity, indicated) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
+      logical, intent(in) :: indicated     !< as the rig shows it
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
+      if (indicated) text = 'hook load as the rig shows it, '//trim(units%force_label)
       if (quantity == torque) text = 'torque, kN.m'
       if (quantity == torque .and. units%name == 'field') text = 'torque, kft.lbf'
    end function quantity_text

@@ -16,7 +16,7 @@ module dg_uncertainty_file
    public :: uncertainty_columns, write_uncertainty
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: uncertainty_columns(16) = [ &
+   type(column_type), parameter :: uncertainty_columns(19) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
@@ -33,7 +33,10 @@ module dg_uncertainty_file
       column_type('torque_deviation', quantity_moment, 'their standard deviation'), &
       column_type('locked_up', quantity_none, 'samples that lock up: below all others in quantiles of the hook load, and above '// &
                   'them in torque where the string turns'), &
-      column_type('not_converged', quantity_none, 'samples without solution, left out of all')]
+      column_type('not_converged', quantity_none, 'samples without solution, left out of all'), &
+      column_type('weight_indicator_p10', quantity_force, 'as hookload_p10, of what the rig shows; empty without &rig'), &
+      column_type('weight_indicator_p50', quantity_force, 'the same for half of them'), &
+      column_type('weight_indicator_p90', quantity_force, 'the same for 90 %')]
 
 contains
 
@@ -61,6 +64,9 @@ contains
          call put_distribution(row, statistics(i)%torque)
          call put(row, statistics(i)%locked_up)
          call put(row, statistics(i)%not_converged)
+         call put(row, known(statistics(i)%weight_indicator%quantiles(p10)))
+         call put(row, known(statistics(i)%weight_indicator%quantiles(p50)))
+         call put(row, known(statistics(i)%weight_indicator%quantiles(p90)))
          lines(i)%text = csv_row(uncertainty_columns, job%units, row%fields)
       end do
       call write_text_file(path, lines, error)

@@ -20,11 +20,12 @@ module dg_uncertainty_picture
 contains
 
    !> One model's curves.
-   subroutine uncertainty_script(name, units, range, model, lines)
+   subroutine uncertainty_script(name, units, range, model, indicated, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: range !< operations and depths
       integer, intent(in) :: model          !< number of the model
+      logical, intent(in) :: indicated      !< hook loads as the rig shows them
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: key(:)
       integer :: i
@@ -36,7 +37,8 @@ contains
          call add_series(key, 'NaN', look(i, 1, 1), 'P10 and P90')
       end do
       call draw_broomstick(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), key, units, &
-                           maxval(range%depths), curves('hookload', .false.), curves('torque', .true.))
+                           maxval(range%depths), curves(trim(merge('weight_indicator', 'hookload        ', indicated)), .false.), &
+                           curves('torque', .true.), indicated)
 
    contains
 

@@ -23,10 +23,11 @@ module dg_uncertainty_table
 
 contains
 
-   pure function uncertainty_table(units, uncertainty, statistics) result(lines)
+   pure function uncertainty_table(units, uncertainty, statistics, indicated) result(lines)
       type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
       type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
+      logical, intent(in) :: indicated                           !< hook loads as the rig shows them
       type(text_type), allocatable :: lines(:)
       integer :: m, o
       allocate (lines(0))
@@ -36,7 +37,7 @@ contains
       call append_text(lines, '  '//deviations_text(units, uncertainty))
       do m = 1, size(uncertainty%range%models)
          do o = 1, size(uncertainty%range%operations)
-            call append_curve(lines, units, uncertainty, statistics, point_type(m, o, 1, 1))
+            call append_curve(lines, units, uncertainty, statistics, point_type(m, o, 1, 1), indicated)
          end do
       end do
    end function uncertainty_table
@@ -85,19 +86,22 @@ contains
    end function deviations_text
 
    !> One operation by one model.
-   pure subroutine append_curve(lines, units, uncertainty, statistics, curve)
+   pure subroutine append_curve(lines, units, uncertainty, statistics, curve, indicated)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
       type(point_statistics_type), intent(in) :: statistics(:)
       type(point_type), intent(in) :: curve
+      logical, intent(in) :: indicated
       character(:), allocatable :: head, rule
       type(point_type) :: point
       type(optional_real) :: measured
       integer :: i, k, n, rows, first, last
       call append_text(lines, '')
       call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
-                       trim(model_name(uncertainty%range%models(curve%model)))//': hook load, '//trim(units%force_label)// &
+                       trim(model_name(uncertainty%range%models(curve%model)))//': '// &
+                       trim(merge('hook load as the rig shows it', 'hook load                    ', indicated))//', '// &
+                       trim(units%force_label)// &
                        ', and torque, '//moment_unit(units)//', under which 10, 50 and 90 % of the samples lie')
       head = right_aligned('Bit depth', depth_width)//right_aligned('P10', cell_width)//right_aligned('P50', cell_width)// &
              right_aligned('P90', cell_width)//right_aligned('Measured', cell_width)//right_aligned('P10', cell_width)// &
@@ -120,7 +124,7 @@ contains
          end do
          associate (found => statistics(point_number(uncertainty%range, point)))
             call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
-                             cells(found%hookload, units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
+                             cells(loads_of(found), units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
                              cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width)// &
                              trim(merge('!', ' ', found%not_converged > 0)))
          end associate
@@ -138,6 +142,13 @@ contains
             'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others; - : among them')
       end associate
    contains
+      pure function loads_of(found) result(loads)
+         type(point_statistics_type), intent(in) :: found
+         type(distribution_type) :: loads
+         loads = found%hookload
+         if (indicated) loads = found%weight_indicator
+      end function loads_of
+
       !> How many samples at the depth that has most of them.
       pure function most(counts) result(text)
          integer, intent(in) :: counts(:)

@@ -1,6 +1,7 @@
 !> What a model returns for one point of a sweep. SI units.
 module dg_sweep_result
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    implicit none
    private
    public :: sweep_result_type, unsolved, is_solved
@@ -11,6 +12,7 @@ module dg_sweep_result
    type :: sweep_result_type
       integer :: status = unsolved
       real(wp) :: hookload = 0.0_wp            !< [N]
+      real(wp) :: weight_indicator = missing   !< what the rig's indicator shows of it; missing where no rig is given [N]
       real(wp) :: torque = 0.0_wp              !< at the top [N.m]
       character(:), allocatable :: message     !< reason where there is no solution, warnings else; not allocated: none
    end type sweep_result_type

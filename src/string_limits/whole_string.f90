@@ -53,8 +53,8 @@ module dg_whole_string
       type(optional_real) :: bit_side_clock         !< where to [rad]
       type(optional_real) :: bit_tilt               !< angle between bit and hole, gap elements only [rad]
       type(optional_real) :: bit_tilt_clock         !< where it points [rad]
-      type(optional_real) :: rig_limit              !< hook load that the rig may carry [N]
-      type(optional_real) :: rig_margin             !< rig_limit - hook load [N]
+      type(optional_real) :: rig_limit              !< load that the rig may carry [N]
+      type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
       type(optional_real) :: makeup_margin_md       !< where [m]
       type(optional_real) :: least_standoff         !< of the body, gap elements only [-]
@@ -225,7 +225,7 @@ contains
       real(wp) :: bit, distance, margin
       integer :: i, side, string
       whole%rig_limit = rig_limit
-      if (rig_limit%present) whole%rig_margin = given(rig_limit%value - result%hookload)
+      if (rig_limit%present) whole%rig_margin = given(rig_limit%value - model%rig%block_weight - result%hookload)
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))

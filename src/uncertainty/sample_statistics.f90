@@ -1,7 +1,7 @@
 !> Quantiles and moments of samples.
 module dg_sample_statistics
    use dg_kinds, only: wp
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_sampled_model, only: draw_of, quantity_hookload, quantity_torque
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
    use dg_load_case, only: rotates
@@ -30,6 +30,7 @@ module dg_sample_statistics
       integer :: locked_up = 0
       integer :: not_converged = 0
       type(distribution_type) :: hookload    !< [N]
+      type(distribution_type) :: weight_indicator !< as the rig shows it; nothing where none is given [N]
       type(distribution_type) :: torque      !< [N.m]
    end type point_statistics_type
 
@@ -57,6 +58,9 @@ contains
          statistics%hookload = find_distribution(results(places)%hookload + uncertainty%hookload_deviation* &
                                                  draw_of(uncertainty, solved, quantity_hookload, point), &
                                                  below=statistics%locked_up)
+         if (.not. any(is_missing(results(places)%weight_indicator))) statistics%weight_indicator = &
+            find_distribution(results(places)%weight_indicator + uncertainty%hookload_deviation* &
+                              draw_of(uncertainty, solved, quantity_hookload, point), below=statistics%locked_up)
          statistics%torque = find_distribution(results(places)%torque + uncertainty%torque_deviation* &
                                                draw_of(uncertainty, solved, quantity_torque, point), above=tight)
       end associate

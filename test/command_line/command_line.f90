@@ -20,6 +20,7 @@ contains
       use dg_test_study_runs, only: study_runs_suite
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
+      use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
@@ -38,6 +39,7 @@ contains
       call suite%addTest(study_runs_suite())
       call suite%addTest(sweep_runs_suite())
       call suite%addTest(calibration_runs_suite())
+      call suite%addTest(rig_runs_suite())
       call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())

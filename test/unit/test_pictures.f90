@@ -149,7 +149,7 @@ contains
       sweep%depths = [100.0_wp, 2000.0_wp]
       allocate (sweep%measured(1))
       sweep%measured(1)%operation = operation_trip_out
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, .false., lines)
       call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
@@ -158,7 +158,7 @@ contains
       call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
       call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
       sweep%frictions = [optional_real()]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, .false., lines)
       call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
    end subroutine test_sweep
 

@@ -29,6 +29,7 @@ contains
       call suite%addTest(TestMethod('plane_or_space', test_plane_or_space))
       call suite%addTest(TestMethod('one_page_wide', test_one_page_wide))
       call suite%addTest(TestMethod('field_units', test_field_units))
+      call suite%addTest(TestMethod('with_a_rig', test_with_a_rig))
       call suite%addTest(TestMethod('a_table_each_model', test_a_table_each_model))
    end function report_table_suite
 
@@ -120,6 +121,30 @@ contains
       call assertTrue(contains_text(lines, 'kft.lbf'))
       call assertFalse(contains_text(lines, 'kN.m'))
    end subroutine test_field_units
+
+   !> 733.4 kN and a block of 150 kN, measured 880 kN: 0.39 %. With a reference the label is narrower.
+   subroutine test_with_a_rig()
+      type(case_result_type), allocatable :: results(:)
+      type(text_type), allocatable :: lines(:)
+      type(model_type) :: model
+      integer :: i
+      model = sample_model()
+      model%cases(1)%measured_hookload%value = 880.0e3_wp
+      allocate (results, source=sample_results())
+      results%weight_indicator = results%hookload + 150.0e3_wp
+      allocate (lines, source=result_table(sample_job(), model, results))
+      call assertTrue(has(lines, 'Inclined section up                    0.0      733.4     880.0     0.39     -17.29       -'// &
+                          '     883.4         -      -'), message='up')
+      call assertTrue(contains_text(lines, 'Weight indicator against measurement: mean error'))
+      do i = 1, size(lines)
+         call assertLessThanOrEqual(len(lines(i)%text), page_width, message=lines(i)%text)
+      end do
+      deallocate (lines)
+      model%cases(4)%reference_hookload = optional_real()
+      allocate (lines, source=result_table(sample_job(), model, results))
+      call assertTrue(has(lines, 'Inclined section           up                    0.0      733.4     880.0     0.39     -17.29'// &
+                          '       -     883.4'), message='without reference')
+   end subroutine test_with_a_rig
 
    !> Which cases were solved in the plane, and why others were not; nothing where nobody asked.
    subroutine test_plane_or_space()

@@ -17,6 +17,7 @@ contains
       use dg_test_hole_section, only: hole_section_suite
       use dg_test_load_case, only: load_case_suite
       use dg_test_output_names, only: output_names_suite
+      use dg_test_rig, only: rig_suite
       use dg_test_report_cells, only: report_cells_suite
       use dg_test_report_files, only: report_files_suite
       use dg_test_report_table, only: report_table_suite
@@ -71,6 +72,7 @@ contains
       call suite%addTest(hole_section_suite())
       call suite%addTest(load_case_suite())
       call suite%addTest(output_names_suite())
+      call suite%addTest(rig_suite())
       call suite%addTest(report_cells_suite())
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())

@@ -1,0 +1,70 @@
+!> The rig between the string and its weight indicator: travelling block, lines and sheaves.
+!>
+!> The indicator reads the tension of the dead line. It shows that tension times the number of lines, which is the load on the
+!> block while nothing moves. While the block moves, each sheave that turns takes its share of the tension: the line that leaves
+!> a sheave of efficiency e towards the drum has 1/e times the tension when raising, e times when lowering. So the dead line,
+!> at the far end, has too little of the load when raising and too much when lowering (Luke & Juvkam-Wold 1993, The
+!> determination of true hook-and-line tension under dynamic conditions: inactive and active dead-line sheave).
+module dg_rig
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
+      operation_trip_in, operation_trip_out
+   implicit none
+   private
+   public :: rig_type, indicated_load, string_load, indicator_factor
+
+   type :: rig_type
+      logical :: given = .false.               !< the deck has a rig: what is measured is what its indicator shows
+      real(wp) :: block_weight = 0.0_wp        !< of all that hangs on the lines beside the string [N]
+      integer :: lines = 1                     !< strung to the travelling block
+      real(wp) :: sheave_efficiency = 1.0_wp   !< tension behind a sheave that turns over that before it, 0 to 1 [-]
+      !> The sheave of the crown over which the dead line comes turns with the others. Its line does not run, so it does not.
+      logical :: active_deadline_sheave = .false.
+   end type rig_type
+
+contains
+
+   !> What the weight indicator shows [N]: block and string, as the dead line has them.
+   elemental function indicated_load(rig, operation, hookload) result(indicated)
+      type(rig_type), intent(in) :: rig
+      integer, intent(in) :: operation         !< number (dg_load_case)
+      real(wp), intent(in) :: hookload         !< axial force at the top of the string [N]
+      real(wp) :: indicated
+      indicated = indicator_factor(rig, operation)*(hookload + rig%block_weight)
+   end function indicated_load
+
+   !> The axial force at the top of the string with which the indicator shows a load [N].
+   elemental function string_load(rig, operation, indicated) result(hookload)
+      type(rig_type), intent(in) :: rig
+      integer, intent(in) :: operation
+      real(wp), intent(in) :: indicated        !< [N]
+      real(wp) :: hookload
+      hookload = indicated/indicator_factor(rig, operation) - rig%block_weight
+   end function string_load
+
+   !> What the indicator shows over the load on the lines [-]: 1 while the block stands.
+   !>
+   !> With the tension of the dead line as 1, the lines at the block have 1, 1/e, 1/e^2, ... when raising; an active dead-line
+   !> sheave makes all of them 1/e times that. When lowering e stands in place of 1/e. The block hangs on their sum.
+   elemental function indicator_factor(rig, operation) result(factor)
+      type(rig_type), intent(in) :: rig
+      integer, intent(in) :: operation
+      real(wp) :: factor
+      real(wp) :: growth, load
+      integer :: line
+      select case (operation)
+      case (operation_trip_out, operation_backream)
+         growth = 1.0_wp/rig%sheave_efficiency
+      case (operation_trip_in, operation_sliding_drilling, operation_rotary_drilling, operation_ream)
+         growth = rig%sheave_efficiency
+      case default
+         growth = 1.0_wp
+      end select
+      load = 0.0_wp
+      do line = 1, rig%lines
+         load = 1.0_wp + growth*load
+      end do
+      if (rig%active_deadline_sheave) load = growth*load
+      factor = real(rig%lines, wp)/load
+   end function indicator_factor
+end module dg_rig

@@ -1,0 +1,157 @@
+!> Runs with a rig: what its indicator shows is what measurements are compared with, in tables, broomsticks, calibrations and of
+!> strings that are held. A straight hole, where hook loads are a product.
+module dg_test_rig_runs
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_kinds, only: wp
+   use dg_program_run, only: deck_path, results_path, run_deck_text, run_type
+   use dg_result_rows, only: field, lines_of, number
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: rig_runs_suite
+
+   character(*), parameter :: newline = achar(10)
+   !> Straight hole of 1000 m at 60 deg, pipe of 20 kg/m without mud: weight along the hole and across it [kN].
+   real(wp), parameter :: along = 20.0_wp*9.80665_wp*0.5_wp, across = 20.0_wp*9.80665_wp*0.8660254037844386_wp
+   real(wp), parameter :: friction = 0.25_wp, block = 140.0_wp, efficiency = 0.96_wp
+   integer, parameter :: lines_strung = 10
+   !> Hook loads of the soft string, and fits that end at steps of 1e-7 [kN].
+   real(wp), parameter :: at_rest = 1.0e-5_wp*along
+   integer, parameter :: summary_indicator = 30, sweep_indicator = 12
+
+contains
+
+   function rig_runs_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('rig_runs')
+      call suite%addTest(TestMethod('what_is_shown', test_shown))
+      call suite%addTest(TestMethod('block_from_measurements', test_block))
+      call suite%addTest(TestMethod('held_string', test_held))
+      call suite%addTest(TestMethod('bad_groups', test_bad))
+   end function rig_runs_suite
+
+   !> What the rig shows of a load on its lines, from the dead line on: each line at the block has 1/e of the tension of the last
+   !> when raising, e when lowering.
+   pure function shown(load, raising) result(indicated)
+      real(wp), intent(in) :: load
+      logical, intent(in) :: raising
+      real(wp) :: indicated
+      integer :: i
+      if (raising) then
+         indicated = lines_strung*load/sum([(efficiency**(-i), i=0, lines_strung - 1)])
+      else
+         indicated = lines_strung*load/sum([(efficiency**i, i=0, lines_strung - 1)])
+      end if
+   end function shown
+
+   function rig_group(block_weight) result(text)
+      real(wp), intent(in) :: block_weight
+      character(:), allocatable :: text
+      text = '&rig block_weight = '//to_text(block_weight)//', lines = 10, sheave_efficiency = 0.96 /'//newline
+   end function rig_group
+
+   !> Up, down, rotating; each measured as the rig shows it.
+   function deck(in_deck, groups) result(text)
+      real(wp), intent(in) :: in_deck          !< friction
+      character(*), intent(in) :: groups
+      character(:), allocatable :: text
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory md = 0, 1000, inc = 60, 60, azi = 0, 0 /"//newline// &
+         "&hole name = 'all', diameter = 215.9, friction = "//to_text(in_deck)//" /"//newline// &
+         "&component od = 127, id = 108.6, mass = 20 /"//newline// &
+         "&load_case name = 'u', operation = 'up', bit_depth = 1000, measured_hookload = "// &
+         to_text(shown(block + along + friction*across, .true.))//" /"//newline// &
+         "&load_case name = 'd', operation = 'down', bit_depth = 1000, measured_hookload = "// &
+         to_text(shown(block + along - friction*across, .false.))//" /"//newline// &
+         "&load_case name = 'r', operation = 'rotate_off_bottom', bit_depth = 1000, measured_hookload = "// &
+         to_text(block + along)//" /"//newline//groups//newline
+   end function deck
+
+   !> hookload stays the string's own; the last column is what the rig shows, and errors are against it, in the broomstick too.
+   subroutine test_shown()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      run = run_deck_text(deck(friction, rig_group(block)//"&sweep name = 'b', bit_depth_from = 500, bit_depth_step = 500 /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'indicator') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Weight indicator against measurement: mean error 0.00 %') > 0, message=run%output)
+      call assertTrue(index(run%output, 'hook load as the rig shows it, kN at friction factors') > 0, message=run%output)
+      allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      call assertEqual('weight_indicator_kN', field(lines(1)%text, summary_indicator))
+      call assertEqual(along + friction*across, number(lines(2)%text, 8), at_rest)
+      call assertEqual(shown(block + along + friction*across, .true.), number(lines(2)%text, summary_indicator), at_rest)
+      call assertEqual(0.0_wp, number(lines(2)%text, 10), at_rest)
+      call assertEqual(along - friction*across, number(lines(3)%text, 8), at_rest)
+      call assertEqual(shown(block + along - friction*across, .false.), number(lines(3)%text, summary_indicator), at_rest)
+      call assertEqual(block + along, number(lines(4)%text, summary_indicator), at_rest)
+      deallocate (lines)
+      allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      call assertEqual(shown(block + 0.5_wp*(along + friction*across), .true.), number(lines(2)%text, sweep_indicator), at_rest)
+      call assertEqual(0.5_wp*(along + friction*across), number(lines(2)%text, 5), at_rest)
+      call assertEqual(0.0_wp, number(lines(3)%text, 10), at_rest)
+   end subroutine test_shown
+
+   !> An offset is what the block weight of the deck lacks; applied, all that follows has it. Without a rig it is added to nothing.
+   subroutine test_block()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      character(*), parameter :: calibrate = "&calibrate parameter = 'friction_axial', offset = 'one', apply = .true. /"
+      run = run_deck_text(deck(0.1_wp, rig_group(110.0_wp)//calibrate//newline// &
+                               "&sweep name = 'b', bit_depth_from = 1000 /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '&rig: block_weight 140') > 0, message=run%output)
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      call assertEqual(friction, number(lines(2)%text, 8), at_rest/along)
+      call assertEqual(block - 110.0_wp, number(lines(3)%text, 15), at_rest)
+      deallocate (lines)
+      allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      call assertEqual(0.0_wp, number(lines(2)%text, 10), 1.0e-3_wp)
+      call assertEqual(0.0_wp, number(lines(4)%text, 10), 1.0e-3_wp)
+      deallocate (lines)
+      allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      call assertEqual(shown(block + along - friction*across, .false.), number(lines(3)%text, sweep_indicator), at_rest)
+      deallocate (lines)
+      run = run_deck_text(deck(0.1_wp, calibrate))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Applied to all that follows, without the offset:') > 0, message=run%output)
+      allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      call assertEqual('', field(lines(2)%text, summary_indicator))
+   end subroutine test_block
+
+   !> Stuck at 400 m: what is above weighs and rubs, the rest of what the string carries is the pull there.
+   subroutine test_held()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      real(wp), parameter :: pull = 300.0_wp
+      run = run_deck_text(deck(friction, rig_group(block)// &
+         "&load_case name = 's', operation = 'up', bit_depth = 1000, measured_hookload = "// &
+         to_text(shown(block + 0.4_wp*(along + friction*across) + pull, .true.))//" /"//newline// &
+         "&calibrate parameter = 'sticking', cases = 's', sticking_depth = 400 /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      call assertEqual('sticking', field(lines(2)%text, 3))
+      call assertEqual(pull, number(lines(2)%text, 21), 1.0e-4_wp*pull)
+      run = run_deck_text(deck(friction, rig_group(block)//"&load_case name = 's', operation = 'up', bit_depth = 1000, "// &
+         "measured_hookload = 60 /"//newline//"&calibrate parameter = 'sticking', cases = 's', sticking_depth = 400 /"))
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'nothing is left for the string') > 0, message=run%diagnostics)
+   end subroutine test_held
+
+   subroutine test_bad()
+      type(run_type) :: run
+      run = run_deck_text(deck(friction, '&rig sheave_efficiency = 0.98 /'))
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, deck_path//':8: group &rig: sheave_efficiency = 0.98 needs lines') > 0, &
+                      message=run%diagnostics)
+      run = run_deck_text(deck(friction, '&rig sheave_efficiency = 98, lines = 10 /'))
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, '0.5 to 1') > 0, message=run%diagnostics)
+      run = run_deck_text(deck(friction, rig_group(block)//"&calibrate offset = 'one', apply = .true. /"// &
+         newline//"&calibrate offset = 'one', parameter = 'friction_axial', apply = .true. /"))
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'applies an offset to the block_weight of &rig already') > 0, message=run%diagnostics)
+      run = run_deck_text(deck(friction, rig_group(1.0e3_wp)), options='--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'the block counted in') > 0, message=run%output)
+   end subroutine test_bad
+end module dg_test_rig_runs
