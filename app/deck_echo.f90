@@ -2,14 +2,17 @@
 module dg_deck_echo
    use dg_kinds, only: wp
    use dg_calibration_echo, only: add_calibrations
-   use dg_component, only: component_type
+   use dg_component, only: component_type, is_worn, worn_od
    use dg_deck_schema, only: unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
       unit_speed, unit_stress, unit_wall
+   use dg_design_factors, only: design_factors_type
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
+   use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
+      torsional_strength
    use dg_printed_text, only: print_line, print_lines
    use dg_rig, only: rig_type
    use dg_study_plan, only: most_variants
@@ -65,7 +68,7 @@ contains
       if (model%rig%given) call append_text(lines, rig_line(job%units, model%rig))
       call add_hole(lines, job%units, model)
       do i = 1, size(model%strings)
-         call add_string(lines, job%units, model, i)
+         call add_string(lines, job, model, i)
       end do
       call append_text(lines, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
          lateral(model%boundary%bit_centred))
@@ -121,14 +124,14 @@ contains
    end subroutine add_hole
 
    !> A string with its components, from the bit upwards.
-   pure subroutine add_string(lines, units, model, number)
+   pure subroutine add_string(lines, job, model, number)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: number
       integer :: i
       character(:), allocatable :: length
-      associate (string => model%strings(number))
+      associate (string => model%strings(number), units => job%units)
          call append_text(lines, 'string      '//string%name//', from the bit upwards')
          do i = 1, size(string%components)
             associate (part => string%components(i))
@@ -144,6 +147,7 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary))
+               call add_strength(lines, units, part, job%design)
             end associate
          end do
       end associate
@@ -161,6 +165,30 @@ contains
          text = ', friction'//way//to_text(scale, digits)//' of the hole''s'
       end if
    end function friction_text
+
+   !> Strengths of a component, where any is known, each against one load alone and without design factors.
+   pure subroutine add_strength(lines, units, part, design)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      type(design_factors_type), intent(in) :: design
+      character(:), allocatable :: text
+      text = ''
+      if (part%yield > 0.0_wp) then
+         text = ', tension '//quantity(tensile_strength(part), units%force, unit_label(units, unit_force))//', torsion '// &
+            quantity(torsional_strength(part), units%moment, unit_label(units, unit_moment))//', burst '// &
+            quantity(burst_strength(part), units%stress, unit_label(units, unit_stress))
+         if (collapses_as_steel(part)) text = text//', collapse '// &
+            quantity(collapse_strength(part, 0.0_wp), units%stress, unit_label(units, unit_stress))
+         if (design%slip_length > 0.0_wp) text = text//', in slips '//quantity(tensile_strength(part)* &
+            slip_share(worn_od(part), design%slip_lateral, design%slip_length), units%force, unit_label(units, unit_force))
+      end if
+      text = text//optional(', connection ', part%joint_torsion, units%moment, unit_label(units, unit_moment))
+      if (text == '') return
+      text = ':'//text(2:)
+      if (is_worn(part)) text = ' with '//to_text(100.0_wp*part%wall_left, digits)//' % of the wall'//text
+      call append_text(lines, '    strength'//text)
+   end subroutine add_strength
 
    !> One load case.
    pure subroutine add_case(lines, units, case)

@@ -34,6 +34,7 @@ module dg_run_deck
    use dg_standard_output, only: flush_output
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
+   use dg_utilisation, only: find_utilisation
    use dg_whole_string, only: find_whole_string, whole_string_type
    use dg_written_files, only: begin_files, end_files, other_records
    implicit none
@@ -226,6 +227,7 @@ contains
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
+            call find_utilisation(model, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if
          !$omp critical (results_in_order)
          solved(row) = .true.

@@ -29,6 +29,7 @@ module dg_deck_draft
       type(component_type) :: component
       character(:), allocatable :: string
       logical :: sound = .false.
+      logical :: connected = .false.           !< its connection is named
       integer :: line = 0
       integer :: line_length = 0, line_diameter = 0, line_density = 0 !< line_diameter: of what touches first
    end type draft_component_type

@@ -11,7 +11,7 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(14) = [ &
+   type(group_rule_type), parameter :: group_rules(15) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
@@ -19,6 +19,7 @@ module dg_deck_keys
       group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
       group_rule_type('component', repeatable=.true., required=.true., &
          meaning='a part of a drillstring; listed from the bit upwards'), &
+      group_rule_type('strength', meaning='design factors, and the slips that the string hangs in'), &
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &
@@ -109,7 +110,7 @@ module dg_deck_keys
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
          meaning='active: the sheave of the dead line turns like the others')]
 
-   type(key_rule_type), parameter :: component_keys(22) = [ &
+   type(key_rule_type), parameter :: component_keys(27) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -137,7 +138,18 @@ module dg_deck_keys
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
-         meaning='make-up torque of its connections; 0: not given'), &
+         meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
+      key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
+         meaning='wall left: 100, 80 or 70 %, worn outside; strength goes by it, weight and stiffness do not'), &
+      key_rule_type('component', 'connection', kind_text, &
+         choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
+         meaning='of its ends, for joint_torsion; default: not known'), &
+      key_rule_type('component', 'joint_id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='bore of the pin, for joint_torsion; 0: not given, without tool joints id'), &
+      key_rule_type('component', 'joint_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
+      key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
       key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
       key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
@@ -148,6 +160,22 @@ module dg_deck_keys
          meaning='times mu2 of the hole; default friction_scale'), &
       key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
          meaning='times mu1 of the hole; default friction_scale')]
+
+   type(key_rule_type), parameter :: strength_keys(7) = [ &
+      key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
+      key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of tension, in slips too'), &
+      key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of torque, of bodies and connections; make-up torque has none'), &
+      key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of pressure inside over that outside'), &
+      key_rule_type('strength', 'collapse_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of pressure outside over that inside'), &
+      key_rule_type('strength', 'slip_length', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='length over which slips grip the uppermost pipe; 0: not known, no slips'), &
+      key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
+         meaning='lateral over axial load of slips; 4 with a friction of 0.08 on their backs')]
 
    type(key_rule_type), parameter :: boundary_keys(2) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
@@ -370,6 +398,7 @@ contains
       case ('fluid'); rules = fluid_keys
       case ('rig'); rules = rig_keys
       case ('component'); rules = component_keys
+      case ('strength'); rules = strength_keys
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys

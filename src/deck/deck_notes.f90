@@ -151,6 +151,9 @@ contains
             to_text(tube/units%mass_per_length, few_digits)//'; mind the units, and the density of what is not steel')
          if (part%youngs < softest .or. part%youngs > stiffest) call note('youngs = '// &
             to_text(part%youngs/units%modulus, digits)//'; steel has '//to_text(steel/units%modulus, few_digits))
+         if (item%connected .and. .not. part%joint_torsion > 0.0_wp) call note('the torque at which its connection yields is '// &
+            'not known: it needs a joint_id (with tool joints) or an id and a yield (without) that leave a pin and a box; or '// &
+            'give joint_torsion')
       end associate
    contains
       subroutine note(text)

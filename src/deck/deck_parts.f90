@@ -3,7 +3,9 @@
 module dg_deck_parts
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of
-   use dg_component, only: tube_area
+   use dg_component, only: component_type, has_joints, tube_area
+   use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
+   use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
@@ -15,10 +17,14 @@ module dg_deck_parts
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig
+   public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig, draft_design
 
    !> A rigid wall where the deck sets the elastic one alone: stiffer by the ratio of the defaults.
    real(wp), parameter :: rigid_over_elastic = 10.0_wp
+   !> Yield strength of tool joints where none is given [Pa]: 120 ksi, the least of API Spec 5DP.
+   real(wp), parameter :: usual_joint_yield = 120.0e3_wp*6894.757293168_wp
+   !> Wall left by wear, in the order of the classes (API RP 7G-2).
+   real(wp), parameter :: premium_wall = 0.8_wp, class_2_wall = 0.7_wp
    !> Digits of a length in a message.
    integer, parameter :: length_digits = 7
 
@@ -59,6 +65,7 @@ contains
       item%line_density = line_of(group, 'density')
       item%line_diameter = line_of(group, 'od')
       item%sound = all_sound(group)
+      item%connected = is_sound(group, 'connection')
       item%string = text_of(group, 'string', 'main')
       associate (part => item%component)
          part%kind = text_of(group, 'kind', 'drillpipe')
@@ -75,6 +82,13 @@ contains
          part%yield = real_of(group, 'yield', part%yield)
          part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
          call draft_friction()
+         select case (text_of(group, 'wear_class', 'new'))
+         case ('premium'); part%wall_left = premium_wall
+         case ('class2'); part%wall_left = class_2_wall
+         case default
+         end select
+         part%joint_torsion = joint_torsion_of(group, part)
+         if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
             call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
@@ -134,6 +148,43 @@ contains
          text = to_text(diameter/units%diameter, length_digits)
       end function wide
    end subroutine draft_component
+
+   !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
+   function joint_torsion_of(group, part) result(torque)
+      type(checked_group_type), intent(in) :: group
+      type(component_type), intent(in) :: part
+      real(wp) :: torque
+      real(wp) :: od, bore, yield
+      integer :: number
+      torque = real_of(group, 'joint_torsion', 0.0_wp)
+      if (torque > 0.0_wp .or. .not. is_sound(group, 'connection')) return
+      number = findloc(connection_name == text_of(group, 'connection', ''), .true., dim=1)
+      if (number == 0) return
+      od = part%od
+      bore = part%id
+      yield = part%yield
+      if (has_joints(part)) then
+         od = part%joint_od
+         bore = 0.0_wp
+         yield = usual_joint_yield
+      end if
+      if (real_of(group, 'joint_id', 0.0_wp) > 0.0_wp) bore = real_of(group, 'joint_id', bore)
+      torque = 0.0_wp
+      if (bore > 0.0_wp) torque = connection_torsion(find_connection(number), od, bore, real_of(group, 'joint_yield', yield))
+   end function joint_torsion_of
+
+   !> Design factors and slips.
+   function draft_design(group) result(design)
+      type(checked_group_type), intent(in) :: group
+      type(design_factors_type) :: design
+      design%von_mises = real_of(group, 'von_mises_factor', design%von_mises)
+      design%tension = real_of(group, 'tension_factor', design%tension)
+      design%torsion = real_of(group, 'torsion_factor', design%torsion)
+      design%burst = real_of(group, 'burst_factor', design%burst)
+      design%collapse = real_of(group, 'collapse_factor', design%collapse)
+      design%slip_length = real_of(group, 'slip_length', design%slip_length)
+      design%slip_lateral = real_of(group, 'slip_lateral', design%slip_lateral)
+   end function draft_design
 
    !> A load case; checks its name and what its operation needs.
    subroutine draft_case(path, group, item, faults)

@@ -14,7 +14,7 @@ module dg_read_deck
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
    use dg_deck_notes, only: note_oddities
-   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig
+   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_sweep, only: take_sweeps
@@ -213,6 +213,9 @@ contains
       job%output_dir = default_folder(path)
       job%models = [1]
       allocate (models(0))
+      do i = 1, size(groups)
+         if (groups(i)%name == 'strength') job%design = draft_design(groups(i))
+      end do
       do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
          job%title = text_of(groups(i), 'title', '')

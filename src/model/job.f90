@@ -1,6 +1,7 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
    use dg_calibration, only: calibration_type
+   use dg_design_factors, only: design_factors_type
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
    use dg_sticking, only: sticking_type
@@ -35,6 +36,7 @@ module dg_job
       type(uncertainty_type), allocatable :: uncertainties(:) !< Monte Carlo over bit depth
       type(sticking_type), allocatable :: stickings(:) !< strings that are held, from measurements
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
+      type(design_factors_type) :: design      !< of strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record
       logical :: profiles = .true.             !< write profiles along the string
       logical :: hdf5 = .true.                 !< write results.h5

@@ -12,13 +12,14 @@ module dg_limits_file
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_text, only: text_type
+   use dg_utilisation, only: governing_name, limit_count
    use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(44) = [ &
+   type(column_type), parameter :: limits_columns(56) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -71,7 +72,20 @@ module dg_limits_file
       column_type('wob_yield', quantity_force, 'weight on bit at which a compressed part of the string yields, bending and '// &
          'coils included; empty where it is locked up before'), &
       column_type('least_standoff', quantity_percent, 'of the body, along the string; mcge alone'), &
-      column_type('least_standoff_md', quantity_length, 'where')]
+      column_type('least_standoff_md', quantity_length, 'where'), &
+      column_type('used_von_mises', quantity_percent, 'of the yield strength by von Mises'' stress, with its design factor; '// &
+         'this and those that follow: most along the string, empty where the strength is not known'), &
+      column_type('used_tension', quantity_percent, 'of the tensile strength of the body'), &
+      column_type('used_torsion', quantity_percent, 'of the torsional strength of the body'), &
+      column_type('used_joint_torsion', quantity_percent, 'of the torque at which a connection yields'), &
+      column_type('used_makeup', quantity_percent, 'of the make-up torque'), &
+      column_type('used_burst', quantity_percent, 'of the burst strength'), &
+      column_type('used_collapse', quantity_percent, 'of the collapse strength under the tension there'), &
+      column_type('used_slips', quantity_percent, 'of what slips may hold without crushing the pipe, by the hook load'), &
+      column_type('used_rig', quantity_percent, 'of rig_limit, by the hook load'), &
+      column_type('governing_limit', quantity_text, 'the one of these that is used most'), &
+      column_type('governing_utilisation', quantity_percent, 'how much of it'), &
+      column_type('governing_md', quantity_length, 'where')]
 
 contains
 
@@ -104,7 +118,7 @@ contains
       type(case_result_type), intent(in) :: result
       type(whole_string_type), intent(in) :: whole
       type(field_list_type), intent(out) :: row
-      integer :: points
+      integer :: points, i
       points = 0
       if (allocated(whole%neutral_points)) points = size(whole%neutral_points)
       call put(row, name)
@@ -156,6 +170,20 @@ contains
       call put(row, whole%wob_yield)
       call put(row, in_percent(whole%least_standoff))
       call put(row, whole%least_standoff_md)
+      associate (most => whole%utilisation)
+         do i = 1, limit_count
+            call put(row, in_percent(most%used(i)))
+         end do
+         if (most%governing > 0) then
+            call put(row, trim(governing_name(most)))
+            call put(row, in_percent(most%used(most%governing)))
+            call put(row, most%md(most%governing))
+         else
+            do i = 1, 3
+               call put_none(row)
+            end do
+         end if
+      end associate
    end subroutine limits_fields
 
    !> A share [-] in per cent.

@@ -9,9 +9,10 @@ module dg_limits_table
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell
+   use dg_number_text, only: fixed_cell, left_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_utilisation, only: governing_name
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -19,7 +20,9 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: number_width = 16
+   integer, parameter :: name_width = 26, limit_width = 16, share_width = 8
 
+   real(wp), parameter :: percent = 0.01_wp
    !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
    real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
 
@@ -102,6 +105,17 @@ contains
                           to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', coiled over '// &
                           to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' in '// &
                           to_text(anint(wholes(i)%coil_turns))//' turns')
+      end do
+      if (any(wholes%utilisation%governing > 0)) call append_text(lines, &
+         '  Limit that governs each case, and how much of it is used:')
+      do i = 1, size(results)
+         associate (most => wholes(i)%utilisation)
+            if (most%governing == 0) cycle
+            call append_text(lines, '    '//left_aligned(names(i)%text, name_width)// &
+                             left_aligned(trim(governing_name(most)), limit_width)// &
+                             fixed_cell(most%used(most%governing), percent, share_width, 1)//' % at '// &
+                             to_text(anint(most%md(most%governing)%value/units%length))//' '//trim(units%length_label))
+         end associate
       end do
    end subroutine append_block
 

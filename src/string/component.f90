@@ -1,5 +1,5 @@
 !> One component of a drillstring: a length of pipe, collar or tool of constant section.
-!> All quantities SI. Section properties are those of the tube body.
+!> All quantities SI. Section properties are those of the tube body, as it is new.
 module dg_component
    use dg_kinds, only: wp
    use dg_constants, only: pi, steel_density
@@ -8,7 +8,7 @@ module dg_component
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length
+   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -34,6 +34,8 @@ module dg_component
       real(wp) :: friction_rotary = missing  !< mu1 of its own, in any hole [-]; missing: that of the hole
       real(wp) :: scale_axial = 1.0_wp       !< on mu2 of the hole [-]
       real(wp) :: scale_rotary = 1.0_wp      !< on mu1 of the hole [-]
+      real(wp) :: joint_torsion = 0.0_wp     !< torque at which a connection yields [N.m]; 0: not known
+      real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
    end type component_type
 
 contains
@@ -51,6 +53,22 @@ contains
       real(wp) :: inertia
       inertia = pi/64.0_wp*(od**4 - id**4)
    end function tube_inertia
+
+   !> Outside diameter of the body as it is worn [m]: pipe wears outside, the bore stays. Strength goes by it, weight and stiffness
+   !> do not.
+   elemental function worn_od(component) result(diameter)
+      type(component_type), intent(in) :: component
+      real(wp) :: diameter
+      diameter = component%od
+      if (is_worn(component)) diameter = component%id + component%wall_left*(component%od - component%id)
+   end function worn_od
+
+   !> Whether the body has less wall than new pipe.
+   elemental function is_worn(component) result(worn)
+      type(component_type), intent(in) :: component
+      logical :: worn
+      worn = component%wall_left < 1.0_wp
+   end function is_worn
 
    !> E A [N].
    elemental function axial_stiffness(component) result(ea)

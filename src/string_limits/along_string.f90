@@ -10,7 +10,7 @@ module dg_along_string
                                  lubinski_first, vertical_unit
    use dg_case_result, only: case_result_type, contact_joint
    use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
-                           tube_inertia
+                           tube_inertia, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_mcge, model_soft
@@ -151,10 +151,11 @@ contains
       real(wp), intent(in) :: moment   !< [N.m]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
-      real(wp) :: force, factor
+      real(wp) :: force, factor, od
       logical :: second, worse
-      force = true_axial(axial, part%od, part%id, along%pressure(i), along%pressure(i))
-      stress = pipe_stress(part%od, part%id, force, torque, moment, along%pressure(i), along%pressure(i))
+      od = worn_od(part)
+      force = true_axial(axial, od, part%id, along%pressure(i), along%pressure(i))
+      stress = pipe_stress(od, part%id, force, torque, moment, along%pressure(i), along%pressure(i))
       second = along%od(i) > 0.0_wp
       factor = missing
       ! A string under no load at all has no factor.
@@ -196,7 +197,7 @@ contains
                                                     0.5_wp*(part%joint_od - part%od))
       if (.not. is_missing(factor)) then
          call keep_most(along%magnification(i), factor)
-         call keep_most(along%jointed_bending(i), factor*abs(moment)*0.5_wp*part%od/tube_inertia(part%od, part%id))
+         call keep_most(along%jointed_bending(i), factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id))
       end if
       if (axial < 0.0_wp) factor = 1.0_wp
       force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%pressure(i))

@@ -6,7 +6,7 @@
 !> (dg_joint_bending).
 module dg_pull_margin
    use dg_kinds, only: wp
-   use dg_component, only: bending_stiffness, component_type, has_joints, tube_area
+   use dg_component, only: bending_stiffness, component_type, has_joints, worn_od
    use dg_joint_bending, only: pulled_magnification
    use dg_pipe_stress, only: tension_capacity
    implicit none
@@ -30,15 +30,15 @@ contains
       real(wp) :: margin
       real(wp) :: low, high, middle
       integer :: i
-      margin = tension_capacity(part%od, part%id, torque, moment, part%yield) - abs(axial)
+      margin = tension_capacity(worn_od(part), part%id, torque, moment, part%yield) - abs(axial)
       if (margin < 0.0_wp) return
-      high = tension_capacity(part%od, part%id, torque, moment_at(axial), part%yield)
+      high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), part%yield)
       margin = high - axial
       if (.not. (apart .and. has_joints(part))) return
       low = min(axial, high)
       do i = 1, halvings
          middle = 0.5_wp*(low + high)
-         if (tension_capacity(part%od, part%id, torque, moment_at(middle), part%yield) > middle) then
+         if (tension_capacity(worn_od(part), part%id, torque, moment_at(middle), part%yield) > middle) then
             low = middle
          else
             high = middle

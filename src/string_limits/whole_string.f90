@@ -5,7 +5,7 @@ module dg_whole_string
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
-   use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, torsional_stiffness
+   use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, torsional_stiffness, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_job, only: model_mcge
    use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
@@ -14,6 +14,7 @@ module dg_whole_string
    use dg_pipe_stress, only: tension_capacity
    use dg_soft_string_loads, only: soft_string_at
    use dg_trajectory, only: top_md
+   use dg_utilisation, only: utilisation_type
    use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
@@ -59,6 +60,7 @@ module dg_whole_string
       type(optional_real) :: makeup_margin_md       !< where [m]
       type(optional_real) :: least_standoff         !< of the body, gap elements only [-]
       type(optional_real) :: least_standoff_md      !< where [m]
+      type(utilisation_type) :: utilisation         !< of strengths, put here by find_utilisation
    end type whole_string_type
 
    !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is
@@ -317,7 +319,7 @@ contains
                   if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
                   if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
                      0.25_wp*(along%hole_diameter(i) - contact_diameter(part))*axial(i)
-                  if (-axial(i) > tension_capacity(part%od, part%id, torque(i), moment, part%yield)) return
+                  if (-axial(i) > tension_capacity(worn_od(part), part%id, torque(i), moment, part%yield)) return
                end associate
             end do
          end do

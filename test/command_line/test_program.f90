@@ -2,9 +2,11 @@
 module dg_test_program
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
+   use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
    use dg_program_run, only: run_type, run_program, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
       clear_scratch
+   use dg_result_rows, only: field
    use dg_text, only: text_type, append_text
    implicit none
    private
@@ -29,6 +31,7 @@ contains
       call suite%addTest(TestMethod('pictures', test_pictures))
       call suite%addTest(TestMethod('no_gnuplot', test_no_gnuplot))
       call suite%addTest(TestMethod('limits', test_limits))
+      call suite%addTest(TestMethod('strength', test_strength))
       call suite%addTest(TestMethod('not_converged', test_not_converged))
       call suite%addTest(TestMethod('output_not_writable', test_output_not_writable))
       call suite%addTest(TestMethod('survey_file', test_survey_file))
@@ -201,6 +204,49 @@ contains
       call assertTrue(index(run%output, 'Least room under rig limit') > 0, message=run%output)
       call assertTrue(index(run%output, 'Least room under make-up    30.00 kN.m') > 0, message=run%output)
    end subroutine test_limits
+
+   !> Strengths of the deck as --check prints them (5 in 19.50 lb/ft S-135, premium, NC50 of 6-5/8 by 2-3/4 in: 560.8 klbf, 58.1
+   !> kft.lbf, 10,029 psi and 63,406 ft.lbf by API), and the limit that governs; none without a yield strength.
+   subroutine test_strength()
+      type(run_type) :: run
+      character(:), allocatable :: deck, limit
+      run = run_deck_text(good_deck())
+      call assertFalse(index(run%output, 'Limit that governs') > 0, message=run%output)
+      call last_limit(limit)
+      call assertEqual('', limit, message='nothing is known')
+      deck = replaced(good_deck(), 'id = 108.6', "id = 108.6104, yield = 930.792, wear_class = 'premium', connection = 'nc50', "// &
+                      'joint_id = 69.85')
+      deck = replaced(deck, 'joint_od = 168.3', 'joint_od = 168.275')
+      run = run_deck_text(deck, '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'strength with 80 % of the wall: tension 2494.4') > 0, message=run%output)
+      call assertTrue(index(run%output, ', collapse 69.14') > 0, message=run%output)
+      call assertTrue(index(run%output, ', connection 85.966') > 0, message=run%output)
+      call assertTrue(index(run%output, ', make-up 51.58') > 0, message=run%output)
+      run = run_deck_text(deck)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Limit that governs each case') > 0, message=run%output)
+      ! it is used most at surface, where the string neither turns nor bends
+      call last_limit(limit)
+      call assertEqual('tension', limit)
+      run = run_deck_text(replaced(deck, ', joint_id = 69.85', ''), '--check')
+      call assertTrue(index(run%output, 'the torque at which its connection yields is not known') > 0, message=run%output)
+
+   contains
+
+      !> Which limit governs the last case.
+      subroutine last_limit(limit)
+         character(:), allocatable, intent(out) :: limit
+         type(text_type), allocatable :: lines(:)
+         character(:), allocatable :: before
+         integer :: i
+         call read_lines(results_path//'/limits.csv', lines, before)
+         limit = before
+         if (size(lines) < 2) return
+         before = lines(1)%text(:index(lines(1)%text, ',governing_limit,'))
+         limit = field(lines(size(lines))%text, count([(before(i:i) == ',', i=1, len(before))]) + 1)
+      end subroutine last_limit
+   end subroutine test_strength
 
    !> One iteration is never enough; the other model's results are written all the same.
    subroutine test_not_converged()

@@ -61,6 +61,7 @@ contains
       use dg_test_ten_digits, only: ten_digits_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
+      use dg_test_strength, only: strength_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -116,5 +117,6 @@ contains
       call suite%addTest(calibration_coverage_suite())
       call suite%addTest(uncertainty_suite())
       call suite%addTest(stuck_string_suite())
+      call suite%addTest(strength_suite())
    end function load_tests
 end program unit

@@ -1,0 +1,140 @@
+!> How much of each strength of a string is used, load times design factor over strength, and which is used most: the limit that
+!> governs.
+!>
+!> Tension is the effective one, as API rates pipe in mud. Where two components meet, both are looked at, and the connection is
+!> the weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
+module dg_utilisation
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type
+   use dg_component, only: component_type, tube_area, worn_od
+   use dg_design_factors, only: design_factors_type
+   use dg_drillstring, only: component_at, component_tops
+   use dg_load_case, only: given, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type, string_index
+   use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
+                               torsional_strength
+   use dg_trajectory, only: top_md
+   implicit none
+   private
+   public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name
+   public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
+             limit_slips, limit_rig
+
+   integer, parameter :: limit_von_mises = 1, limit_tension = 2, limit_torsion = 3, limit_joint_torsion = 4, limit_makeup = 5, &
+                         limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9
+   integer, parameter :: limit_count = 9
+   character(*), parameter :: limit_name(limit_count) = [character(14) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
+      'make-up torque', 'burst', 'collapse', 'slips', 'rig']
+
+   type :: utilisation_type
+      type(optional_real) :: used(limit_count)   !< most along the string [-]; absent where no strength is known
+      type(optional_real) :: md(limit_count)     !< where [m]
+      integer :: governing = 0                   !< the limit that is used most; 0: none known
+   end type utilisation_type
+
+   !> By how much more a limit must be used to count as used more [-]: beyond round-off.
+   real(wp), parameter :: as_much = 1.0e-6_wp
+   !> Half the distance between what counts as above and below a row [m].
+   real(wp), parameter :: hair = 1.0e-6_wp
+
+contains
+
+   !> All of them, from a result and its columns along the string.
+   pure subroutine find_utilisation(model, result, along, factors, rig_limit, utilisation)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(design_factors_type), intent(in) :: factors
+      type(optional_real), intent(in) :: rig_limit   !< hook load that the rig may carry [N]
+      type(utilisation_type), intent(out) :: utilisation
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, distance
+      integer :: i, side, part, last
+      bit = model%cases(result%case_index)%bit_depth
+      associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
+                 profile => result%profile)
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         do i = 1, size(profile%md)
+            last = 0
+            do side = -1, 1, 2
+               distance = min(max(bit - profile%md(i) - side*hair, 0.0_wp), tops(size(tops)))
+               part = component_at(tops, distance)
+               if (part == last) cycle
+               last = part
+               call use_component(string%components(part), factors, profile%axial(i), profile%torque(i), along%pressure(i), &
+                                  along%pressure(i), profile%md(i), utilisation)
+            end do
+            if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
+               factors%von_mises/along%safety_factor(i), profile%md(i))
+         end do
+         associate (uppermost => string%components(component_at(tops, tops(size(tops)))))
+            if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
+               factors%tension*max(result%hookload, 0.0_wp)/(tensile_strength(uppermost)* &
+               slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), profile%md(1))
+         end associate
+         if (rig_limit%present) call use_limit(utilisation, limit_rig, max(result%hookload, 0.0_wp)/rig_limit%value, profile%md(1))
+      end associate
+      ! von Mises comes last: of a pull alone it says what tension says
+      do i = limit_count, 1, -1
+         if (.not. utilisation%used(i)%present) cycle
+         if (utilisation%governing > 0) then
+            if (utilisation%used(i)%value <= (1.0_wp + as_much)*utilisation%used(utilisation%governing)%value) cycle
+         end if
+         utilisation%governing = i
+      end do
+   end subroutine find_utilisation
+
+   !> What one component uses of its strengths at one depth.
+   pure subroutine use_component(part, factors, axial, torque, outside, inside, md, utilisation)
+      type(component_type), intent(in) :: part
+      type(design_factors_type), intent(in) :: factors
+      real(wp), intent(in) :: axial             !< effective [N]
+      real(wp), intent(in) :: torque            !< [N.m]
+      real(wp), intent(in) :: outside, inside   !< pressures [Pa]
+      real(wp), intent(in) :: md                !< [m]
+      type(utilisation_type), intent(inout) :: utilisation
+      real(wp) :: od, stress
+      if (part%joint_torsion > 0.0_wp) &
+         call use_limit(utilisation, limit_joint_torsion, factors%torsion*abs(torque)/part%joint_torsion, md)
+      if (part%makeup_torque > 0.0_wp) call use_limit(utilisation, limit_makeup, abs(torque)/part%makeup_torque, md)
+      if (.not. part%yield > 0.0_wp) return
+      call use_limit(utilisation, limit_tension, factors%tension*max(axial, 0.0_wp)/tensile_strength(part), md)
+      call use_limit(utilisation, limit_torsion, factors%torsion*abs(torque)/torsional_strength(part), md)
+      call use_limit(utilisation, limit_burst, factors%burst*max(inside - outside, 0.0_wp)/burst_strength(part), md)
+      if (.not. collapses_as_steel(part)) return
+      ! True axial stress plus pressure inside: what mud of one pressure adds to either cancels.
+      od = worn_od(part)
+      stress = (axial - (outside - inside)*tube_area(od, 0.0_wp))/tube_area(od, part%id)
+      call use_limit(utilisation, limit_collapse, factors%collapse*share_of(max(outside - inside, 0.0_wp), &
+         collapse_strength(part, stress)), md)
+   end subroutine use_component
+
+   !> Load over strength, where the strength may be gone.
+   elemental function share_of(load, strength) result(share)
+      real(wp), intent(in) :: load, strength   !< >= 0
+      real(wp) :: share
+      share = 0.0_wp
+      if (load > 0.0_wp) share = load/max(strength, load*epsilon(1.0_wp))
+   end function share_of
+
+   !> Keeps a use of a limit if it is more than any before.
+   pure subroutine use_limit(utilisation, limit, used, md)
+      type(utilisation_type), intent(inout) :: utilisation
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: used   !< [-]
+      real(wp), intent(in) :: md     !< [m]
+      if (utilisation%used(limit)%present .and. used <= utilisation%used(limit)%value) return
+      utilisation%used(limit) = given(used)
+      utilisation%md(limit) = given(md)
+   end subroutine use_limit
+
+   !> Name of the limit that governs; '' for none.
+   pure function governing_name(utilisation) result(name)
+      type(utilisation_type), intent(in) :: utilisation
+      character(len(limit_name)) :: name
+      name = ''
+      if (utilisation%governing > 0) name = limit_name(utilisation%governing)
+   end function governing_name
+end module dg_utilisation
