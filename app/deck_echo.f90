@@ -2,8 +2,8 @@
 module dg_deck_echo
    use dg_kinds, only: wp
    use dg_calibration_echo, only: add_calibrations
-   use dg_component, only: component_type, is_worn, worn_od
-   use dg_deck_schema, only: unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
+   use dg_component, only: component_type, has_bend, is_worn, worn_od
+   use dg_deck_schema, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
       unit_speed, unit_stress, unit_wall
    use dg_design_factors, only: design_factors_type
    use dg_job, only: job_type, model_name
@@ -146,7 +146,9 @@ contains
                   optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
-                  friction_text(' rotary ', part%friction_rotary, part%scale_rotary))
+                  friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
+                  friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
+                  bent_text(units, part))
                call add_strength(lines, units, part, job%design)
             end associate
          end do
@@ -190,6 +192,16 @@ contains
       call append_text(lines, '    strength'//text)
    end subroutine add_strength
 
+   !> The bend of a component, nothing where it is straight.
+   pure function bent_text(units, part) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      character(:), allocatable :: text
+      text = ''
+      if (has_bend(part)) text = ', bent by '//quantity(part%bend, units%angle, unit_label(units, unit_angle))//' at '// &
+                                 quantity(part%bend_position, units%length, unit_label(units, unit_length))
+   end function bent_text
+
    !> One load case.
    pure subroutine add_case(lines, units, case)
       type(text_type), allocatable, intent(inout) :: lines(:)
@@ -199,6 +211,7 @@ contains
          quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
          optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
          optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
+         optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
          optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &

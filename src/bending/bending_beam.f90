@@ -6,10 +6,11 @@
 !> n_2 of the frame of the hole (convention 3), and its slope y' by measured depth. The string is in equilibrium when for every
 !> small displacement v across the hole
 !>
-!>   integral of  EI (k + y'').v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w).v + R n.v + m R (t x n).v + r a R n.v'  = 0.
+!>   integral of  EI (k + y'' - b).v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w).v + R n.v + m R (t x n).v + r a R n.v'  = 0.
 !>
 !>   EI  bending stiffness [N.m2]                       R    contact force on the string per metre, where |y| > c [N/m]
 !>   k   curvature of the hole axis [1/m]               n    y/|y|: outwards
+!>   b   curvature of the string before loading [1/m]
 !>   T   axial force, tension positive [N]              m    coefficient of friction around the hole (convention 13) [-]
 !>   M_t torque (convention 9) [N.m]                    a    coefficient of friction along the hole (convention 13) [-]
 !>   w   buoyed weight across the hole [N/m]            r    radius of contact [m]
@@ -54,6 +55,7 @@ module dg_bending_beam
       logical, allocatable :: centred(:)        !< nodes whose offset stays as it is
       integer, allocatable :: owner(:)          !< element of the analysis in which an element of the beam lies
       real(wp), allocatable :: curvature(:, :)  !< k of the hole, by element (2,e) [1/m]
+      real(wp), allocatable :: bend(:, :)       !< b of the string, by element (2,e) [1/m]
       real(wp), allocatable :: torque(:)        !< M_t by element [N.m]
       real(wp), allocatable :: ei(:)            !< [N.m2]
       type(gap_law_type), allocatable :: law(:) !< of a metre of wall, by element (stiffnesses in N/m2)
@@ -72,7 +74,7 @@ module dg_bending_beam
       !> Forces and moments at the nodes, from the equilibrium of the element below each node, its loads and contact taken into
       !> account; at the last node from the element above it. Minus the first and second are the force across the hole that the
       !> string below the node exerts on the string above it, along n_1 and n_2. Minus the third and fourth are the bending moment
-      !> EI (k + y'') there (4,n) [N, N.m].
+      !> EI (k + y'' - b) there (4,n) [N, N.m].
       real(wp), allocatable :: forces(:, :)
       !> Contact forces R at the places of the elements, which lie at `contact_xi` of their lengths (contact_places,n-1) [N].
       real(wp), allocatable :: pressed(:, :)
@@ -155,7 +157,7 @@ contains
          turned(4, :) = [turn, 0.5_wp*torque, -turn, 0.5_wp*torque]
          upper = (beam%weight(:, e) + t(1)*k)*length
          lower = (beam%weight(:, e + 1) + t(2)*k)*length
-         bend = beam%ei(e)*k
+         bend = beam%ei(e)*(k - beam%bend(:, e))
          f(1:2) = 0.35_wp*upper + 0.15_wp*lower + torque*[k(2), -k(1)]
          f(3:4) = length*(upper/20.0_wp + lower/30.0_wp) + bend
          f(5:6) = 0.15_wp*upper + 0.35_wp*lower - torque*[k(2), -k(1)]
@@ -386,7 +388,7 @@ contains
    end subroutine find_forces
 
    !> Second derivative y'' by the shape of one element, at its upper (first column) and its lower end, along n_1 and n_2 [1/m].
-   !> EI (k + y'') is the bending moment by that shape. Where it jumps from one element to the next, the elements are too long.
+   !> EI (k + y'' - b) is the bending moment by that shape. Where it jumps from one element to the next, the elements are too long.
    pure function curvature_within(length, upper, lower) result(bend)
       real(wp), intent(in) :: length                  !< of the element [m]
       real(wp), intent(in) :: upper(4), lower(4)      !< offsets and slopes of its nodes, or changes of these [m, -]

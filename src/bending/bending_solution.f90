@@ -156,8 +156,8 @@ contains
          length = beam%md(e + 1) - beam%md(e)
          change = curvature_within(length, step(:, e), step(:, e + 1))
          bend = change + curvature_within(length, y(:, e), y(:, e + 1))
-         bend(:, 1) = bend(:, 1) + beam%curvature(:, e)
-         bend(:, 2) = bend(:, 2) + beam%curvature(:, e)
+         bend(:, 1) = bend(:, 1) + (beam%curvature(:, e) - beam%bend(:, e))
+         bend(:, 2) = bend(:, 2) + (beam%curvature(:, e) - beam%bend(:, e))
          changed = max(changed, beam%ei(e)**2*maxval(change(1, :)**2 + change(2, :)**2))      ! squares
          largest = max(largest, beam%ei(e)**2*maxval(bend(1, :)**2 + bend(2, :)**2))
       end do

@@ -2,7 +2,7 @@
 !> Two models with the same lines give the same results, and where they differ the line says in what.
 module dg_model_text
    use dg_kinds, only: wp
-   use dg_component, only: component_type
+   use dg_component, only: component_type, has_bend
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_name
@@ -148,6 +148,9 @@ contains
          call append_text(lines, head//'friction_scale_axial = '//to_text(part%scale_axial))
       if (abs(part%scale_rotary - 1.0_wp) > 0.0_wp) &
          call append_text(lines, head//'friction_scale_rotary = '//to_text(part%scale_rotary))
+      if (.not. has_bend(part)) return
+      call append_text(lines, head//'bend = '//to_text(part%bend))
+      call append_text(lines, head//'bend_position = '//to_text(part%bend_position))
    end subroutine append_component
 
    !> All settings of the solver in the order of their type: list-directed output takes in those that come new.

@@ -3,7 +3,7 @@
 !> gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter
+   use dg_component, only: contact_diameter, is_bit
    use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: quoted, suggestion, to_text, lower_case
@@ -269,6 +269,7 @@ contains
             do h = 1, size(draft%holes)
                if (draft%holes(h)%section%md_top >= lower_end) exit
                if (diameter < draft%holes(h)%section%diameter) cycle
+               if (is_bit(item%component) .and. .not. diameter > draft%holes(h)%section%diameter) cycle
                if (said_before(item%line_diameter)) exit
                call add_fault(faults, draft%path, item%line_diameter, 'group &component: '// &
                               quoted(item%component%name)//' with '//wide(diameter)//' does not pass the hole of '// &

@@ -44,6 +44,7 @@ module dg_deck_keys
    real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller
    real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
    real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
+   real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
@@ -110,11 +111,12 @@ module dg_deck_keys
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
          meaning='active: the sheave of the dead line turns like the others')]
 
-   type(key_rule_type), parameter :: component_keys(27) = [ &
+   type(key_rule_type), parameter :: component_keys(29) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
-         meaning='drillpipe, hwdp, collar, stabilizer, ...: a stabilizer touches at its joint_od, else at its od'), &
+         meaning='drillpipe, collar, stabilizer, bit, ...: a stabilizer touches at its joint_od, else at its od; '// &
+         'a bit may fill its hole'), &
       key_rule_type('component', 'catalogue', kind_text, &
          meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
@@ -159,7 +161,11 @@ module dg_deck_keys
       key_rule_type('component', 'friction_scale_axial', low=0.0_wp, high=roughest, &
          meaning='times mu2 of the hole; default friction_scale'), &
       key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
-         meaning='times mu1 of the hole; default friction_scale')]
+         meaning='times mu1 of the hole; default friction_scale'), &
+      key_rule_type('component', 'bend', unit=unit_angle, low=0.0_wp, high=sharpest_bend, default='0', &
+         meaning='angle of a bent housing; 0: straight'), &
+      key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
+         meaning='of the bend above the lower end of the component; needed with bend')]
 
    type(key_rule_type), parameter :: strength_keys(7) = [ &
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
@@ -183,7 +189,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the bit')]
 
-   type(key_rule_type), parameter :: load_case_keys(15) = [ &
+   type(key_rule_type), parameter :: load_case_keys(16) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -203,7 +209,9 @@ module dg_deck_keys
          meaning='for comparison'), &
       key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
       key_rule_type('load_case', 'reference_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='another calculation''s, for comparison')]
+         meaning='another calculation''s, for comparison'), &
+      key_rule_type('load_case', 'toolface', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
+         meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
    type(key_rule_type), parameter :: solver_keys(21) = [ &

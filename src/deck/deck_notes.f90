@@ -2,12 +2,12 @@
 !> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter, has_blades, tube_area
+   use dg_component, only: contact_diameter, has_bend, has_blades, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_error, only: error_type
-   use dg_job, only: job_type
-   use dg_load_case, only: operation_trip_out
+   use dg_job, only: job_type, model_mcge, model_name
+   use dg_load_case, only: operation_trip_out, rotates
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -63,6 +63,7 @@ contains
          call note_component(draft, draft%components(i), notes)
          call note_unused(draft, job, i, notes)
       end do
+      call note_bends(draft, job, notes)
    end subroutine note_oddities
 
    !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
@@ -81,6 +82,29 @@ contains
          end associate
       end do
    end subroutine note_block
+
+   !> Bent housings that a model, or a string that turns, leaves out.
+   subroutine note_bends(draft, job, notes)
+      type(draft_type), intent(in) :: draft
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do i = 1, size(draft%components)
+         associate (item => draft%components(i))
+            if (.not. has_bend(item%component)) cycle
+            do k = 1, size(job%models)
+               if (job%models(k) /= model_mcge) call append_text(notes, 'group &component in line '//to_text(item%line)// &
+                  ': model '//trim(model_name(job%models(k)))//' may leave the bend out: it is beams that know it')
+            end do
+            do k = 1, size(draft%cases)
+               if (draft%cases(k)%load_case%string /= item%string .or. .not. rotates(draft%cases(k)%load_case%operation)) cycle
+               call append_text(notes, 'group &component in line '//to_text(item%line)//': cases that turn the string, as '// &
+                  quoted(draft%cases(k)%load_case%name)//', are solved without its bend, which turns with it: see input/README.md')
+               exit
+            end do
+         end associate
+      end do
+   end subroutine note_bends
 
    !> A survey that goes deeper, or turns more sharply, than any hole does.
    subroutine note_path(draft, notes)

@@ -89,6 +89,7 @@ contains
          end select
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
+         call draft_bend()
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
             call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
@@ -105,6 +106,19 @@ contains
       end associate
 
    contains
+
+      !> A bent housing, which says where it is bent.
+      subroutine draft_bend()
+         associate (part => item%component)
+            part%bend = real_of(group, 'bend', part%bend)
+            part%bend_position = real_of(group, 'bend_position', part%bend_position)
+            if (part%bend > 0.0_wp .and. .not. is_given(group, 'bend_position')) &
+               call fault(line_of(group, 'bend'), 'bend needs bend_position, its distance above the lower end of the component')
+            if (part%length > 0.0_wp .and. part%bend_position > part%length) &
+               call fault(line_of(group, 'bend_position'), 'bend_position = '//to_text(part%bend_position/units%length, &
+                          length_digits)//' is greater than length = '//to_text(part%length/units%length, length_digits))
+         end associate
+      end subroutine draft_bend
 
       !> Coefficients of its own, or scales of the hole's: not both for one way.
       subroutine draft_friction()
@@ -209,6 +223,7 @@ contains
          case%tob = real_of(group, 'tob', 0.0_wp)
          case%angular_speed = real_of(group, 'rpm', 0.0_wp)
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
+         case%toolface = real_of(group, 'toolface', 0.0_wp)
          case%friction_axial = optional_of('friction_axial')
          case%friction_rotary = optional_of('friction_rotary')
          if (.not. case%friction_axial%present) case%friction_axial = friction

@@ -5,6 +5,7 @@
 !> Work-conjugate residuals: three forces [N], a torque [N.m], two moments [N.m].
 module dg_assembly
    use dg_kinds, only: wp
+   use dg_beam_bend, only: add_bend, bend_moment
    use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
@@ -68,6 +69,11 @@ contains
             call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e), element%k)
          else
             call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
+         end if
+         if (allocated(mesh%bend)) then
+            if (any(abs(mesh%bend(:, e)) > 0.0_wp)) &
+               call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
+                             work%d(:, e), work%d(:, e + 1), tangent, force, element%k)
          end if
          call add_torque(section, work, e, state(dof_twist, e + 1) - state(dof_twist, e), part, tangent, force, element)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))

@@ -6,13 +6,14 @@
 module dg_mesh
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
-                           effective_joint_length, has_joints, torsional_stiffness
+                           effective_joint_length, has_bend, has_joints, room_of, torsional_stiffness
    use dg_contact_friction, only: find_friction
-   use dg_drillstring, only: at_joint, blade_places, component_at, component_tops, joint_ends
+   use dg_drillstring, only: at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, joint_ends
    use dg_hole_section, only: hole_section_at
-   use dg_load_case, only: load_case_type
+   use dg_load_case, only: load_case_type, rotates
    use dg_model, only: model_type, string_index
-   use dg_trajectory, only: arc_at, frame_on_arc
+   use dg_trajectory, only: arc_at, frame_on_arc, high_side
+   use dg_vector, only: cross
    implicit none
    private
    public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, upright
@@ -41,6 +42,9 @@ module dg_mesh
       real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
       real(wp), allocatable :: wall(:)           !< wall stiffness Gkc [N/m2]
       real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
+      !> Angle by which an element is bent before loading, times the unit vector to which its lower end points (3,elements) [rad];
+      !> not allocated where the whole string is straight.
+      real(wp), allocatable :: bend(:, :)
    end type mesh_type
 
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
@@ -123,7 +127,29 @@ contains
             end if
          end associate
       end do
+      if (any(has_bend(model%strings(index)%components)) .and. (load_case%bend_stands .or. .not. rotates(load_case%operation))) &
+         call bend_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
+
+   !> How the elements are bent before loading: towards the toolface, about the hole axis where they are.
+   pure subroutine bend_mesh(model, load_case, tops, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      type(mesh_type), intent(inout) :: mesh
+      real(wp) :: up(3), angle
+      integer :: e
+      allocate (mesh%bend(3, mesh%elements), source=0.0_wp)
+      do e = 1, mesh%elements
+         angle = bend_within(model%strings(string_index(model%strings, load_case%string)), tops, &
+                             load_case%bit_depth - mesh%md(e + 1), load_case%bit_depth - mesh%md(e))
+         if (.not. angle > 0.0_wp) cycle
+         associate (t => mesh%frame(:, 1, e))
+            up = high_side(t)
+            mesh%bend(:, e) = angle*(cos(load_case%toolface)*up + sin(load_case%toolface)*cross(t, up))
+         end associate
+      end do
+   end subroutine bend_mesh
 
    !> What the hole at a depth [m] gives to an element whose contact radius is known.
    pure subroutine put_in_hole(model, load_case, component, md, e, mesh)
@@ -134,7 +160,7 @@ contains
       integer, intent(in) :: e
       type(mesh_type), intent(inout) :: mesh
       associate (hole => model%holes(hole_section_at(model%holes, md)))
-         mesh%clearance(e) = 0.5_wp*hole%diameter - mesh%radius(e)
+         mesh%clearance(e) = room_of(0.5_wp*hole%diameter - mesh%radius(e))
          mesh%wall(e) = hole%wall_stiffness
          if (.not. hole%wall_stiffness > 0.0_wp) mesh%wall(e) = model%numerics%gk_contact
          mesh%eps_nmax(e) = model%numerics%eps_nmax
@@ -159,7 +185,7 @@ contains
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
-      breaks = [breaks, bit - blade_places(model%strings(n), tops)]
+      breaks = [breaks, bit - blade_places(model%strings(n), tops), bit - bend_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)

@@ -195,6 +195,7 @@ contains
       allocate (beam%place(n), beam%axial(n), beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
                 beam%ei(n - 1), beam%law(n - 1), beam%radius(n - 1), beam%along(n - 1), beam%around(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
+      allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
       allocate (beam%point(0), beam%point_owner(0))
       o = 1
@@ -218,6 +219,8 @@ contains
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
             + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
          beam%ei(e) = mesh%ei(o)
+         if (allocated(mesh%bend)) &
+            beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
          beam%law(e) = gaps%law(o)
          beam%law(e)%contact = gaps%law(o)%contact/mesh%length(o)
          beam%law(e)%maximum = gaps%law(o)%maximum/mesh%length(o)

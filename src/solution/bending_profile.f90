@@ -286,7 +286,7 @@ contains
       above = 0.0_wp
       do n = 1, size(y, 2)
          if (n < size(y, 2)) bend = beam%ei(n)*(curvature_within(beam%md(n + 1) - beam%md(n), y(:, n), y(:, n + 1)) &
-                                                + spread(beam%curvature(:, n), 2, 2))
+                                                + spread(beam%curvature(:, n) - beam%bend(:, n), 2, 2))
          if (.not. beam%held(n)) then
             moments(n) = length_of(bent%forces(3:4, n))
             if (n > 1 .and. n < size(y, 2)) &

@@ -1,6 +1,7 @@
 !> From unknowns to what an engineer reads: forces along the string, sums, and the check of global equilibrium.
 module dg_recovery
    use dg_kinds, only: wp
+   use dg_beam_bend, only: bend_moment, holding_moment
    use dg_case_result, only: gap_row_type
    use dg_gap_survey, only: node_offset, point_on_string
    use dg_gap_table, only: gap_table_type
@@ -109,7 +110,7 @@ contains
    end subroutine recover_bit
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
-   !> friction and its moments, bit loads, reactions. Zero but for round-off and the residual's tolerance.
+   !> friction and its moments, bit loads, reactions, what holds a bend. Zero but for round-off and the residual's tolerance.
    pure subroutine check_equilibrium(trajectory, mesh, gaps, work, force, moment)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -130,6 +131,11 @@ contains
          lever = start + point_on_string(mesh, work, e, gaps%xi(e))
          forces = forces + work%contact_force(:, e)
          moments = moments + cross(lever, work%contact_force(:, e)) + work%contact_moment(:, e)
+         if (allocated(mesh%bend)) then
+            if (any(abs(mesh%bend(:, e)) > 0.0_wp)) moments = moments &
+               + holding_moment(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), &
+                                mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e)), work%d(:, e), work%d(:, e + 1))
+         end if
          start = start + mesh%chord(:, e)
          moments = moments + cross(start + work%shift(:, e + 1), weight(3)*down) + cross(work%d(:, e + 1), weight(4)*down)
       end do

@@ -45,6 +45,7 @@ contains
       beam%axial = axial
       allocate (beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%law(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
+      allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
       allocate (beam%point(0), beam%point_owner(0), beam%point_law(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
@@ -69,6 +70,8 @@ contains
          beam%weight(:, e) = mesh%weight(min(e, n - 1))*[dot_product(down, n_1(:, 2)), dot_product(down, n_2(:, 2))]
          if (e == 1) cycle
          turn = 0.5_wp*(t(:, 2) - t(:, 1))/mesh%length(e - 1)
+         if (allocated(mesh%bend)) beam%bend(:, e - 1) = [dot_product(mesh%bend(:, e - 1), n_1(:, 1)), &
+                                                          dot_product(mesh%bend(:, e - 1), n_2(:, 1))]/mesh%length(e - 1)
          beam%curvature(:, e - 1) = [dot_product(turn, n_1(:, 1) + n_1(:, 2)), dot_product(turn, n_2(:, 1) + n_2(:, 2))]
       end do
       beam%centred(1) = model%boundary%top_centred

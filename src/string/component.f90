@@ -8,10 +8,13 @@ module dg_component
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn
+   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, &
+             has_bend, is_bit, room_of
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
+   !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
+   real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 
@@ -36,6 +39,8 @@ module dg_component
       real(wp) :: scale_rotary = 1.0_wp      !< on mu1 of the hole [-]
       real(wp) :: joint_torsion = 0.0_wp     !< torque at which a connection yields [N.m]; 0: not known
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
+      real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
+      real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
    end type component_type
 
 contains
@@ -103,8 +108,24 @@ contains
    elemental function has_joints(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
-      has = component%joint_od > component%od .and. .not. has_blades(component)
+      has = component%joint_od > component%od .and. .not. (has_blades(component) .or. is_bit(component))
    end function has_joints
+
+   !> Clearance of a component [m] from half the difference of diameters: a bit that leaves no room has a little.
+   elemental function room_of(half_difference) result(room)
+      real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
+      real(wp) :: room
+      room = half_difference
+      if (.not. room > 0.0_wp) room = least_clearance
+   end function room_of
+
+   !> Whether the component is a bit, which may be as wide as its hole and touches all along its gauge.
+   elemental function is_bit(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      is = .false.
+      if (allocated(component%kind)) is = lower_case(component%kind) == 'bit'
+   end function is_bit
 
    !> Whether the component is a stabiliser, which touches at its joint_od all along, at its od where it has none.
    elemental function has_blades(component) result(has)
@@ -113,6 +134,13 @@ contains
       has = .false.
       if (allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) == 1
    end function has_blades
+
+   !> Whether the component is bent before anything loads it.
+   elemental function has_bend(component) result(has)
+      type(component_type), intent(in) :: component
+      logical :: has
+      has = component%bend > 0.0_wp
+   end function has_bend
 
    !> Length of one tool joint [m].
    elemental function effective_joint_length(component) result(length)

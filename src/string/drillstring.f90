@@ -1,10 +1,10 @@
 !> A drillstring: named components in order from the bit upwards.
 module dg_drillstring
    use dg_kinds, only: wp
-   use dg_component, only: component_type, effective_joint_length, has_blades, has_joints
+   use dg_component, only: component_type, effective_joint_length, has_bend, has_blades, has_joints
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, at_joint
+   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, bend_ends, bend_within, at_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
@@ -16,6 +16,10 @@ module dg_drillstring
    !> the bit of an assembly with two blades of 1.8 m, against pieces of 0.01 m: within 0.1 % by a rigid wall, 4 % low by an
    !> ordinary one (with pieces of 0.05 m 1.4 %).
    real(wp), parameter :: blade_piece = 0.25_wp
+
+   !> Length of the piece over which a bent housing bends [m]: short beside the distances to bit and stabilisers, longer than depths
+   !> that are made one.
+   real(wp), parameter :: bend_length = 0.1_wp
 
 contains
 
@@ -87,6 +91,48 @@ contains
          bottom = tops(i)
       end do
    end function blade_places
+
+   !> Ends of the pieces that are bent, as distances above the bit [m].
+   pure function bend_ends(string, tops) result(ends)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), allocatable :: ends(:)
+      integer :: i
+      allocate (ends(0))
+      do i = 1, size(tops)
+         if (has_bend(string%components(i))) ends = [ends, bent_piece(string, tops, i)]
+      end do
+   end function bend_ends
+
+   !> Angle by which the string is bent between two distances above the bit [rad].
+   pure function bend_within(string, tops, low, high) result(angle)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), intent(in) :: low, high  !< [m]
+      real(wp) :: angle
+      real(wp) :: piece(2)
+      integer :: i
+      angle = 0.0_wp
+      do i = 1, size(tops)
+         if (.not. has_bend(string%components(i))) cycle
+         piece = bent_piece(string, tops, i)
+         angle = angle + string%components(i)%bend*max(min(high, piece(2)) - max(low, piece(1)), 0.0_wp)/(piece(2) - piece(1))
+      end do
+   end function bend_within
+
+   !> Lower and upper end of the piece of a component that is bent, as distances above the bit [m].
+   pure function bent_piece(string, tops, part) result(piece)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)
+      integer, intent(in) :: part        !< number of the component
+      real(wp) :: piece(2)
+      real(wp) :: bottom
+      bottom = 0.0_wp
+      if (part > 1) bottom = tops(part - 1)
+      piece(2) = max(string%components(part)%bend_position + 0.5_wp*bend_length, bend_length)
+      if (string%components(part)%length > bend_length) piece(2) = min(piece(2), string%components(part)%length)
+      piece = bottom + [piece(2) - bend_length, piece(2)]
+   end function bent_piece
 
    !> Whether a place, by its distance above the lower end of its component [m], is at a tool joint.
    pure function at_joint(component, distance) result(at)

@@ -5,7 +5,7 @@ module dg_whole_string
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
-   use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, torsional_stiffness, worn_od
+   use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_job, only: model_mcge
    use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
@@ -205,8 +205,9 @@ contains
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - profile%md(i)))), &
                                 i=1, size(profile%md))])
-         call find_buckled_shape(profile%md, profile%axial, profile%displacement/(0.5_wp*(along%hole_diameter - along%od)), &
-                                 profile%clock, ei, along%sinusoidal, shape, whole%coil_turns)
+         call find_buckled_shape(profile%md, profile%axial, &
+                                 profile%displacement/room_of(0.5_wp*(along%hole_diameter - along%od)), profile%clock, ei, &
+                                 along%sinusoidal, shape, whole%coil_turns)
          whole%shape = maxval(shape)
          do i = 2, size(shape)
             length = profile%md(i) - profile%md(i - 1)

@@ -188,6 +188,10 @@ contains
       call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
+      call refuse("od = 171.45", "od = 171.45, bend = 1.5", 12, 'bend needs bend_position')
+      call refuse("od = 171.45", "od = 171.45, bend = 1.5, bend_position = 120", 12, &
+                  'bend_position = 120 is greater than length = 100')
+      call refuse("od = 171.45", "od = 171.45, bend = 9, bend_position = 1", 12, 'bend = 9 is out of range')
       call refuse("joint_od = 168.3", "length = 700.0", 17, "string 'main' is 800 m long and does not reach surface")
       call refuse("density = 1200.0", "density = 8000.0", 13, 'floats: the mud, 8000')
    end subroutine test_components

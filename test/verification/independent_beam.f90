@@ -5,7 +5,8 @@
 !> above. With the force f and the moment g that act from outside per metre,
 !>   F' + f = 0,   M' + d x F + g = 0,   M = EI d x d' - M_t d,
 !> M_t the torque that a right-hand drive makes. Across d this is Q = -(EI k)' - M_t t x k + t x g with the string's curvature
-!> k = k_hole + y'', y its offset from the hole axis in a frame that does not spin, and
+!> k = k_hole + y'' (in EI k less what a bent string has before loading), y its offset from the hole axis in a frame that does not
+!> spin, and
 !>   (T y')' + T k_hole + Q' + w - R (n + m t x n) = 0,   t x g = r a R n;
 !> along d, T' = -w_t - a R + Q.k and M_t' = -r m R. The wall pushes with R = stiffness (|y| - c) where that is positive; n = y/|y|,
 !> a and m the coefficients of friction along (> 0 where the string is pulled) and around the hole, r the radius of contact.
@@ -36,6 +37,9 @@ module dg_independent_beam
       real(wp) :: gravity = 9.80665_wp        !< [m/s2]
       real(wp) :: wall = 1.0e8_wp             !< stiffness of the wall per metre [N/m2]
       real(wp) :: step = 0.2_wp               !< distance of nodes [m]
+      real(wp) :: bend = 0.0_wp, bend_above = 0.0_wp   !< of the string before loading, height of its middle above the bit [rad, m]
+      real(wp) :: bend_length = 0.1_wp        !< over which it is bent [m]
+      real(wp) :: toolface = 0.0_wp           !< to which the part below it points, from the high side clockwise [rad]
    end type independent_well_type
 
    !> The string as it lies, nodes 0 to n from the top; what stands between nodes counts from 1 to n.
@@ -50,6 +54,7 @@ module dg_independent_beam
       real(wp), allocatable :: clock(:)                              !< from the high side, clockwise looking down [rad]
       real(wp), allocatable :: ei(:), ea(:), clearance(:), radius(:) !< at nodes
       real(wp), allocatable :: k_node(:, :), k_cell(:, :)            !< of the hole [1/m]
+      real(wp), allocatable :: kinked(:, :)                          !< curvature of the string before loading, at nodes [1/m]
       real(wp), allocatable :: weight(:, :), along(:)                !< across at nodes, along between them [N/m]
       real(wp), allocatable :: tension(:), twist(:)                  !< T and M_t between nodes
    end type independent_beam_type
@@ -97,7 +102,7 @@ contains
       type(independent_well_type), intent(in) :: well
       type(independent_beam_type), intent(out) :: beam
       real(wp), parameter :: north(3) = [1.0_wp, 0.0_wp, 0.0_wp], up(3) = [0.0_wp, 0.0_wp, -1.0_wp]
-      real(wp) :: t(3), n_1(3), n_2(3), k(2), x, soft, high(3)
+      real(wp) :: t(3), n_1(3), n_2(3), k(2), x, soft, high(3), share
       integer :: i, j, n, part
       n = nint(well%bit/well%step)
       beam%n = n
@@ -142,6 +147,13 @@ contains
          end do
          beam%ei(i) = 1.0_wp/soft
          beam%clearance(i) = 0.5_wp*well%diameter - beam%radius(i)
+      end do
+      allocate (beam%kinked(2, 0:n), source=0.0_wp)
+      do i = 1, n - 1
+         share = 0.5_wp + (0.5_wp*well%bend_length - abs(well%bit - well%bend_above - beam%x(i)))/beam%h
+         share = min(max(share, 0.0_wp), 1.0_wp)
+         beam%kinked(:, i) = share*well%bend/well%bend_length*[cos(beam%clock(i) + well%toolface), &
+                                                               sin(beam%clock(i) + well%toolface)]
       end do
    contains
       pure function heavy(part) result(w)
@@ -238,7 +250,7 @@ contains
       unknowns = 2*(beam%n + 1)
       allocate (band(3*width + 1, unknowns), pivots(unknowns), residual(2, 0:beam%n), step(2, 0:beam%n))
       load = maxval(beam%h*norm2(beam%weight, dim=1)) + maxval(beam%h*abs(beam%tension)*norm2(beam%k_cell, dim=1)) &
-             + maxval(beam%ei*norm2(beam%k_node, dim=1))/beam%h
+             + maxval(beam%ei*(norm2(beam%k_node, dim=1) + norm2(beam%kinked, dim=1)))/beam%h
       found = .false.
       do iteration = 1, 150
          call evaluate(well, wall, beam, residual, band)
@@ -286,7 +298,7 @@ contains
       if (present(band)) band = 0.0_wp
       do i = 1, beam%n - 1
          beam%curvature(:, i) = beam%k_node(:, i) + (beam%y(:, i - 1) - 2.0_wp*beam%y(:, i) + beam%y(:, i + 1))/h**2
-         beam%moment(:, i) = beam%ei(i)*beam%curvature(:, i)
+         beam%moment(:, i) = beam%ei(i)*(beam%curvature(:, i) - beam%kinked(:, i))
          do j = -1, 1
             residual(:, i + j) = residual(:, i + j) + second(j)/h*beam%moment(:, i)
             if (.not. present(band)) cycle

@@ -21,6 +21,7 @@ contains
       use dg_test_contacts, only: contacts_suite
       use dg_test_contact_wells, only: contact_wells_suite
       use dg_test_stiff_wells, only: stiff_wells_suite
+      use dg_test_bent_housing, only: bent_housing_suite
       use dg_test_bit_side_force, only: bit_side_force_suite
       use dg_test_buckling, only: buckling_suite
       use dg_test_buckled_start, only: buckled_start_suite
@@ -50,6 +51,7 @@ contains
       call suite%addTest(contacts_suite())
       call suite%addTest(contact_wells_suite())
       call suite%addTest(stiff_wells_suite())
+      call suite%addTest(bent_housing_suite())
       call suite%addTest(bit_side_force_suite())
       call suite%addTest(buckling_suite())
       call suite%addTest(buckled_start_suite())

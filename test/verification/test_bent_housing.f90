@@ -1,0 +1,238 @@
+!> Motors with a bent housing: side force, tilt and moments against a string solved independently with a bend as short
+!> (dg_independent_beam), in all directions of the toolface; and the element that is bent against its closed form.
+module dg_test_bent_housing
+   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_beam_bend, only: add_bend, bend_moment, holding_moment
+   use dg_beam_element, only: beam_force, beam_section_type, membrane_length
+   use dg_case_result, only: case_result_type
+   use dg_constants, only: degree, pi
+   use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_model, only: model_type
+   use dg_numerics, only: settings_of
+   use dg_test_wells, only: new_well, note, part, solve
+   use dg_vector, only: cross
+   implicit none
+   private
+   public :: bent_housing_suite
+
+   !> Force of the bit as a vector over its own size, tilt over the bend (it may be none, between bend and hole), largest moment
+   !> over the other one. Seen: 0.3 %, 0.06 %, 0.33 %; what is left is where blades touch, by the steps of the reference.
+   real(wp), parameter :: force_within = 5.0e-3_wp, tilt_within = 1.0e-3_wp, moment_within = 5.0e-3_wp
+   !> Of numbers that differ by round-off and differences alone.
+   real(wp), parameter :: exact = 1.0e-12_wp, step = 1.0e-6_wp, by_differences = 1.0e-7_wp
+
+contains
+
+   function bent_housing_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('bent_housing')
+      call suite%addTest(TestMethod('own_shape', test_own_shape))
+      call suite%addTest(TestMethod('tangent', test_tangent))
+      call suite%addTest(TestMethod('toolfaces', test_toolfaces))
+      call suite%addTest(TestMethod('sliding', test_sliding))
+      call suite%addTest(TestMethod('curved_hole', test_curved_hole))
+      call suite%addTest(TestMethod('turning', test_turning))
+   end function bent_housing_suite
+
+   !> An element in the shape of its own arc, wherever that lies in space, has neither force nor moment.
+   subroutine test_own_shape()
+      real(wp), parameter :: length = 0.1_wp, angle = 3.0_wp*degree, ei = 1.7e7_wp
+      type(beam_section_type) :: section
+      real(wp) :: t(3), q(3), chord(3), d_i(3), d_j(3), force(12), axial, unused(12, 12)
+      t = [0.6_wp, 0.0_wp, 0.8_wp]
+      q = [-0.8_wp*cos(0.7_wp), sin(0.7_wp), 0.6_wp*cos(0.7_wp)]
+      chord = t*length*sin(0.5_wp*angle)/(0.5_wp*angle)
+      d_i = cos(0.5_wp*angle)*t - sin(0.5_wp*angle)*q
+      d_j = cos(0.5_wp*angle)*t + sin(0.5_wp*angle)*q
+      section = beam_section_type(length, membrane_length(chord, d_i, d_j), 5.0e9_wp, ei, 1.3e7_wp)
+      call beam_force(section, chord, d_i, d_j, force, axial)
+      call assertRelativelyEqual(ei*angle/length, norm2(cross(d_i, force(4:6))), 1.0e-3_wp, message='a straight one is bent')
+      call add_bend(bend_moment(ei, length, angle), q + 0.3_wp*t, chord, d_i, d_j, .false., force, unused)
+      call assertLessThan(norm2(cross(d_i, force(4:6)))/(ei*angle/length), exact, message='moment at its upper end')
+      call assertLessThan(norm2(cross(d_j, force(10:12)))/(ei*angle/length), exact, message='moment at its lower end')
+      call assertLessThan(norm2(force(7:9))/(ei*angle/length**2), exact, message='force')
+   end subroutine test_own_shape
+
+   !> Tangent against central differences of the force, force against those of the energy, in a shape that is not its own; what
+   !> holds the bend has no part along its direction, and none across the plane of that and the chord.
+   subroutine test_tangent()
+      real(wp), parameter :: moment = 4.0e6_wp, held(3) = [0.2_wp, 1.0_wp, -0.3_wp]
+      real(wp) :: y(12), force(12), plus(12), minus(12), tangent(12, 12), differences(12, 12), unused(12, 12), by_energy(12), &
+                  holding(3), chord(3)
+      integer :: i
+      y = [0.01_wp, -0.02_wp, 0.03_wp, 0.02_wp, -0.01_wp, 1.0_wp, 0.05_wp, 0.02_wp, 0.531_wp, -0.015_wp, 0.04_wp, 0.99_wp]
+      force = 0.0_wp
+      tangent = 0.0_wp
+      call add_bend(moment, held, y(7:9) - y(1:3), y(4:6), y(10:12), .true., force, tangent)
+      do i = 1, 12
+         plus = shifted(i, step)
+         minus = shifted(i, -step)
+         differences(:, i) = (plus - minus)/(2.0_wp*step)
+         by_energy(i) = (energy(i, step) - energy(i, -step))/(2.0_wp*step)
+      end do
+      call assertLessThan(maxval(abs(differences - tangent))/maxval(abs(tangent)), by_differences, message='tangent')
+      call assertLessThan(maxval(abs(tangent - transpose(tangent)))/maxval(abs(tangent)), exact, message='symmetric')
+      call assertLessThan(maxval(abs(by_energy - force))/maxval(abs(force)), by_differences, message='force')
+      chord = y(7:9) - y(1:3)
+      holding = holding_moment(moment, held, chord, y(4:6), y(10:12))
+      call assertLessThan(abs(dot_product(holding, held)), exact*moment, message='held across its direction')
+      call assertLessThan(abs(dot_product(holding, cross(held, chord))), exact*moment, message='held in their plane')
+      call assertTrue(norm2(holding) > 0.0_wp, message='held')
+   contains
+      function shifted(index, amount) result(f)
+         integer, intent(in) :: index
+         real(wp), intent(in) :: amount
+         real(wp) :: f(12), z(12)
+         z = y
+         z(index) = z(index) + amount
+         f = 0.0_wp
+         unused = 0.0_wp
+         call add_bend(moment, held, z(7:9) - z(1:3), z(4:6), z(10:12), .false., f, unused)
+      end function shifted
+
+      function energy(index, amount) result(u)
+         integer, intent(in) :: index
+         real(wp), intent(in) :: amount
+         real(wp) :: u, z(12), e(3), q(3)
+         z = y
+         z(index) = z(index) + amount
+         e = (z(7:9) - z(1:3))/norm2(z(7:9) - z(1:3))
+         q = held - dot_product(held, e)*e
+         u = -moment*dot_product(q/norm2(q), z(10:12) - z(4:6))
+      end function energy
+   end subroutine test_tangent
+
+   !> A motor in a hole of 8-1/2 in: bit, stabiliser with blades of `piece` m, housing with its bend 1.6 m above the bit, an upper
+   !> stabiliser under gauge, collars.
+   subroutine build(well, bottom_gauge, model)
+      type(independent_well_type), intent(inout) :: well     !< its hole and loads are given
+      real(wp), intent(in) :: bottom_gauge                   !< diameter of the lower stabiliser [m]
+      type(model_type), intent(out) :: model
+      character(10), parameter :: kinds(6) = [character(10) :: 'collar', 'stabilizer', 'collar', 'stabilizer', 'collar', 'collar']
+      integer :: i
+      well%length = [0.61_wp, 0.2_wp, 7.2_wp, 0.2_wp, 20.0_wp, 0.0_wp]      ! ends between two nodes of the reference
+      well%od = [0.16_wp, 0.1714_wp, 0.1714_wp, 0.165_wp, 0.165_wp, 0.127_wp]
+      well%id = [0.05_wp, 0.08_wp, 0.08_wp, 0.0714_wp, 0.0714_wp, 0.0762_wp]
+      well%joint = [0.0_wp, bottom_gauge, 0.0_wp, 0.2096_wp, 0.0_wp, 0.0_wp]
+      well%mass = [140.0_wp, 140.0_wp, 140.0_wp, 136.0_wp, 136.0_wp, 73.4_wp]
+      well%diameter = 0.2159_wp
+      well%mud = 1200.0_wp
+      well%step = 0.004_wp
+      well%wall = 1.0e10_wp
+      well%bend_above = 1.6_wp
+      call new_well(model, well%md, well%inclination, well%azimuth, well%diameter, abs(well%along) + well%around, &
+                    part(kinds(1), 0.0_wp, well%od(1), well%id(1), well%mass(1), 0.0_wp))
+      deallocate (model%strings(1)%components)
+      allocate (model%strings(1)%components(size(well%od)))
+      do i = 1, size(well%od)
+         model%strings(1)%components(i) = part(trim(kinds(i)), well%length(i), well%od(i), well%id(i), well%mass(i), well%joint(i))
+      end do
+      model%strings(1)%components(3)%bend = well%bend
+      model%strings(1)%components(3)%bend_position = well%bend_above - sum(well%length(1:2))
+      model%cases(1)%bit_depth = well%bit
+      model%cases(1)%toolface = well%toolface
+      model%mud_density = well%mud
+      model%gravity = well%gravity
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%numerics = settings_of('auto')
+      model%numerics%gk_contact = well%wall
+      model%numerics%gk_max = well%wall
+   end subroutine build
+
+   subroutine compare(well, bottom_gauge, operation, what)
+      type(independent_well_type), intent(inout) :: well
+      real(wp), intent(in) :: bottom_gauge
+      integer, intent(in) :: operation
+      character(*), intent(in) :: what
+      type(independent_beam_type) :: beam
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp) :: push(2), slope(2), largest
+      logical :: found
+      call build(well, bottom_gauge, model)
+      call bend_independently(well, beam, found)
+      call assertTrue(found, message=what//': reference')
+      call solve(model, operation, well%wob, 0.0_wp, result, what)
+      call push_at_bit(beam, push, slope)
+      largest = maxval(norm2(beam%moment, dim=1))
+      call note(what//': side force of the bit [N]', norm2(push))
+      call note(what//': tilt of the bit, deg', norm2(slope)/degree)
+      push = result%bit_side_force*direction(result%bit_side_clock)/norm2(push) - push/norm2(push)
+      slope = tan(result%bit_tilt)*direction(result%bit_tilt_clock)/well%bend - slope/well%bend
+      call note(what//': side force off', norm2(push))
+      call note(what//': tilt off, over the bend', norm2(slope))
+      call note(what//': largest moment over the other', maxval(result%profile%bending)/largest - 1.0_wp)
+      call assertLessThan(norm2(push), force_within, message=what//': side force')
+      call assertLessThan(norm2(slope), tilt_within, message=what//': tilt')
+      call assertRelativelyEqual(largest, maxval(result%profile%bending), moment_within, message=what//': largest moment')
+   end subroutine compare
+
+   pure function direction(clock) result(n)
+      real(wp), intent(in) :: clock
+      real(wp) :: n(2)
+      n = [cos(clock), sin(clock)]
+   end function direction
+
+   !> A well of 60 m, straight.
+   pure function straight(inclination, bend, toolface) result(well)
+      real(wp), intent(in) :: inclination, bend, toolface    !< [deg]
+      type(independent_well_type) :: well
+      well%md = [0.0_wp, 60.0_wp]
+      well%inclination = [inclination, inclination]
+      well%azimuth = [30.0_wp, 30.0_wp]
+      well%bit = 60.0_wp
+      well%wob = 50.0e3_wp
+      well%bend = bend*degree
+      well%toolface = toolface*degree
+   end function straight
+
+   !> Toolfaces all round, bends of 1 to 2 deg, with a lower stabiliser of full gauge and one under gauge.
+   subroutine test_toolfaces()
+      type(independent_well_type) :: well
+      integer :: i
+      do i = 0, 4
+         well = straight(40.0_wp, 1.5_wp, 60.0_wp*i)
+         call compare(well, 0.2127_wp, operation_static, 'full gauge')
+      end do
+      well = straight(80.0_wp, 1.0_wp, 20.0_wp)
+      call compare(well, 0.2032_wp, operation_static, 'under gauge')
+      well = straight(20.0_wp, 2.0_wp, 160.0_wp)
+      call compare(well, 0.0_wp, operation_static, 'no lower stabiliser')
+   end subroutine test_toolfaces
+
+   subroutine test_sliding()
+      type(independent_well_type) :: well
+      well = straight(60.0_wp, 1.5_wp, 45.0_wp)
+      well%along = -0.25_wp
+      call compare(well, 0.2127_wp, operation_sliding_drilling, 'sliding')
+   end subroutine test_sliding
+
+   !> A hole that builds and turns by 6 deg/30 m or so.
+   subroutine test_curved_hole()
+      type(independent_well_type) :: well
+      well = straight(30.0_wp, 1.5_wp, 30.0_wp)
+      well%inclination = [30.0_wp, 40.0_wp]
+      well%azimuth = [30.0_wp, 40.0_wp]
+      call compare(well, 0.2127_wp, operation_static, 'curved hole')
+   end subroutine test_curved_hole
+
+   !> A string that turns is seen without its bend, unless it is asked to stand.
+   subroutine test_turning()
+      type(independent_well_type) :: well
+      type(model_type) :: model
+      type(case_result_type) :: without, turning, standing
+      well = straight(40.0_wp, 0.0_wp, 0.0_wp)
+      call build(well, 0.2127_wp, model)
+      call solve(model, operation_rotary_drilling, 50.0e3_wp, 0.0_wp, without, 'straight')
+      model%strings(1)%components(3)%bend = 1.5_wp*degree
+      call solve(model, operation_rotary_drilling, 50.0e3_wp, 0.0_wp, turning, 'turning')
+      call assertRelativelyEqual(without%bit_side_force, turning%bit_side_force, 1.0e-3_wp, message='as if straight')
+      model%cases(1)%bend_stands = .true.
+      call solve(model, operation_rotary_drilling, 50.0e3_wp, 0.0_wp, standing, 'standing')
+      call assertTrue(standing%bit_side_force > 5.0_wp*turning%bit_side_force, message='seen at one toolface')
+      call assertEqual(0.0_wp, modulo(standing%bit_side_clock + pi, 2.0_wp*pi) - pi, 0.1_wp, message='towards it')
+   end subroutine test_turning
+end module dg_test_bent_housing
