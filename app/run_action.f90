@@ -1,7 +1,6 @@
 !> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units.
 module dg_run_action
-   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, entry_type, find_catalogue, numeric_keys, &
-                           read_catalogue
+   use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_template, only: deck_template
    use dg_diagnostic, only: tell, tell_faults
@@ -13,10 +12,14 @@ module dg_run_action
    use dg_process, only: someone_reads
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
-   use dg_units, only: si_units, unit_system_type
+   use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
    public :: run_action
+
+   !> Columns of the list of the catalogue, numbers once in SI and once in field units.
+   integer, parameter :: name_width = 38, kind_width = 15
+   character(*), parameter :: heading = '      od      id    mass joint od  yield'
 
 contains
 
@@ -73,11 +76,6 @@ contains
       integer :: i
       status = status_bad_input
       call find_catalogue('', '', path)
-      if (path == '') then
-         call tell('no catalogue found: neither '//catalogue_name//' here, nor the file that '//catalogue_variable// &
-                   ' of the environment names, nor input/'//catalogue_name)
-         return
-      end if
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
          call tell_faults(faults)
@@ -89,8 +87,10 @@ contains
              index(lower_case(catalogue%entries(i)%kind), lower_case(pattern)) == 0) cycle
          if (size(lines) == 0) then
             call append_text(lines, path)
-            call append_text(lines, 'name                          kind            od      id    mass joint od  yield  source')
-            call append_text(lines, '                                              mm      mm    kg/m       mm    MPa')
+            call append_text(lines, left_aligned('name', name_width)//left_aligned('kind', kind_width)//heading//heading// &
+                             '  source')
+            call append_text(lines, repeat(' ', name_width + kind_width)//'      mm      mm    kg/m       mm    MPa'// &
+                             '      in      in  lbm/ft       in    ksi')
          end if
          call append_text(lines, entry_line(catalogue%entries(i)))
       end do
@@ -106,12 +106,18 @@ contains
    function entry_line(entry) result(line)
       type(entry_type), intent(in) :: entry
       character(:), allocatable :: line
-      type(unit_system_type) :: units
-      units = si_units()
-      line = left_aligned(entry%name, 30)//left_aligned(entry%kind, 12)//cell('od', units%diameter, 8, 1)// &
-         cell('id', units%diameter, 8, 1)//cell('mass', units%mass_per_length, 8, 2)// &
-         cell('joint_od', units%diameter, 9, 1)//cell('yield', units%stress, 7, 0)//'  '//entry%source
+      line = left_aligned(entry%name, name_width)//left_aligned(entry%kind, kind_width)//cells(si_units(), 1)// &
+         cells(field_units(), 3)//'  '//entry%source
    contains
+      function cells(units, decimals) result(text)
+         type(unit_system_type), intent(in) :: units
+         integer, intent(in) :: decimals          !< of diameters
+         character(:), allocatable :: text
+         text = cell('od', units%diameter, 8, decimals)//cell('id', units%diameter, 8, decimals)// &
+            cell('mass', units%mass_per_length, 8, 2)//cell('joint_od', units%diameter, 9, decimals)// &
+            cell('yield', units%stress, 7, 0)
+      end function cells
+
       function cell(key, unit, width, decimals) result(text)
          character(*), intent(in) :: key
          real(wp), intent(in) :: unit

@@ -2,36 +2,41 @@
 !> 'grade' are steels: the name of a pipe followed by that of a grade is the pipe with the yield strength of the grade.
 module dg_catalogue
    use dg_kinds, only: wp
+   use dg_catalogue_lines, only: catalogue_lines
+   use dg_connection, only: connection_name
    use dg_deck_number, only: read_real
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: key_rule_type, unit_factor, unit_label, unit_none
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
    use dg_table_text, only: split_fields, without_comment
-   use dg_text, only: joined, lower_case, quoted, text_type, to_text
+   use dg_text, only: joined, lower_case, quoted, suggestion, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
-   public :: catalogue_name, catalogue_variable, kind_of_grades
+   public :: catalogue_name, catalogue_variable, catalogue_within, kind_of_grades
 
-   !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder.
+   !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder; else
+   !> the one within the program, under a name that no file of a user has.
    character(*), parameter :: catalogue_name = 'catalogue.csv'
    character(*), parameter :: catalogue_variable = 'DRILLGAP_CATALOGUE'
+   character(*), parameter :: catalogue_within = '(catalogue of the program)'
 
    !> Keys of &component that a catalogue may give.
-   character(*), parameter :: numeric_keys(11) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
-      'joint_length', 'joint_spacing', 'yield', 'makeup_torque']
+   character(*), parameter :: numeric_keys(14) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
+      'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion']
    character(*), parameter :: kind_of_grades = 'grade'
    !> Lists of entries in which a name is looked for, so that a catalogue of many thousands takes no longer an entry.
    integer, parameter :: buckets = 10007, spread_factor = 31
    !> Columns of texts, and those that no component needs.
-   integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3
+   integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3, column_connection = -4
 
    type :: entry_type
       character(:), allocatable :: name
       character(:), allocatable :: kind
       character(:), allocatable :: source
+      character(:), allocatable :: connection             !< as a deck may give it; '': not known
       logical :: has(size(numeric_keys)) = .false.
       real(wp) :: numbers(size(numeric_keys)) = 0.0_wp  !< of those keys [SI]
    end type entry_type
@@ -43,7 +48,7 @@ module dg_catalogue
 
 contains
 
-   !> Path of the catalogue for a deck ('' for none): `named` in the deck, or the first one that is there. '' where none is.
+   !> Path of the catalogue for a deck ('' for none): `named` in the deck, or the first one that is there, or that of the program.
    subroutine find_catalogue(deck, named, path)
       character(*), intent(in) :: deck          !< path
       character(*), intent(in) :: named         !< by the deck, from its folder; '': not
@@ -70,6 +75,7 @@ contains
       end if
       inquire (file='input/'//catalogue_name, exist=is)
       if (is) path = 'input/'//catalogue_name
+      if (.not. is) path = catalogue_within
    end subroutine find_catalogue
 
    !> Reads the table `path` with all its faults. Two rows of one name, one of them a grade or not, leave open which is meant: a
@@ -86,7 +92,15 @@ contains
       integer :: line, n
       logical :: has_header
       catalogue%path = path
-      call read_lines(path, lines, failure)
+      failure = ''
+      if (path == catalogue_within) then
+         allocate (lines(size(catalogue_lines)))
+         do line = 1, size(lines)
+            lines(line)%text = trim(catalogue_lines(line))
+         end do
+      else
+         call read_lines(path, lines, failure)
+      end if
       allocate (catalogue%entries(size(lines)))
       allocate (line_of(size(lines)), source=0)
       if (failure /= '') call add_unreadable(faults, path, 'catalogue '//failure, asked)
@@ -157,13 +171,14 @@ contains
          case ('name'); columns(i) = column_name
          case ('kind'); columns(i) = column_kind
          case ('source'); columns(i) = column_source
+         case ('connection'); columns(i) = column_connection
          case default
             do k = 1, size(numeric_keys)
                call match(fields(i)%text, k, si_units())
                call match(fields(i)%text, k, field_units())
             end do
             if (columns(i) == column_ignored) call add_fault(faults, path, line, 'catalogue: unknown column '// &
-               quoted(fields(i)%text)//'; legal: name, kind, source, and '//joined(numeric_keys, ', ')// &
+               quoted(fields(i)%text)//'; legal: name, kind, source, connection, and '//joined(numeric_keys, ', ')// &
                ' with their unit behind, as in od_in, od_mm, mass_lbm_ft, mass_kg_m')
          end select
       end do
@@ -199,6 +214,7 @@ contains
       entry%name = ''
       entry%kind = ''
       entry%source = ''
+      entry%connection = ''
       if (size(fields) > size(columns)) call add_fault(faults, path, line, 'catalogue: the row has '//to_text(size(fields))// &
          ' columns, the header '//to_text(size(columns)))
       do i = 1, min(size(fields), size(columns))
@@ -207,6 +223,10 @@ contains
          case (column_name); entry%name = fields(i)%text
          case (column_kind); entry%kind = fields(i)%text
          case (column_source); entry%source = fields(i)%text
+         case (column_connection)
+            if (.not. any(connection_name == fields(i)%text)) call add_fault(faults, path, line, 'catalogue: connection = '// &
+               quoted(fields(i)%text)//' is unknown; '//suggestion(fields(i)%text, connection_name))
+            entry%connection = fields(i)%text
          case (column_ignored)
          case default
             call read_real(fields(i)%text, number, legal)

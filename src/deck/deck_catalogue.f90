@@ -2,8 +2,7 @@
 !> the defaults.
 module dg_deck_catalogue
    use dg_kinds, only: wp
-   use dg_catalogue, only: catalogue_name, catalogue_type, catalogue_variable, find_catalogue, find_entry, kind_of_grades, &
-                           number_of, numeric_keys, read_catalogue
+   use dg_catalogue, only: catalogue_type, find_catalogue, find_entry, kind_of_grades, number_of, numeric_keys, read_catalogue
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, rule_index, text_of
    use dg_fault_list, only: add_fault, fault_at, fault_list_type, fault_type
    use dg_text, only: append_text, quoted, suggestion
@@ -40,16 +39,10 @@ contains
          if (.not. tried) then
             tried = .true.
             call find_catalogue(path, named, file)
-            if (file == '') then
-               call add_fault(faults, path, line_of(groups(i), 'catalogue'), 'group &component: no catalogue found: neither '// &
-                              catalogue_name//' beside the deck, nor the file that '//catalogue_variable// &
-                              ' of the environment names, nor input/'//catalogue_name//'; name it by catalogue_file in &job')
-            else
-               before = faults%count
-               if (named == '') asked = fault_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
-               call read_catalogue(file, catalogue, faults, asked)
-               sound = faults%count == before
-            end if
+            before = faults%count
+            if (named == '') asked = fault_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
+            call read_catalogue(file, catalogue, faults, asked)
+            sound = faults%count == before
          end if
          if (sound) call fill(path, catalogue, groups(i), faults)
       end do
@@ -82,6 +75,7 @@ contains
       end do
       call fill_text('name', name)
       call fill_text('kind', catalogue%entries(entry)%kind)
+      call fill_text('connection', catalogue%entries(entry)%connection)
       if (.not. is_sound(group, 'od') .and. .not. is_given(group, 'od')) call add_fault(faults, path, &
          line_of(group, 'catalogue'), 'group &component: '//quoted(name)//' of '//catalogue%path//' has no od; give it here')
 

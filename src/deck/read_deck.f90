@@ -3,6 +3,7 @@
 module dg_read_deck
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
+   use dg_catalogue, only: catalogue_within
    use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_calibrate, only: take_calibrations
@@ -167,7 +168,7 @@ contains
          if (text_of(groups(i), 'survey_file', '') /= '') &
             call append_text(inputs, beside(path, text_of(groups(i), 'survey_file', '')))
       end do
-      if (catalogue /= '') call append_text(inputs, catalogue)
+      if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
       do i = 1, size(legacy)
          call append_text(inputs, legacy(i)%file)
       end do

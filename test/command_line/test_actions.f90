@@ -5,8 +5,8 @@ module dg_test_actions
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
    use dg_kinds, only: wp
-   use dg_program_run, only: clear_scratch, deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, &
-                             scratch
+   use dg_program_run, only: clear_scratch, content, deck_path, good_deck, program_path, replaced, results_path, run_deck_text, &
+                             run_program, run_type, scratch
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('template', test_template))
       call suite%addTest(TestMethod('list_catalogue', test_list))
       call suite%addTest(TestMethod('pipe_of_the_catalogue', test_catalogue))
+      call suite%addTest(TestMethod('catalogue_within', test_within))
       call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
       call suite%addTest(TestMethod('convert', test_convert))
       call suite%addTest(TestMethod('convert_what_is_not_said', test_convert_unsaid))
@@ -54,8 +55,9 @@ contains
       call clear_scratch()
       run = run_program("--list-catalogue 'csg 9-5/8'")
       call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%output, 'CSG 9-5/8 47.00               casing') > 0, message=run%output)
+      call assertTrue(index(run%output, 'CSG 9-5/8 47.00                       casing') > 0, message=run%output)
       call assertTrue(index(run%output, '   244.5   220.5   69.94    269.9') > 0, message=run%output)
+      call assertTrue(index(run%output, '   9.625   8.681   47.00   10.625') > 0, message=run%output)
       call assertFalse(index(run%output, 'DP 5') > 0, message=run%output)
       run = run_program('--list-catalogue nothing_like_this')
       call assertEqual(2, run%status)
@@ -76,6 +78,21 @@ contains
                           '--check')
       call assertTrue(index(run%output, 'mine (drillpipe): to surface, od 127 mm, id 108.6104 mm, 33 kg/m') > 0, message=run%output)
    end subroutine test_catalogue
+
+   !> A program that is run where there is no catalogue has one with it; pipe with its tool joint knows their torque.
+   subroutine test_within()
+      type(run_type) :: run
+      integer :: status
+      call clear_scratch()
+      call execute_command_line("p=$(realpath '"//program_path()//"'); cd "//scratch//' && "$p" --list-catalogue 6-5/8x2-3/4 > '// &
+                                'list.txt', exitstat=status)
+      call assertEqual(0, status)
+      call assertTrue(index(content(scratch//'/list.txt'), 'DP 5 19.50 NC50 6-5/8x2-3/4') > 0)
+      run = run_deck_text(replaced(good_deck(), pipe, "&component catalogue = 'DP 5 19.50 NC50 6-5/8x2-3/4 S135' /"), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, ', make-up 51.58') > 0, message=run%output)
+      call assertTrue(index(run%output, ', connection 85.96') > 0, message=run%output)
+   end subroutine test_within
 
    subroutine test_catalogue_faults()
       call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
