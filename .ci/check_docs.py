@@ -29,6 +29,7 @@ COLUMNS = {
     "uncertainty_columns": "uncertainty_<name>.csv",
     "factor_columns": "calibration.csv",
     "datum_columns": "calibration_data.csv",
+    "prediction_columns": "calibration_prediction.csv",
     "contact_columns": "contacts_<case>_<model>.csv",
     "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",

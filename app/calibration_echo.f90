@@ -1,7 +1,7 @@
 !> Tells what a deck's calibrations ask for as the program understood it.
 module dg_calibration_echo
    use dg_kinds, only: wp
-   use dg_calibration, only: parameter_name
+   use dg_calibration, only: parameter_name, predicts
    use dg_job, only: job_type, model_name
    use dg_sticking, only: find_free_point, sticking_name
    use dg_text, only: append_text, joined, text_type, to_text
@@ -26,6 +26,7 @@ contains
             line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
                joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
                to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
             if (calibration%apply) line = line//'; applied'
             call append_text(lines, line)
          end associate

@@ -2,18 +2,22 @@
 module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, apply_offset, calibration_type, factors_of_deck, hookload_datum, variance_kinds
+   use dg_calibration, only: ahead_of, apply_factors, apply_offset, calibration_type, factors_of_deck, hookload_datum, &
+      predicts, torque_datum, variance_kinds
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_fit_by_kinds, only: fit_by_kinds
+   use dg_fit_statistics, only: as_normal
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done, fit_without_values
+   use dg_load_case, only: optional_real
    use dg_model, only: model_type
+   use dg_prediction, only: predict
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_progress, only: seconds_between
    use dg_run_stickings, only: run_stickings
@@ -163,6 +167,8 @@ contains
       call judge_fit(result, measured, deviation, kinds, of_kind)
       if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
          calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
+      if (result%fit%status == fit_done .and. predicts(calibration)) &
+         call look_ahead(model, calibration, threads, scale, result)
       if (result%fit%status == fit_without_values) then
          associate (datum => calibration%data(result%fit%lost))
             result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &
@@ -171,8 +177,40 @@ contains
       else if (result%fit%status /= fit_done) then
          result%message = 'the sum of squares still falls after all its iterations; separate less'
       end if
-      result%solutions = function%solutions
+      result%solutions = result%solutions + function%solutions
       call system_clock(finish)
       result%seconds = seconds_between(start, finish)
    end subroutine calibrate
+
+   !> Predicts the load cases that the calibration names for that, by what it has found.
+   subroutine look_ahead(model, calibration, threads, scale, result)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      integer, intent(in) :: threads
+      real(wp), intent(in) :: scale(:)         !< of the unknowns
+      type(calibration_result_type), intent(inout) :: result
+      type(calibration_type) :: ahead
+      type(string_function_type) :: function
+      type(optional_real) :: known
+      real(wp), allocatable :: deviation(:), freedom(:)
+      integer :: kind
+      ahead = ahead_of(calibration, model%cases)
+      call new_string_function(function, model, ahead, result%model, threads)
+      allocate (deviation(size(ahead%data)), freedom(size(ahead%data)))
+      do kind = hookload_datum, torque_datum
+         known = calibration%hookload_deviation
+         if (kind /= hookload_datum) known = calibration%torque_deviation
+         where (ahead%data%kind == kind)
+            deviation = result%deviations(kind)
+            freedom = result%freedoms(kind)
+         end where
+         if (.not. known%present) cycle
+         where (ahead%data%kind == kind)
+            deviation = known%value
+            freedom = real(as_normal, wp)
+         end where
+      end do
+      call predict(function, result%fit, result%statistics, scale, deviation, freedom, result%prediction)
+      result%solutions = result%solutions + function%solutions
+   end subroutine look_ahead
 end module dg_run_calibrations

@@ -5,6 +5,7 @@ module dg_calibration_result
    use dg_fit_by_kinds, only: free_unknowns
    use dg_least_squares, only: fit_done, fit_type
    use dg_missing, only: is_missing, missing
+   use dg_prediction, only: prediction_type
    use dg_variance_components, only: scatter_of
    implicit none
    private
@@ -27,6 +28,8 @@ module dg_calibration_result
       !> Standard deviations of hook loads [N] and torques [N.m] by the residuals, whether known or not, and these over those that
       !> the intervals go by [-]; missing where no value is spare.
       real(wp) :: deviations(2) = missing, scatters(2) = missing
+      real(wp) :: freedoms(2) = 0.0_wp            !< values of each kind that are spare for its deviation
+      type(prediction_type) :: prediction         !< of load cases that the fit has not seen; not allocated: none asked for
       character(:), allocatable :: message        !< why there is no fit; '' else
       integer :: halvings = 0                     !< of the factors, until the fit could begin
       integer :: solutions = 0                    !< load cases solved
@@ -48,8 +51,9 @@ contains
          columns = pack([(k, k=1, size(fit%unknowns))], free_unknowns(fit))
          do k = 1, size(result%scatters)
             result%scatters(k) = scatter_of(fit%jacobian(:, columns), residual, of_what == k)
-            if (any(of_what == k) .and. .not. is_missing(result%scatters(k))) &
-               result%deviations(k) = result%scatters(k)*maxval(deviation, mask=of_what == k)
+            if (.not. any(of_what == k) .or. is_missing(result%scatters(k))) cycle
+            result%deviations(k) = result%scatters(k)*maxval(deviation, mask=of_what == k)
+            if (result%scatters(k) > 0.0_wp) result%freedoms(k) = sum(residual**2, mask=of_what == k)/result%scatters(k)**2
          end do
       end associate
    end subroutine judge_fit

@@ -2,7 +2,7 @@
 module dg_deck_calibrate
    use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
-                             offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
+                             offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
@@ -98,7 +98,8 @@ contains
          calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
       if (is_sound(group, 'torque_deviation')) &
          calibration%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
-      call take_cases(draft, group, calibration%cases, faults)
+      call take_predicted(draft, group, calibration%predicted, faults)
+      call take_cases(draft, group, calibration%cases, faults, calibration%predicted)
       call take_holes(draft, group, calibration%holes, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (all(draft%cases(calibration%cases)%sound) .and. all(draft%holes%sound))) return
@@ -121,12 +122,13 @@ contains
       if (size(models) == 0) models = [model_soft]
    end subroutine take_models
 
-   !> Numbers of the load cases named; all with measurements where none is.
-   subroutine take_cases(draft, group, cases, faults)
+   !> Numbers of the load cases named; all with measurements where none is, less those that are left out.
+   subroutine take_cases(draft, group, cases, faults, left_out)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
       type(fault_list_type), intent(inout) :: faults
+      integer, intent(in), optional :: left_out(:)
       type(text_type), allocatable :: wanted(:)
       character(name_shown) :: names(size(draft%cases))
       logical :: measured(size(draft%cases))
@@ -138,6 +140,7 @@ contains
       end do
       allocate (cases(0))
       if (.not. is_given(group, 'cases')) then
+         if (present(left_out)) measured(left_out) = .false.
          cases = pack([(k, k=1, size(names))], measured)
          if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
       end if
@@ -161,6 +164,41 @@ contains
          call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
       end subroutine fault
    end subroutine take_cases
+
+   !> Numbers of the load cases that are to be predicted, each once; none where none is named.
+   subroutine take_predicted(draft, group, cases, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: cases(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: wanted(:), used(:)
+      character(name_shown) :: names(size(draft%cases))
+      integer :: i, k, found
+      allocate (cases(0))
+      allocate (wanted, source=texts_of(group, 'predict'))
+      allocate (used, source=texts_of(group, 'cases'))
+      do k = 1, size(names)
+         names(k) = draft%cases(k)%load_case%name
+      end do
+      do i = 1, size(wanted)
+         found = 0
+         do k = 1, size(names)
+            if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
+         end do
+         if (found == 0) then
+            call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
+         else if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then
+            call fault('load case '//quoted(wanted(i)%text)//' is one of cases, so it would be no prediction; keep it in one')
+         else if (.not. any(cases == found)) then
+            cases = [cases, found]
+         end if
+      end do
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'predict'), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine take_predicted
 
    !> Numbers of the hole sections named; all where none is.
    subroutine take_holes(draft, group, holes, faults)
@@ -211,6 +249,7 @@ contains
          call fault('holes', 'no bit of its cases reaches hole section '//quoted(holes(calibration%holes(i))%name)// &
                     '; leave it out of holes')
       end do
+      call check_predicted(draft, group, calibration, faults)
       if (size(calibration%unknowns) == 0) return
       allocate (telling(size(calibration%data), size(calibration%unknowns)))
       do u = 1, size(calibration%unknowns)
@@ -232,6 +271,31 @@ contains
          call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)
       end subroutine fault
    end subroutine lay_out
+
+   !> A load case can be predicted where the factors found are those of its depth and operation, too.
+   subroutine check_predicted(draft, group, calibration, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(calibration_type), intent(in) :: calibration
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i
+      if (size(calibration%predicted) == 0) return
+      if (calibration%by_depth .or. calibration%offset == offset_depths) &
+         call fault('predict has no meaning with a factor or an offset a depth: none is that of another depth')
+      if (.not. calibration%by_operation) return
+      do i = 1, size(calibration%predicted)
+         associate (case => draft%cases(calibration%predicted(i))%load_case)
+            if (any(calibration%unknowns%operation == case%operation)) cycle
+            call fault('load case '//quoted(case%name)//': no measured case tells a factor of '// &
+                       trim(operation_name(case%operation))//'; leave it out or separate less')
+         end associate
+      end do
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'predict'), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine check_predicted
 
    !> What is applied must be one factor a hole section, must not be overruled by its own load cases, and must not be two.
    subroutine check_apply(draft, group, calibrations, faults)

@@ -316,7 +316,7 @@ module dg_deck_keys
       key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
          meaning='measured torque of each; 0: none')]
 
-   type(key_rule_type), parameter :: calibrate_keys(12) = [ &
+   type(key_rule_type), parameter :: calibrate_keys(13) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
       key_rule_type('calibrate', 'cases', kind_text, array=.true., &
          meaning='names of load cases; default all with measured_hookload or measured_torque'), &
@@ -339,7 +339,9 @@ module dg_deck_keys
       key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
          meaning='of the string at surface from one pull to the other; needed by free_point'), &
       key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
-         meaning='all that follows uses the friction found; with &rig the one offset too, as block weight')]
+         meaning='all that follows uses the friction found; with &rig the one offset too, as block weight'), &
+      key_rule_type('calibrate', 'predict', kind_text, array=.true., &
+         meaning='names of load cases that are predicted from what is found; their measurements have no part in it')]
 
    type(key_rule_type), parameter :: uncertainty_keys(26) = [ &
       key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &

@@ -16,7 +16,7 @@ module dg_deck_sticking
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
    !> Keys that only friction has a use for, and those of one kind alone.
-   character(*), parameter :: of_friction(4) = [character(14) :: 'holes', 'separate', 'offset', 'apply']
+   character(*), parameter :: of_friction(5) = [character(14) :: 'holes', 'separate', 'offset', 'apply', 'predict']
    character(*), parameter :: own_key(2) = [character(14) :: 'sticking_depth', 'stretch']
 
 contains

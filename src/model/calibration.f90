@@ -13,7 +13,7 @@ module dg_calibration
    public :: calibration_type, unknown_type, datum_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
-   public :: apply_factors, apply_offset, applied_factor, variance_kinds
+   public :: apply_factors, apply_offset, applied_factor, variance_kinds, ahead_of, predicts
    public :: offset_none, offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
@@ -49,6 +49,7 @@ module dg_calibration
       integer :: parameter = calibrate_friction
       integer, allocatable :: models(:)      !< numbers (dg_job)
       integer, allocatable :: cases(:)       !< numbers of load cases
+      integer, allocatable :: predicted(:)   !< numbers of load cases that are to be predicted from what is found
       integer, allocatable :: holes(:)       !< numbers of hole sections whose friction is looked for
       logical :: by_hole = .true., by_operation = .false., by_depth = .false. !< what has a factor of its own
       integer :: offset = offset_none        !< whether the gauge may show too much
@@ -161,6 +162,52 @@ contains
          where (calibration%data%kind == kind) calibration%data%deviation = value
       end subroutine weigh
    end subroutine set_data
+
+   !> Whether a calibration has load cases to predict.
+   elemental function predicts(calibration) result(yes)
+      type(calibration_type), intent(in) :: calibration
+      logical :: yes
+      yes = allocated(calibration%predicted)
+      if (yes) yes = size(calibration%predicted) > 0
+   end function predicts
+
+   !> The same unknowns for the load cases that are to be predicted: the hook load of each, and where torques are calibrated the
+   !> torque of those that turn. What is measured of them has no part in it.
+   pure function ahead_of(calibration, load_cases) result(ahead)
+      type(calibration_type), intent(in) :: calibration
+      type(load_case_type), intent(in) :: load_cases(:)
+      type(calibration_type) :: ahead
+      logical :: turns(size(calibration%predicted))
+      integer :: i, j, n, u
+      ahead = calibration
+      ahead%cases = calibration%predicted
+      deallocate (ahead%unknown_of, ahead%offset_of, ahead%data)
+      allocate (ahead%unknown_of(size(ahead%cases), size(ahead%holes)), ahead%offset_of(size(ahead%cases)), source=0)
+      do u = 1, size(ahead%unknowns)
+         associate (unknown => ahead%unknowns(u))
+            if (unknown%is_offset) ahead%offset_of = u
+            if (unknown%is_offset) cycle
+            do j = 1, size(ahead%holes)
+               if (ahead%by_hole .and. unknown%hole /= ahead%holes(j)) cycle
+               do i = 1, size(ahead%cases)
+                  if (ahead%by_operation .and. unknown%operation /= load_cases(ahead%cases(i))%operation) cycle
+                  ahead%unknown_of(i, j) = u
+               end do
+            end do
+         end associate
+      end do
+      turns = .false.
+      if (any(calibration%data%kind == torque_datum)) turns = rotates(load_cases(ahead%cases)%operation)
+      allocate (ahead%data(size(turns) + count(turns)))
+      n = 0
+      do i = 1, size(turns)
+         n = n + 1
+         ahead%data(n) = datum_type(i, hookload_datum)
+         if (.not. turns(i)) cycle
+         n = n + 1
+         ahead%data(n) = datum_type(i, torque_datum)
+      end do
+   end function ahead_of
 
    !> Number of the variance that the residuals must tell of each datum: one for hook loads, one for torques; 0 where the deck gives
    !> the deviation.

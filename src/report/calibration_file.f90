@@ -1,7 +1,7 @@
 !> calibration.csv: one row a factor; calibration_data.csv: one row a measured number, calculated before and after.
 module dg_calibration_file
    use dg_kinds, only: wp
-   use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, torque_datum
+   use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
@@ -13,6 +13,7 @@ module dg_calibration_file
    use dg_least_squares, only: fit_done
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
+   use dg_prediction_table, only: prediction_rows
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -73,7 +74,7 @@ module dg_calibration_file
 
 contains
 
-   !> Writes both files.
+   !> Writes all files.
    subroutine write_calibrations(job, model, owner, results, others, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -81,13 +82,14 @@ contains
       type(calibration_result_type), intent(in) :: results(:)
       type(text_type), intent(in) :: others(:)      !< rows of calibration.csv that follow
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: factors(:), data(:)
+      type(text_type), allocatable :: factors(:), data(:), predictions(:)
       type(field_list_type) :: row
       integer :: i, k
       call append_text(factors, csv_header(factor_columns, job%units))
       call append_text(data, csv_header(datum_columns, job%units))
       do i = 1, size(results)
          associate (calibration => job%calibrations(owner(i)))
+            if (predicts(calibration)) call prediction_rows(job, model, calibration, results(i), predictions)
             do k = 1, size(calibration%unknowns)
                call factor_fields(model, calibration, results(i), k, row)
                call append_text(factors, csv_row(factor_columns, job%units, row%fields))
@@ -103,6 +105,8 @@ contains
       end do
       call write_text_file(job%output_dir//'/calibration.csv', factors, error)
       if (.not. allocated(error) .and. size(results) > 0) call write_text_file(job%output_dir//'/calibration_data.csv', data, error)
+      if (.not. allocated(error) .and. allocated(predictions)) &
+         call write_text_file(job%output_dir//'/calibration_prediction.csv', predictions, error)
    end subroutine write_calibrations
 
    subroutine factor_fields(model, calibration, result, unknown, row)

@@ -1,5 +1,6 @@
 !> Names of the files of results, relative to the output folder. No other file is ever removed from it.
 module dg_result_name
+   use dg_calibration, only: predicts
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, to_text
@@ -13,8 +14,8 @@ module dg_result_name
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
-   character(*), parameter :: fixed_names(7) = [character(20) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
-                                                               'study.csv', 'calibration.csv', 'calibration_data.csv']
+   character(*), parameter :: fixed_names(8) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
+      'study.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
    !> Beginnings of names with something of the deck in them, and their endings.
    character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', &
                                                               'sweep_', 'uncertainty_']
@@ -77,6 +78,7 @@ contains
       if (job%merge == 0) then
          call add('calibration.csv', size(job%calibrations) + size(job%stickings) > 0)
          call add('calibration_data.csv', size(job%calibrations) > 0)
+         call add('calibration_prediction.csv', any(predicts(job%calibrations)))
          if (size(model%cases) > 0) call add_cases()
       end if
       if (job%parts > 0) n = 0

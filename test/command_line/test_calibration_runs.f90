@@ -23,6 +23,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('calibration_runs')
       call suite%addTest(TestMethod('known_friction', test_known))
+      call suite%addTest(TestMethod('predicted', test_predicted))
       call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
       call suite%addTest(TestMethod('threads', test_threads))
@@ -76,6 +77,46 @@ contains
       call assertEqual(along + 0.1_wp*across, number(lines(3)%text, 7), at_rest*along)
       call assertEqual(along + full + gauge, number(lines(3)%text, 8), at_rest*along)
    end subroutine test_known
+
+   !> One friction along a hole of one kind, from two hook loads that are 3 kN apart about what 0.2 gives: by hand 0.2 and s = 3 kN
+   !> with one degree of freedom (t = 12.706). The third case, at twice the depth, is predicted; 1 kN off it lies in its interval
+   !> of t s sqrt(1 + (x/x_1)^2/2). What is measured there changes nothing.
+   subroutine test_predicted()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: deck
+      real(wp), parameter :: t = 12.70620474_wp, s = 3.0_wp/1.4142135623730951_wp
+      real(wp) :: half
+      deck = straight_deck(0.5_wp*(along + 0.2_wp*across) + 1.5_wp, along - 0.2_wp*across - 1.0_wp, 60.0_wp, '')
+      deck = replaced(deck, "name = 'b', operation = 'up'", "name = 'b', operation = 'down'")
+      deck = replaced(deck, "name = 'c', operation = 'down', bit_depth = 1000, measured_hookload = "//to_text(60.0_wp), &
+                      "name = 'c', operation = 'up', bit_depth = 500, measured_hookload = "// &
+                      to_text(0.5_wp*(along + 0.2_wp*across) - 1.5_wp))
+      run = run_deck_text(deck//"&calibrate parameter = 'friction_axial', separate = 'none', predict = 'b' /"//newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '1 measured values predicted: mean error') > 0, message=run%output)
+      call assertTrue(index(run%output, '1 of 1 within their 95 % interval') > 0, message=run%output)
+      allocate (lines, source=lines_of(results_path//'/calibration_prediction.csv'))
+      call assertEqual(2, size(lines))
+      if (size(lines) /= 2) return
+      call assertEqual('b', field(lines(2)%text, 3))
+      call assertEqual(along - 0.2_wp*across, number(lines(2)%text, 6), at_rest*along)
+      half = t*s*sqrt(1.0_wp + 2.0_wp**2/2.0_wp)
+      call assertEqual(along - 0.2_wp*across - half, number(lines(2)%text, 7), 1.0e-4_wp*half)
+      call assertEqual(along - 0.2_wp*across + half, number(lines(2)%text, 8), 1.0e-4_wp*half)
+      call assertEqual('yes', field(lines(2)%text, 15))
+      call refuse_prediction("cases = 'a', 'b', 'c', predict = 'b'", 'is one of cases, so it would be no prediction')
+      call refuse_prediction("predict = 'bb'", "there is no load case 'bb'")
+      call refuse_prediction("predict = 'b', separate = 'depths'", 'predict has no meaning with a factor or an offset a depth')
+      call refuse_prediction("predict = 'b', separate = 'operations'", 'no measured case tells a factor of trip_in')
+   contains
+      subroutine refuse_prediction(keys, expected)
+         character(*), intent(in) :: keys, expected
+         run = run_deck_text(deck//"&calibrate parameter = 'friction_axial', "//keys//' /'//newline)
+         call assertEqual(2, run%status, message=keys)
+         call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+      end subroutine refuse_prediction
+   end subroutine test_predicted
 
    !> Friction 0.2 and 0.3, hook loads of tripping out and in at 500 and 1000 m with a noise of 3 kN, 100 times: the intervals
    !> of 95 % hold what is true in 95 % of them, within four standard errors (0.087), from the residuals (two degrees of freedom)

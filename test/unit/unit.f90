@@ -58,6 +58,7 @@ contains
       use dg_test_sweep, only: sweep_suite
       use dg_test_calibration, only: calibration_suite
       use dg_test_calibration_coverage, only: calibration_coverage_suite
+      use dg_test_prediction, only: prediction_suite
       use dg_test_ten_digits, only: ten_digits_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
@@ -115,6 +116,7 @@ contains
       call suite%addTest(sweep_suite())
       call suite%addTest(calibration_suite())
       call suite%addTest(calibration_coverage_suite())
+      call suite%addTest(prediction_suite())
       call suite%addTest(uncertainty_suite())
       call suite%addTest(stuck_string_suite())
       call suite%addTest(strength_suite())

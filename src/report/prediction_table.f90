@@ -1,0 +1,217 @@
+!> Predictions of a calibration in print and in calibration_prediction.csv: load cases that it has not seen, with the interval of
+!> a single measurement, beside what was measured where it was. Every line fits 120 columns.
+module dg_prediction_table
+   use dg_kinds, only: wp
+   use dg_calibration, only: ahead_of, calibration_type, hookload_datum
+   use dg_calibration_result, only: calibration_result_type
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+                        quantity_moment, quantity_percent, quantity_text
+   use dg_comparison, only: difference, known, percent_error
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name, optional_real
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: append_predictions, prediction_rows, prediction_columns
+
+   !> New ones are added at the end only: others rely on the names and the order.
+   type(column_type), parameter :: prediction_columns(15) = [ &
+      column_type('calibration', quantity_text, 'its name'), &
+      column_type('model', quantity_text, 'as in summary.csv'), &
+      column_type('case', quantity_text, 'load case that is predicted'), &
+      column_type('operation', quantity_text, 'long name of the operation'), &
+      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
+      column_type('predicted_hookload', quantity_force, 'by the factors found; with &rig as it shows; empty in rows of a torque'), &
+      column_type('lower_hookload', quantity_force, 'lower end of the interval in which one measurement lies with 95 %'), &
+      column_type('upper_hookload', quantity_force, 'upper end'), &
+      column_type('measured_hookload', quantity_force, 'as in the deck; the calibration has not used it'), &
+      column_type('predicted_torque', quantity_moment, 'the same of torque; empty in rows of a hook load'), &
+      column_type('lower_torque', quantity_moment, 'lower end'), &
+      column_type('upper_torque', quantity_moment, 'upper end'), &
+      column_type('measured_torque', quantity_moment, 'as in the deck'), &
+      column_type('error', quantity_percent, '100 |predicted - measured| / measured'), &
+      column_type('within', quantity_text, 'yes or no: the measured value lies in the interval; empty where there is none of them')]
+
+   integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20
+   real(wp), parameter :: one = 1.0_wp
+
+contains
+
+   !> The table, and how well the predictions hold.
+   subroutine append_predictions(lines, units, model, calibration, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      type(calibration_type) :: ahead
+      type(optional_real) :: value, measured, error
+      character(:), allocatable :: head, rule, interval, verdict
+      real(wp) :: unit
+      integer :: d, decimals
+      ahead = ahead_of(calibration, model%cases)
+      head = left_aligned('Predicted load case', name_width)//left_aligned('Quantity', quantity_width)// &
+             right_aligned('Predicted', cell_width)//right_aligned('95 % interval', interval_width)// &
+             right_aligned('Measured', cell_width)//right_aligned('Error %', cell_width)//'  Within'
+      rule = repeat('-', len(head))
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      do d = 1, size(ahead%data)
+         associate (datum => ahead%data(d), case => model%cases(ahead%cases(ahead%data(d)%case)), &
+                    half => result%prediction%half_width(d))
+            unit = merge(units%force, units%moment, datum%kind == hookload_datum)
+            decimals = merge(1, 2, datum%kind == hookload_datum)
+            value = known(result%prediction%values(d))
+            measured = measured_of(case, datum%kind)
+            error = optional_real()
+            if (value%present) error = percent_error(value%value, measured)
+            interval = '-'
+            if (.not. is_missing(half)) interval = shown(value%value - half)//' to '//shown(value%value + half)
+            verdict = within(result, d, measured)
+            if (verdict == 'yes') verdict = ''
+            call append_text(lines, trim(left_aligned(case%name, name_width)// &
+               left_aligned(quantity_words(units, datum%kind), quantity_width)//fixed_cell(value, unit, cell_width, decimals)// &
+               right_aligned(interval, interval_width)//fixed_cell(measured, unit, cell_width, decimals)// &
+               fixed_cell(error, one, cell_width, 2)//'  '//verdict))
+         end associate
+      end do
+      call append_text(lines, rule)
+      call append_verdict(lines, units, model, ahead, result)
+   contains
+      function shown(number) result(text)
+         real(wp), intent(in) :: number
+         character(:), allocatable :: text
+         text = trim(adjustl(fixed_cell(number/unit, cell_width, decimals)))
+      end function shown
+   end subroutine append_predictions
+
+   !> Errors of what was measured too, how many lie within their intervals, and what is left in the mean by operation.
+   subroutine append_verdict(lines, units, model, ahead, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: ahead
+      type(calibration_result_type), intent(in) :: result
+      type(optional_real) :: errors(size(ahead%data)), measured(size(ahead%data))
+      real(wp) :: excess(size(ahead%data))
+      integer :: operation(size(ahead%data)), d, o, judged, held
+      logical :: of_it(size(ahead%data))
+      character(:), allocatable :: text
+      judged = 0
+      held = 0
+      excess = 0.0_wp
+      do d = 1, size(ahead%data)
+         operation(d) = model%cases(ahead%cases(ahead%data(d)%case))%operation
+         measured(d) = measured_of(model%cases(ahead%cases(ahead%data(d)%case)), ahead%data(d)%kind)
+         if (is_missing(result%prediction%values(d))) measured(d) = optional_real()
+         if (.not. measured(d)%present) cycle
+         errors(d) = percent_error(result%prediction%values(d), measured(d))
+         excess(d) = measured(d)%value - result%prediction%values(d)
+         text = within(result, d, measured(d))
+         if (text /= '') judged = judged + 1
+         if (text == 'yes') held = held + 1
+      end do
+      if (.not. any(errors%present)) return
+      text = to_text(count(errors%present))//' measured values predicted: mean error '// &
+         two(sum(errors%value, mask=errors%present)/count(errors%present))//' %, worst '//two(maxval(errors%value))//' %'
+      if (judged > 0) text = text//'; '//to_text(held)//' of '//to_text(judged)//' within their 95 % interval'
+      call append_text(lines, text)
+      text = ''
+      do o = 1, operation_count
+         of_it = measured%present .and. operation == o .and. ahead%data%kind == hookload_datum
+         if (any(of_it)) text = text//'; '//trim(operation_label(o))//' '// &
+            two(sum(excess, mask=of_it)/count(of_it)/units%force)
+      end do
+      if (text /= '') call append_text(lines, 'Measured less predicted hook load in the mean, '//trim(units%force_label)//': '// &
+                                       text(len('; ') + 1:))
+   contains
+      function two(number) result(shown)
+         real(wp), intent(in) :: number
+         character(:), allocatable :: shown
+         shown = trim(adjustl(fixed_cell(number, cell_width, 2)))
+      end function two
+   end subroutine append_verdict
+
+   !> Rows of calibration_prediction.csv of a calibration.
+   subroutine prediction_rows(job, model, calibration, result, lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      type(text_type), allocatable, intent(inout) :: lines(:)      !< the header comes first, where there is nothing yet
+      type(calibration_type) :: ahead
+      type(field_list_type) :: row
+      type(optional_real) :: measured
+      integer :: d
+      if (.not. allocated(lines)) call append_text(lines, csv_header(prediction_columns, job%units))
+      if (.not. allocated(result%prediction%values)) return
+      ahead = ahead_of(calibration, model%cases)
+      do d = 1, size(ahead%data)
+         associate (case => model%cases(ahead%cases(ahead%data(d)%case)), kind => ahead%data(d)%kind, &
+                    value => result%prediction%values(d), half => result%prediction%half_width(d))
+            measured = measured_of(case, kind)
+            row%count = 0
+            call put(row, calibration%name)
+            call put(row, trim(model_name(result%model)))
+            call put(row, case%name)
+            call put(row, trim(operation_name(case%operation)))
+            call put(row, case%bit_depth)
+            if (kind /= hookload_datum) call skip(row)
+            call put(row, known(value))
+            call put(row, known(difference(value, half)))
+            call put(row, known(difference(value, difference(0.0_wp, half))))
+            call put(row, measured)
+            if (kind == hookload_datum) call skip(row)
+            if (is_missing(value)) then
+               call put_none(row)
+            else
+               call put(row, percent_error(value, measured))
+            end if
+            call put(row, within(result, d, measured))
+            call append_text(lines, csv_row(prediction_columns, job%units, row%fields))
+         end associate
+      end do
+   contains
+      !> The four columns of the other quantity.
+      subroutine skip(fields)
+         type(field_list_type), intent(inout) :: fields
+         integer :: i
+         do i = 1, 4
+            call put_none(fields)
+         end do
+      end subroutine skip
+   end subroutine prediction_rows
+
+   !> Whether a measured value lies in its interval: yes, no, or nothing where there is no value or no interval.
+   pure function within(result, number, measured) result(text)
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: number
+      type(optional_real), intent(in) :: measured
+      character(:), allocatable :: text
+      text = ''
+      if (is_missing(result%prediction%half_width(number)) .or. .not. measured%present) return
+      text = 'no'
+      if (abs(measured%value - result%prediction%values(number)) <= result%prediction%half_width(number)) text = 'yes'
+   end function within
+
+   pure function measured_of(load_case, kind) result(measured)
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: kind
+      type(optional_real) :: measured
+      measured = load_case%measured_torque
+      if (kind == hookload_datum) measured = load_case%measured_hookload
+   end function measured_of
+
+   pure function quantity_words(units, kind) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: kind
+      character(:), allocatable :: text
+      text = 'hook load, '//trim(units%force_label)
+      if (kind /= hookload_datum) text = 'torque, kN.m'
+      if (kind /= hookload_datum .and. units%name == 'field') text = 'torque, kft.lbf'
+   end function quantity_words
+end module dg_prediction_table
