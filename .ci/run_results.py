@@ -25,7 +25,7 @@ SMALL_STRAIN = 0.01          # stretch over length
 # Solutions that a calibration takes for each of its cases.
 FIT = 50
 TEXTS = {"case", "section", "model", "operation", "status", "message", "gap_state", "judged_by", "kind", "buckling", "shape", "hole", "fidelity",
-         "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied"}
+         "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied", "governing_limit"}
 NO_NUMBER = re.compile(r"[-+]?(nan(\(.*\))?|inf(inity)?|\*+)", re.I)
 GRAVITY = 9.80665
 COMPONENT = re.compile(r"^  (?:.*) \(.*\): (to surface|\S+ (?:m|ft)), od \S+ (?:mm|in), .*?(\S+) (?:kg/m|lbm/ft), density (\S+) ")
