@@ -7,11 +7,14 @@ module dg_walls
    use dg_numerics, only: gap_at_nodes, numerics_type
    implicit none
    private
-   public :: softness, lay_out_gaps, tolerance_at
+   public :: softness, lay_out_gaps, left_by_walls, tolerance_at
 
    !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
    !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
    real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
+   !> The same of an element's shape, times 12 EI/L^3: collars in an element of 4 mm, between a station and the end of a component,
+   !> have 0.1 N of it [m].
+   real(wp), parameter :: round_off_of_shapes = 4.0_wp*epsilon(1.0_wp)
    !> The loosest that the iteration works with [-]: what is left at many nodes adds up in the sum of contact.
    real(wp), parameter :: loosest = 1.0e-6_wp
    !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
@@ -31,14 +34,24 @@ contains
       if (pressing > 0.0_wp) share = min(1.0_wp, pressing/(soft_penetration*maxval(mesh%wall)))
    end function softness
 
-   !> Tolerance of the residual over the force scale [-].
-   pure function tolerance_at(numerics, gaps, force_scale) result(tolerance)
+   !> Tolerance of the residual over the force scale [-]: no less than what round-off leaves at stiff walls and short elements.
+   pure function tolerance_at(numerics, mesh, gaps, force_scale) result(tolerance)
       type(numerics_type), intent(in) :: numerics
+      type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance
-      tolerance = max(min(numerics%tolerance, loosest), round_off_of_places*maxval(gaps%law%maximum)/force_scale)
+      tolerance = max(min(numerics%tolerance, loosest), left_by_walls(gaps, force_scale), &
+                      round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
    end function tolerance_at
+
+   !> What round-off leaves at the stiffest wall, over the force scale [-].
+   pure function left_by_walls(gaps, force_scale) result(left)
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: force_scale    !< [N]
+      real(wp) :: left
+      left = round_off_of_places*maxval(gaps%law%maximum)/force_scale
+   end function left_by_walls
 
    !> A table of free gaps with their laws, at their first places.
    pure subroutine lay_out_gaps(numerics, mesh, gaps)

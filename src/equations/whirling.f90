@@ -20,7 +20,7 @@ module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_mesh, only: is_straight_down, mesh_type
+   use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
    use dg_scatter, only: element_type, part_all, part_energy, part_rest
    use dg_soft_string_loads, only: coiling_load, soft_string_at
@@ -49,26 +49,50 @@ module dg_whirling
 contains
 
    !> Share of circumferential friction's force that climbs, by element [-]: 1 but where friction acts on a string that the soft one
-   !> finds compressed near buckling, and in a vertical hole where any torque does.
-   pure subroutine find_climb(model, case_index, mesh, climb)
+   !> finds compressed near buckling; in a vertical stretch of hole in which it is compressed at all, as no weight holds it to
+   !> a side there; and in a vertical hole where any torque does.
+   pure subroutine find_climb(model, case_index, mesh, compressed, climb)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: compressed        !< largest compression of the soft string over its coiling load [-]
       real(wp), intent(out) :: climb(:)
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
-      logical :: vertical
+      logical :: vertical(mesh%nodes)
       integer :: e
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
       climb = 1.0_wp
-      vertical = is_straight_down(mesh)
+      vertical = mesh%frame(3, 1, :) > upright
+      if (.not. compressed > 0.0_wp .or. .not. (any(mesh%rotary > 0.0_wp) .or. all(vertical))) return
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
       do e = 1, mesh%elements
-         if (.not. (mesh%rotary(e) > 0.0_wp .or. vertical)) cycle
+         if (.not. (mesh%rotary(e) > 0.0_wp .or. all(vertical))) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp) &
                  /max(coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e)), tiny(1.0_wp))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
       end do
+      if (.not. all(vertical)) call free_vertical_stretches(vertical, axial, mesh%rotary, climb)
    end subroutine find_climb
+
+   !> Lets nothing climb in a vertical stretch with compression in it.
+   pure subroutine free_vertical_stretches(vertical, axial, rotary, climb)
+      logical, intent(in) :: vertical(:)        !< the hole, at the nodes
+      real(wp), intent(in) :: axial(:)          !< of the soft string, at the nodes [N]
+      real(wp), intent(in) :: rotary(:)         !< circumferential friction factor, by element [-]
+      real(wp), intent(inout) :: climb(:)
+      integer :: first, last
+      first = 1
+      do while (first < size(vertical))
+         last = first
+         do while (last < size(vertical))
+            if (.not. (vertical(last) .and. vertical(last + 1))) exit
+            last = last + 1
+         end do
+         if (last > first .and. any(axial(first:last) < 0.0_wp)) &
+            where (rotary(first:last - 1) > 0.0_wp) climb(first:last - 1) = 0.0_wp
+         first = last + 1
+      end do
+   end subroutine free_vertical_stretches
 
    !> Friction's torque on both nodes of an element: takes it off their torque residuals, adds its moments on the directors d to
    !> `force` and, where it is wanted, a part of its tangent to the element's.

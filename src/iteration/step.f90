@@ -19,8 +19,8 @@ module dg_step
    use dg_trajectory, only: trajectory_type
    use dg_tuning, only: tuning_type
    use dg_viscosity, only: add_viscosity, weigh_all
-   use dg_wall_turn, only: turn_along_wall
-   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
+   use dg_node_moves, only: move_across, slide_along, split_step
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_twist, place_nodes, workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_step, search_along, go_back, look, measure, move_gaps, settle
@@ -58,7 +58,9 @@ module dg_step
       real(wp) :: old_growth = 1.0_wp
       integer :: rounds = 0, round_start = 0
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
-      real(wp), allocatable :: move(:, :)     !< the step in space (6,nodes)
+      real(wp), allocatable :: move(:, :)     !< that share of the step, in space (6,nodes)
+      real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
+      real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
@@ -87,7 +89,8 @@ contains
       it%growth = numerics%tuning%growth
       it%watched = watched
       call new_contact_problem(mesh, unknowns, it%problem)
-      allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), source=0.0_wp)
+      allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+                it%slide(mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
       if (watched) call make_room_to_watch(mesh, it)
@@ -122,7 +125,7 @@ contains
             it%outcome = outcome_singular
             return
          end if
-         reach = reach_of(equations, mesh)
+         call find_reach(it, equations, trajectory, mesh, work, reach)
          if ((reach > it%numerics%step_limit .or. .not. energy_slope(equations, it%problem%load) < 0.0_wp) &
              .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
@@ -130,18 +133,20 @@ contains
             call swap_matrices(equations%matrix, it%energy)
          end if
       end if
-      if (it%watched) call find_held_step(it, equations, mesh, gaps, state, work, reach)
+      if (it%watched) call find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
       if (it%outcome == outcome_singular) return
       it%row%viscosity = it%viscosity
-      it%row%lateral_step = maxval(abs(equations%step(equations%laterals(1):equations%laterals(2), :)))
+      it%row%lateral_step = maxval(abs(it%across(1:2, :)))
       it%share = 1.0_wp/max(1.0_wp, reach)
       equations%step = it%share*equations%step
+      it%move = it%share*it%move
    end subroutine find_step
 
    !> The step of a string that is watched.
-   subroutine find_held_step(it, equations, mesh, gaps, state, work, reach)
+   subroutine find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
@@ -173,7 +178,7 @@ contains
                live = .false.          ! friction's tangent leads uphill: its forces are left as they are
                it%problem%closed = gaps%state /= state_free
             end do
-            reach = reach_of(equations, mesh)
+            call find_reach(it, equations, trajectory, mesh, work, reach)
             if (reach <= it%numerics%step_limit .or. hold == tuning%most_holds) exit
             it%viscosity = max(it%viscosity, tuning%viscosity_start)*tuning%held_more
          end do
@@ -211,18 +216,26 @@ contains
       margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
    end function margin_of
 
-   !> Largest lateral step of a node over its clearance [-].
-   pure function reach_of(equations, mesh) result(reach)
+   !> Largest move of a node across the hole by the step, over its clearance [-]; the step is taken apart for it.
+   pure subroutine find_reach(it, equations, trajectory, mesh, work, reach)
+      type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(in) :: equations
+      type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      real(wp) :: reach
+      type(workspace_type), intent(in) :: work       !< nodes placed where the step begins
+      real(wp), intent(out) :: reach
       integer :: n
+      if (equations%planar) then
+         call unfold(equations%plane, equations%step, it%move)
+      else
+         it%move = equations%step
+      end if
+      call split_step(trajectory, mesh, work, it%move, it%slide, it%across)
       reach = 0.0_wp
       do n = 1, mesh%nodes
-         reach = max(reach, norm2(equations%step(equations%laterals(1):equations%laterals(2), n)) &
-                            /mesh%clearance(min(n, mesh%elements)))
+         reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
       end do
-   end function reach_of
+   end subroutine find_reach
 
    !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow
    !> from the contact forces by statics, with nothing to be held back.
@@ -255,11 +268,6 @@ contains
          moved(e) = change_of_gap(it%problem, equations%step, e)/it%share
       end do
       it%slope = slope_at_start(it, equations, work%normal)
-      if (equations%planar) then
-         call unfold(equations%plane, equations%step, it%move)
-      else
-         it%move = equations%step
-      end if
       call find_lengths(mesh, work, state, it%move, it%length, it%longer)
       associate (tuning => it%numerics%tuning)
          do search = 0, tuning%most_searches
@@ -342,18 +350,18 @@ contains
       real(wp), intent(inout) :: state(:, :)
       real(wp) :: slide
       integer :: e
-      if (it%watched) then
-         call turn_along_wall(it%numerics%tuning, trajectory, mesh, work, it%move, state)
-      else
-         state = state + it%move
-      end if
+      call move_across(it%numerics%tuning%turned_beyond, it%watched, trajectory, mesh, work, it%share*it%across, state)
+      state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
+      do e = 1, mesh%nodes
+         call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))
+      end do
       call place_nodes(mesh, state, work)
       if (.not. it%numerics%tuning%keep_lengths) return
       slide = 0.0_wp
       do e = 1, mesh%elements
          slide = slide + it%length(e) + it%longer(e) - membrane_length(mesh%chord(:, e) + (work%shift(:, e + 1) &
                                                                        - work%shift(:, e)), work%d(:, e), work%d(:, e + 1))
-         state(dof_axial, e + 1) = state(dof_axial, e + 1) + slide
+         call slide_along(trajectory, mesh, e + 1, slide, state(:, e + 1))
       end do
       call place_nodes(mesh, state, work)
    end subroutine move_string

@@ -241,7 +241,9 @@ contains
       call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
                           residual)
       stays = outcome == outcome_converged
-      if (stays) stays = residual <= tolerance_at(numerics, string%gaps, string%equations%force_scale)*string%equations%force_scale
+      associate (force_scale => string%equations%force_scale)
+         if (stays) stays = residual <= tolerance_at(numerics, string%mesh, string%gaps, force_scale)*force_scale
+      end associate
    end subroutine try_in_plane
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
@@ -290,7 +292,8 @@ contains
       type(equilibrium_type), intent(out) :: it
       associate (equations => string%equations)
          if (equations%planar) call flatten(equations%plane, string%state)
-         call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%gaps, equations%force_scale), &
+         call new_equilibrium(string%mesh, string%loads, numerics, &
+                              tolerance_at(numerics, string%mesh, string%gaps, equations%force_scale), &
                               string%pressing, string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, &
                               equations%unknowns, it)
       end associate
@@ -309,7 +312,7 @@ contains
       real(wp), allocatable :: state(:, :)
       call new_mesh(model, model%cases(case_index), cut_elements(model, string%mesh, marked), fine)
       call new_workspace(fine, work)
-      if (string%compressed > buckling_share) call find_climb(model, case_index, fine, work%climb)
+      call find_climb(model, case_index, fine, string%compressed, work%climb)
       call lay_out_gaps(numerics, fine, gaps)
       allocate (state(6, fine%nodes))
       call take_over(model%trajectory, string%mesh, string%work, string%gaps, string%state, fine, state, gaps, work%normal)
@@ -328,7 +331,7 @@ contains
       associate (numerics => model%numerics, equations => string%equations, mesh => string%mesh, &
                  load_case => model%cases(case_index))
          call new_workspace(mesh, string%work)
-         if (string%compressed > buckling_share) call find_climb(model, case_index, mesh, string%work%climb)
+         call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
          allocate (string%state(6, mesh%nodes))
          call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
                           string%way)

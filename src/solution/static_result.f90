@@ -16,7 +16,7 @@ module dg_static_result
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
-   use dg_walls, only: tolerance_at
+   use dg_walls, only: left_by_walls
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
@@ -70,7 +70,7 @@ contains
       select case (outcome)
       case (outcome_converged)
          result%status = result_converged
-         if (whirls) call tell_whirling(mesh, work%climb, result)
+         if (whirls) call tell_whirling(mesh, work, result)
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
@@ -128,16 +128,17 @@ contains
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.
-   pure subroutine tell_whirling(mesh, climb, result)
+   pure subroutine tell_whirling(mesh, work, result)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: climb(:)      !< share of circumferential friction's force, by element [-]
+      type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
       real(wp) :: friction, length
-      friction = maxval(mesh%rotary, mask=climb < 1.0_wp)
-      length = sum(mesh%length, mask=climb < 1.0_wp .and. mesh%rotary > 0.0_wp)
-      call add_message(result, 'the string whirls: near its buckling load over '//to_text(length, shown)// &
-                       ' m friction does not hold it on one side of the hole and is left out of its balance across, without '// &
-                       'inertia; the hook load is firm, contact force and friction torque there may be less by up to '// &
+      friction = maxval(mesh%rotary, mask=work%climb < 1.0_wp)
+      length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp .and. work%axial < 0.0_wp)
+      call add_message(result, 'the string whirls: over '//to_text(length, shown)//' m, where it is compressed in a vertical '// &
+                       'hole or near its buckling load, friction does not hold it on one side of the hole and is left out of '// &
+                       'its balance across, without inertia; the hook load is firm, contact force and friction torque there '// &
+                       'may be less by up to '// &
                        to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' %')
    end subroutine tell_whirling
 
@@ -156,7 +157,7 @@ contains
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
-      stiff = tolerance_at(numerics, gaps, force_scale) > numerics%tolerance
+      stiff = left_by_walls(gaps, force_scale) > numerics%tolerance
       left = 'forces are '//to_text(result%equilibrium_force/kilonewton, shown)//' kN out of balance'
       if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
          result%status = result_not_converged

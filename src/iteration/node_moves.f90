@@ -1,0 +1,120 @@
+!> Steps of a string that lies against a round wall, in a hole that bends.
+module dg_node_moves
+   use dg_kinds, only: wp
+   use dg_arc, only: point_on_arc
+   use dg_gap_survey, only: node_offset
+   use dg_mesh, only: mesh_type
+   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
+   implicit none
+   private
+   public :: split_step, move_across, slide_along
+
+   !> Slides along the hole shorter than this are straight [m]: in a hole of 10 m radius a slope is off by 1e-6 then.
+   real(wp), parameter :: shortest_slide = 1.0e-5_wp
+
+contains
+
+   !> Takes a step (6,nodes) of every node apart where the node is now: the way it slides along the hole, and what moves it across.
+   !> A node that has slid by metres has another tangent than the one that its unknowns go by.
+   pure subroutine split_step(trajectory, mesh, work, step, slide, across)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work       !< nodes placed
+      real(wp), intent(in) :: step(:, :)
+      real(wp), intent(out) :: slide(:)              !< [m]
+      real(wp), intent(out) :: across(:, :)          !< lateral (2) and slopes (2) by node [m, -]
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3), foot, local(3)
+      integer :: n, arc
+      do n = 1, mesh%nodes
+         arc = mesh%arc(n)
+         point = mesh%base(:, n) + work%shift(:, n)
+         call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
+         local = matmul(tangent, mesh%frame(:, :, n))
+         slide(n) = dot_product(step(:3, n), local)
+         across(1:2, n) = step(dof_lateral_1:dof_lateral_2, n) - slide(n)*local(2:3)
+         local = matmul(curvature, mesh%frame(:, :, n))
+         across(3:4, n) = step(dof_slope_1:dof_slope_2, n) - slide(n)*local(2:3)
+      end do
+   end subroutine split_step
+
+   !> Moves the nodes across the hole. Where that is wanted (`turning`), what moves a node across its offset from the hole axis is
+   !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
+   !> lines a string on a round wall could only creep.
+   pure subroutine move_across(beyond, turning, trajectory, mesh, work, across, state)
+      real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over their clearance [-]
+      logical, intent(in) :: turning
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work       !< nodes placed at `state`
+      real(wp), intent(in) :: across(:, :)
+      real(wp), intent(inout) :: state(:, :)
+      real(wp) :: gap(3), tangent(3), offset(2), move(2), slope(2), square, along, turn
+      integer :: n
+      do n = 1, mesh%nodes
+         move = across(1:2, n)
+         slope = state(dof_slope_1:dof_slope_2, n)
+         square = 0.0_wp
+         if (turning) then
+            call node_offset(trajectory, mesh, work, n, gap, tangent)
+            offset = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
+            square = sum(offset**2)
+         end if
+         if (square > (beyond*mesh%clearance(min(n, mesh%elements)))**2) then
+            turn = (offset(1)*move(2) - offset(2)*move(1))/square
+            along = dot_product(move, offset)/square
+            move = turned((1.0_wp + along)*offset, turn) - offset
+            slope = turned(slope + across(3:4, n) - turn*[-slope(2), slope(1)], turn)
+         else
+            slope = slope + across(3:4, n)
+         end if
+         state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + move
+         state(dof_slope_1:dof_slope_2, n) = slope
+      end do
+   end subroutine move_across
+
+   !> Slides a node along the hole by `distance` [m]: its place follows the hole's bend, its slope turns with the hole. Elastic
+   !> strings stretch by metres, on which a bend leaves its tangent by more than the clearance.
+   pure subroutine slide_along(trajectory, mesh, node, distance, state)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      real(wp), intent(in) :: distance
+      real(wp), intent(inout) :: state(:)        !< of the node
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3), way(3), turn(3), foot
+      integer :: arc
+      arc = mesh%arc(node)
+      point = mesh%base(:, node) + matmul(mesh%frame(:, :, node), state(:3))
+      call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
+      if (abs(distance) < shortest_slide) then
+         way = distance*tangent
+         turn = distance*curvature
+      else
+         call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
+         way = -point
+         foot = foot + distance
+         do while (foot > trajectory%arcs(arc)%length .and. arc < size(trajectory%arcs))
+            foot = foot - trajectory%arcs(arc)%length
+            way = way + trajectory%arcs(arc)%chord
+            arc = arc + 1
+         end do
+         do while (foot < 0.0_wp .and. arc > 1)
+            arc = arc - 1
+            foot = foot + trajectory%arcs(arc)%length
+            way = way - trajectory%arcs(arc)%chord
+         end do
+         call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
+         way = way + point
+         turn = turn - tangent
+      end if
+      state(:3) = state(:3) + matmul(way, mesh%frame(:, :, node))
+      turn = matmul(turn, mesh%frame(:, :, node))
+      state(dof_slope_1:dof_slope_2) = state(dof_slope_1:dof_slope_2) + turn(2:3)
+   end subroutine slide_along
+
+   pure function turned(a, angle) result(b)
+      real(wp), intent(in) :: a(2), angle
+      real(wp) :: b(2)
+      b = [cos(angle)*a(1) - sin(angle)*a(2), sin(angle)*a(1) + cos(angle)*a(2)]
+   end function turned
+end module dg_node_moves
