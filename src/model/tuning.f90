@@ -21,7 +21,7 @@ module dg_tuning
       !> settle more slowly and more surely. The third has the gaps at their other place: short packed assemblies may have no
       !> equilibrium at the place asked for.
       type(attempt_type) :: attempt(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
-                                          attempt_type(150, 100.0_wp, other_place=.true.)]
+                                          attempt_type(100, 100.0_wp, other_place=.true.)]
       !> How many of them are made, at most 3.
       integer :: most_attempts = 3
       !> Times that elements are cut where the string stands outside its hole.
@@ -94,7 +94,7 @@ module dg_tuning
       !> Residual over the force scale next to an equilibrium [-]: there a string that would count as stable is not held.
       real(wp) :: near = 1.0e-4_wp
 
-      ! ---- the step (dg_step, dg_wall_turn, dg_equilibrium)
+      ! ---- the step (dg_step, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.
       !> Nodes so far off the axis, over the clearance, are turned about it [-].

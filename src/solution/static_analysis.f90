@@ -79,7 +79,7 @@ contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
    !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no equilibrium a finer
-   !> one has what is left of the iterations.
+   !> one has the first attempt once more.
    subroutine solve_static_analysis(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -102,6 +102,7 @@ contains
           .not. work_is_done(result) .and. .not. is_interrupted()) then
          history = result%history
          given_up = result%iterations
+         most = min(most, given_up + model%numerics%tuning%attempt(1)%longest)
          call solve_on_mesh(model, case_index, length, most, moments, history, result)
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
             to_text(length, shown)//' m: longer ones found no equilibrium in '//to_text(given_up)//' iterations')
