@@ -298,6 +298,7 @@ contains
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
       if (is_given(group, 'gap_location') .and. is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
+      numerics%friction_range = logical_of(group, 'friction_range', numerics%friction_range)
       if (is_given(group, 'in_plane') .and. is_sound(group, 'in_plane')) &
          numerics%in_plane = text_of(group, 'in_plane', '') == 'auto'
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'

@@ -40,6 +40,7 @@ module dg_numerics
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
       logical :: moments = .false.             !< moments along the string are found on elements short enough for them
       logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
+      logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
       logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 600          !< in all load steps of a case together

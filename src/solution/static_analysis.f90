@@ -58,8 +58,13 @@ module dg_static_analysis
    real(wp), parameter :: most_work = 1.0e7_wp
    !> The result says how far moments may be off when that is more than this part of the largest moment [-].
    real(wp), parameter :: doubtful = 0.05_wp
-   !> Digits of a length in a message.
-   integer, parameter :: shown = 2
+   !> Compression over the coiling load from which a string is taken for coiled [-].
+   real(wp), parameter :: coiled = 1.0_wp
+   !> Range of the hook load over the largest axial force from which on it is told [-].
+   real(wp), parameter :: worth_telling = 5.0e-3_wp
+   !> Digits of a length and of a force in a message.
+   integer, parameter :: shown = 2, digits = 4
+   real(wp), parameter :: kilonewton = 1000.0_wp
 
    !> A load case on a mesh, and where its string is.
    type :: string_type
@@ -107,9 +112,38 @@ contains
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
             to_text(length, shown)//' m: longer ones found no equilibrium in '//to_text(given_up)//' iterations')
       end if
+      if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
+         call find_range(model, case_index, result)
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis
+
+   !> Solves a string whose coils friction holds once more, from the low side of the hole: where they lie, and so what of a push
+   !> reaches the bit, depends on how they came to be. The result has the helix that is predicted; a message gives the range.
+   subroutine find_range(model, case_index, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(inout) :: result
+      type(model_type) :: lying
+      type(case_result_type) :: other
+      lying = model
+      lying%numerics%tuning%start_buckled = .false.
+      lying%numerics%tuning%most_attempts = 1
+      call solve_on_mesh(lying, case_index, result%element_lengths(2), lying%numerics%tuning%attempt(1)%longest, .false., &
+                         [iteration_type ::], other)
+      if (other%status /= result_converged) then
+         call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria; from '// &
+                          'the low side of the hole none was found in '//to_text(other%iterations)//' iterations, so the '// &
+                          'range of the hook load is not known')
+         return
+      end if
+      result%hookload_range = [min(result%hookload, other%hookload), max(result%hookload, other%hookload)]
+      if (result%hookload_range(2) - result%hookload_range(1) < worth_telling*max(abs(result%hookload), &
+                                                                             maxval(abs(result%profile%axial)))) return
+      call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria: from '// &
+                       'another start, on the low side of the hole, the hook load is '// &
+                       to_text(other%hookload/kilonewton, digits)//' kN')
+   end subroutine find_range
 
    !> Whether a mesh has had the work that it may have, but for its last iteration.
    pure function work_is_done(result) result(done)
@@ -177,6 +211,7 @@ contains
             call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
          call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
          result%stability_margin = margin
+         result%coils_slide = string%compressed > coiled .and. any(abs(mesh%axial) > 0.0_wp)
          result%way = string%way
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
