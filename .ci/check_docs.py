@@ -20,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Tables of columns and the files that they are of.
 COLUMNS = {
     "study_columns": "study.csv",
+    "steering_columns": "steering.csv",
     "summary_columns": "summary.csv",
     "profile_columns": "profile_<case>_<model>.csv",
     "limits_columns": "limits.csv",

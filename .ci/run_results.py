@@ -142,6 +142,8 @@ def faults_of_results(out, status, deck, echo_text=None, order=True):
         if name.startswith("uncertainty_"):
             marked += sum(row.get("not_converged") not in ("0", "") for row in rows)
             found += faults_of_quantiles(name, rows)
+        if name == "steering.csv":
+            marked += sum(row["status"] == "not_converged" for row in rows)
         if name == "calibration.csv":
             marked += sum(row["verdict"] != "found" for row in rows)
         if name.startswith("sweep_"):

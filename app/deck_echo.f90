@@ -80,6 +80,8 @@ contains
       call add_sweeps(lines, job)
       call add_uncertainties(lines, job)
       call add_numerics(lines, job%units, model%numerics)
+      if (allocated(job%steering)) call append_text(lines, 'steering    '//to_text(size(job%steering%cases))//' cases, '// &
+         to_text(max(size(job%steering%toolfaces), 1))//' toolfaces')
       if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
                                                  ' variants of '//to_text(size(job%study%cases))//' cases')
    end subroutine echo_lines

@@ -24,6 +24,7 @@ module dg_run_deck
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
+   use dg_run_steering, only: run_steering
    use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
    use dg_run_sweeps, only: prepare_sweeps, run_sweep, sweep_run_type
@@ -173,7 +174,7 @@ contains
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
-      integer :: i
+      integer :: i, lost
       call solve_all(job, model, results, alongs, wholes, status)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
@@ -196,6 +197,11 @@ contains
       if (allocated(job%study)) then
          call run_study(printed, job, model, error)
          call note_failure(error, status)
+      end if
+      if (allocated(job%steering) .and. .not. is_interrupted()) then
+         call run_steering(printed, job, model, lost, error)
+         call note_failure(error, status)
+         if (lost > 0) status = graver(status, status_not_converged)
       end if
       call flush_output()
       if (is_interrupted()) then

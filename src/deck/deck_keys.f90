@@ -11,7 +11,7 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(15) = [ &
+   type(group_rule_type), parameter :: group_rules(16) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
@@ -29,6 +29,7 @@ module dg_deck_keys
          meaning='quantiles of hook load and torque against depth, where well, mud and gauges are not known for sure'), &
       group_rule_type('calibrate', repeatable=.true., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
+      group_rule_type('steering', meaning='where assemblies drill to: bit side force, tilt, build and turn rate'), &
       group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
 
    ! Bounds [deck units of SI].
@@ -286,6 +287,15 @@ module dg_deck_keys
       key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
          meaning='beside the element_lengths, each with what it sets in the solver')]
 
+   type(key_rule_type), parameter :: steering_keys(4) = [ &
+      key_rule_type('steering', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
+      key_rule_type('steering', 'toolfaces', unit=unit_angle, array=.true., low=-360.0_wp, high=360.0_wp, &
+         meaning='each case at each of them; default the toolface of the case'), &
+      key_rule_type('steering', 'length', unit=unit_length, low=10.0_wp, high=1.0e3_wp, default='150', &
+         meaning='of the string above the bit that is solved'), &
+      key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
+         meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone')]
+
    type(key_rule_type), parameter :: sweep_keys(16) = [ &
       key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
@@ -419,6 +429,7 @@ contains
       case ('calibrate'); rules = calibrate_keys
       case ('legacy'); rules = legacy_keys
       case ('study'); rules = study_keys
+      case ('steering'); rules = steering_keys
       case default; allocate (rules(0))
       end select
    end function keys_of

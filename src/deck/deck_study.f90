@@ -10,7 +10,7 @@ module dg_deck_study
    use dg_text, only: quoted, suggestion, text_type, to_text
    implicit none
    private
-   public :: take_study
+   public :: take_study, take_cases
 
    !> Letters of a load case's name that a suggestion repeats.
    integer, parameter :: name_shown = 64
@@ -83,7 +83,7 @@ contains
             if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
          end do
          if (found == 0) then
-            call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &study: there is no load case '// &
+            call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &'//group%name//': there is no load case '// &
                            quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
          else if (.not. any(cases == found)) then
             cases = [cases, found]

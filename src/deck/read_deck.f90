@@ -9,6 +9,7 @@ module dg_read_deck
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: draft_type
    use dg_deck_legacy, only: take_legacy
+   use dg_deck_steering, only: take_steering
    use dg_deck_sticking, only: take_stickings
    use dg_deck_study, only: take_study
    use dg_deck_keys, only: group_rules
@@ -95,6 +96,7 @@ contains
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)
       call take_study(draft, checked, job%models, job%study, faults)
+      call take_steering(draft, checked, job%steering, faults)
       call take_calibrations(draft, checked, job%calibrations, faults)
       call take_stickings(draft, checked, job%stickings, faults)
       call take_uncertainties(draft, checked, job%models, job%calibrations, job%uncertainties, faults)

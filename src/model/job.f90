@@ -4,6 +4,7 @@ module dg_job
    use dg_design_factors, only: design_factors_type
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
+   use dg_steering, only: steering_type
    use dg_sticking, only: sticking_type
    use dg_study_plan, only: study_plan_type
    use dg_sweep, only: sweep_type
@@ -34,6 +35,7 @@ module dg_job
       type(sweep_type), allocatable :: sweeps(:) !< over bit depth
       type(calibration_type), allocatable :: calibrations(:) !< of friction, from measurements
       type(uncertainty_type), allocatable :: uncertainties(:) !< Monte Carlo over bit depth
+      type(steering_type), allocatable :: steering      !< assemblies that are asked where they drill to; not allocated: none
       type(sticking_type), allocatable :: stickings(:) !< strings that are held, from measurements
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       type(design_factors_type) :: design      !< of strengths

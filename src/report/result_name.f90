@@ -14,8 +14,8 @@ module dg_result_name
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
-   character(*), parameter :: fixed_names(8) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
-      'study.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
+   character(*), parameter :: fixed_names(9) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
+      'study.csv', 'steering.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
    !> Beginnings of names with something of the deck in them, and their endings.
    character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', &
                                                               'sweep_', 'uncertainty_']
@@ -100,6 +100,7 @@ contains
          call add('limits.csv', .true.)
          call add('results.h5', job%hdf5)
          call add('study.csv', allocated(job%study))
+         call add('steering.csv', allocated(job%steering))
          if (allocated(job%legacy)) then
             do i = 1, size(job%legacy)
                call add('legacy_'//job%legacy(i)%label//'.csv', .true.)

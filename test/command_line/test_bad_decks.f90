@@ -189,6 +189,9 @@ contains
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5", 12, 'bend needs bend_position')
+      call refuse("&boundary", "&steering side_cutting = 0.1 /"//newline//"&boundary", 15, 'side_cutting goes by weight on bit')
+      call refuse("&boundary", "&steering cases = 'nobody' /"//newline//"&boundary", 15, &
+                  "group &steering: there is no load case 'nobody'")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5, bend_position = 120", 12, &
                   'bend_position = 120 is greater than length = 100')
       call refuse("od = 171.45", "od = 171.45, bend = 9, bend_position = 1", 12, 'bend = 9 is out of range')

@@ -1,16 +1,19 @@
 !> Motors with a bent housing: side force, tilt and moments against a string solved independently with a bend as short
-!> (dg_independent_beam), in all directions of the toolface; and the element that is bent against its closed form.
+!> (dg_independent_beam), in all directions of the toolface; the element that is bent against its closed form; the curvature at
+!> which an assembly drills on, against three-point geometry and against that string, whose bit has no side force in such a hole.
 module dg_test_bent_housing
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_beam_bend, only: add_bend, bend_moment, holding_moment
    use dg_beam_element, only: beam_force, beam_section_type, membrane_length
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
+   use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
+   use dg_steering_result, only: steering_result_type
    use dg_test_wells, only: new_well, note, part, solve
    use dg_vector, only: cross
    implicit none
@@ -34,6 +37,8 @@ contains
       call suite%addTest(TestMethod('sliding', test_sliding))
       call suite%addTest(TestMethod('curved_hole', test_curved_hole))
       call suite%addTest(TestMethod('turning', test_turning))
+      call suite%addTest(TestMethod('three_points', test_three_points))
+      call suite%addTest(TestMethod('no_side_force', test_no_side_force))
    end function bent_housing_suite
 
    !> An element in the shape of its own arc, wherever that lies in space, has neither force nor moment.
@@ -235,4 +240,111 @@ contains
       call assertTrue(standing%bit_side_force > 5.0_wp*turning%bit_side_force, message='seen at one toolface')
       call assertEqual(0.0_wp, modulo(standing%bit_side_clock + pi, 2.0_wp*pi) - pi, 0.1_wp, message='towards it')
    end subroutine test_turning
+
+   !> A motor almost without weight under a limp string: where its bit has no side force nothing bends it, and bit and both blades
+   !> lie on the hole's arc, 1/R = 2 bend/(L1 + L2), towards any toolface. Play of 0.3 mm at blades of 5 cm leaves 1 % of it open.
+   subroutine test_three_points()
+      real(wp), parameter :: geometry_within = 0.02_wp, first = 2.0_wp, second = 7.0_wp, blade = 0.05_wp, bend = 1.0_wp*degree
+      real(wp), parameter :: gauge = 0.2153_wp, toolfaces(3) = [0.0_wp, 70.0_wp*degree, 180.0_wp*degree]
+      type(independent_well_type) :: well
+      type(model_type) :: model
+      type(steering_result_type) :: found
+      real(wp) :: expected
+      integer :: i
+      well = straight(40.0_wp, 0.0_wp, 0.0_wp)
+      call build(well, gauge, model)
+      model%gravity = 0.5_wp
+      model%mud_density = 0.0_wp
+      model%numerics = settings_of('auto')
+      associate (parts => model%strings(1)%components)
+         parts%length = [first - 0.5_wp*blade, blade, second - blade, blade, 0.0_wp, 0.0_wp]
+         parts(3)%bend = 0.0_wp
+         parts(2)%bend = bend
+         parts(2)%bend_position = 0.5_wp*blade
+         parts(4)%joint_od = gauge
+         parts(5)%length = 1.0_wp
+         parts(5:)%od = 0.05_wp
+         parts(5:)%id = 0.03_wp
+         parts(5:)%youngs = 2.0e10_wp
+         parts(5:)%mass = 10.0_wp
+      end associate
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = 1.0e3_wp
+      expected = 2.0_wp*bend/(first + second)
+      do i = 1, size(toolfaces)
+         call find_equilibrium_curvature(model, 1, toolfaces(i), 60.0_wp, optional_real(), found)
+         call assertTrue(found%found, message='three points: '//found%message)
+         if (.not. found%found) cycle
+         call note('off, over the curvature of three points', norm2(found%curvature/expected - direction(toolfaces(i))))
+         call assertLessThan(norm2(found%curvature/expected - direction(toolfaces(i))), geometry_within, message='three points')
+      end do
+   end subroutine test_three_points
+
+   !> A motor as it is: in the hole as it is force and tilt are the independent string's. In a hole of the curvature found that
+   !> string's bit has no side force, to a hundredth of what it has in the straight hole; where it cuts sideways, tilt and cut of
+   !> its side force cancel to a fiftieth.
+   subroutine test_no_side_force()
+      real(wp), parameter :: cuts(2) = [0.0_wp, 0.005_wp], none(2) = [0.01_wp, 0.02_wp]      ! seen: 0.4 %, 1.3 %
+      type(independent_well_type) :: well
+      type(independent_beam_type) :: beam
+      type(model_type) :: model
+      type(steering_result_type) :: result
+      type(optional_real) :: side_cutting
+      real(wp) :: push(2), slope(2), wants(2), left(2), tilt(2), builds(2)
+      integer :: i
+      logical :: found
+      well = straight(40.0_wp, 1.5_wp, 50.0_wp)
+      call build(well, 0.2127_wp, model)
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = well%wob
+      call bend_independently(well, beam, found)
+      call push_at_bit(beam, push, slope)
+      do i = 1, size(cuts)
+         if (cuts(i) > 0.0_wp) side_cutting = given(cuts(i))
+         call find_equilibrium_curvature(model, 1, well%toolface, well%bit, side_cutting, result)
+         call assertTrue(result%found, message=result%message)
+         if (.not. result%found) return
+         call note('solutions', real(result%solutions, wp))
+         call assertLessThan(norm2(result%side_force - push), force_within*norm2(push), message='side force')
+         call assertLessThan(norm2(result%tilt - slope), tilt_within*well%bend, message='tilt')
+         builds(i) = norm2(result%curvature)
+         call note('curvature, deg/30 m', builds(i)/degree*30.0_wp)
+         call bend_independently(along_arc(well, result%curvature), beam, found)
+         call assertTrue(found, message='reference in the curved hole')
+         wants = push
+         call push_at_bit(beam, left, tilt)
+         if (cuts(i) > 0.0_wp) then
+            left = tilt + cuts(i)*left/well%wob
+            wants = slope + cuts(i)*push/well%wob
+         end if
+         call note('left over what the bit wants in the straight hole', norm2(left)/norm2(wants))
+         call assertLessThan(norm2(left), none(i)*norm2(wants), message='none left')
+      end do
+      call assertTrue(abs(builds(2) - builds(1)) > 0.05_wp*builds(1), message='side cutting counts')
+   end subroutine test_no_side_force
+
+   !> The well in a hole that ends at the bit as it does, along an arc of a curvature [1/m] (towards the high side, to the right).
+   pure function along_arc(well, curvature) result(curved)
+      type(independent_well_type), intent(in) :: well
+      real(wp), intent(in) :: curvature(2)
+      type(independent_well_type) :: curved
+      real(wp) :: i, a, t(3), up(3), right(3), tangent(3), angle, bends
+      integer :: n
+      i = well%inclination(2)*degree
+      a = well%azimuth(2)*degree
+      t = [sin(i)*cos(a), sin(i)*sin(a), cos(i)]
+      up = [cos(i)*cos(a), cos(i)*sin(a), -sin(i)]
+      right = cross(t, up)
+      bends = norm2(curvature)
+      curved = well
+      curved%md = [0.0_wp, 0.5_wp*well%bit, well%bit]
+      curved%inclination = [0.0_wp, 0.0_wp, 0.0_wp]
+      curved%azimuth = curved%inclination
+      do n = 1, 3
+         angle = (well%bit - curved%md(n))*bends
+         tangent = cos(angle)*t - sin(angle)*(curvature(1)*up + curvature(2)*right)/bends
+         curved%inclination(n) = atan2(hypot(tangent(1), tangent(2)), tangent(3))/degree
+         curved%azimuth(n) = atan2(tangent(2), tangent(1))/degree
+      end do
+   end function along_arc
 end module dg_test_bent_housing

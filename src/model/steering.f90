@@ -1,0 +1,15 @@
+!> What a &steering of a deck asks: where assemblies drill to.
+module dg_steering
+   use dg_kinds, only: wp
+   use dg_load_case, only: optional_real
+   implicit none
+   private
+   public :: steering_type
+
+   type :: steering_type
+      integer, allocatable :: cases(:)         !< numbers of load cases
+      real(wp), allocatable :: toolfaces(:)    !< [rad]; none: that of each load case
+      real(wp) :: length = 150.0_wp            !< of the string above the bit that is solved [m]
+      type(optional_real) :: side_cutting      !< penetration of the bit sideways over that ahead, for the same force [-]
+   end type steering_type
+end module dg_steering

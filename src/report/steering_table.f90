@@ -1,0 +1,73 @@
+!> Where assemblies drill to, in print. Every line fits 120 columns.
+module dg_steering_table
+   use dg_constants, only: degree
+   use dg_job, only: job_type
+   use dg_kinds, only: wp
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_column, only: quantity_curvature, quantity_force, unit_size, unit_text
+   use dg_steering_file, only: dogleg_clock, turn_rate
+   use dg_steering_result, only: steering_result_type
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: steering_table
+
+   integer, parameter :: name_width = 20, width = 11
+
+contains
+
+   function steering_table(job, model, results) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(steering_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: rule, row, head
+      real(wp) :: force, curvature
+      integer :: i
+      force = unit_size(quantity_force, job%units)
+      curvature = unit_size(quantity_curvature, job%units)
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Steering: the bit in the hole as it is ('//unit_text(quantity_force, job%units)//', deg), and '// &
+                       'the curvature at which the hole goes on ('//unit_text(quantity_curvature, job%units)//')')
+      head = left_aligned('Load case', name_width)//cells('Toolface', 'Side force', 'Side force', 'Tilt')// &
+             cells('Tilt', 'Build', 'Turn', 'Dogleg')//right_aligned('to', width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, left_aligned('', name_width)//cells('', 'high', 'right', 'high')// &
+                       cells('right', 'rate', 'rate', ''))
+      call append_text(lines, rule)
+      do i = 1, size(results)
+         associate (found => results(i))
+            row = left_aligned(model%cases(found%case_index)%name, name_width)//cell(found%toolface, degree, 1)// &
+                  cell(found%side_force(1), force, 2)//cell(found%side_force(2), force, 2)// &
+                  cell(found%tilt(1), degree, 3)//cell(found%tilt(2), degree, 3)
+            if (found%found) then
+               row = row//cell(found%curvature(1), curvature, 2)//cell(turn_rate(found, found%curvature), curvature, 2)// &
+                     cell(norm2(found%curvature), curvature, 2)//cell(dogleg_clock(found%curvature), degree, 1)
+            else
+               row = row//'  no curvature'
+            end if
+            call append_text(lines, row)
+         end associate
+      end do
+      call append_text(lines, rule)
+   contains
+      function cells(one, two, three, four) result(text)
+         character(*), intent(in) :: one, two, three, four
+         character(4*width) :: text
+         text = right_aligned(one, width)//right_aligned(two, width)//right_aligned(three, width)//right_aligned(four, width)
+      end function cells
+
+      function cell(value, unit, decimals) result(text)
+         real(wp), intent(in) :: value, unit
+         integer, intent(in) :: decimals
+         character(width) :: text
+         text = right_aligned('-', width)
+         if (.not. is_missing(value)) text = fixed_cell(value/unit, width, decimals)
+      end function cell
+   end function steering_table
+end module dg_steering_table

@@ -1,0 +1,22 @@
+!> Where an assembly drills to: its bit in the hole as it is, and the curvature at which the hole goes on. Pairs are parts towards
+!> the high side (north where the hole is vertical) and to the right of it, looking down the hole.
+module dg_steering_result
+   use dg_kinds, only: wp
+   use dg_missing, only: missing
+   implicit none
+   private
+   public :: steering_result_type
+
+   type :: steering_result_type
+      integer :: case_index = 0
+      real(wp) :: toolface = missing          !< [rad]; missing: a straight string, or the mean over a turn
+      real(wp) :: inclination = 0.0_wp        !< of the hole at the bit [rad]
+      real(wp) :: hole(2) = missing           !< curvature of the hole at the bit [1/m]
+      real(wp) :: side_force(2) = missing     !< of the bit on the formation in that hole [N]
+      real(wp) :: tilt(2) = missing           !< to which the bit points there, against the hole axis [rad]
+      real(wp) :: curvature(2) = missing      !< at which the hole goes on [1/m]
+      integer :: solutions = 0                !< of the string
+      logical :: found = .false.
+      character(:), allocatable :: message    !< why not
+   end type steering_result_type
+end module dg_steering_result
