@@ -6,6 +6,7 @@ module dg_deck_echo
    use dg_deck_schema, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
       unit_speed, unit_stress, unit_wall
    use dg_design_factors, only: design_factors_type
+   use dg_fluid, only: collar_name, collar_none
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_missing, only: is_missing
@@ -121,9 +122,32 @@ contains
                optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter)))
          end associate
       end do
-      call append_text(lines, 'fluid       '//quantity(model%mud_density, units%density, unit_label(units, unit_density))// &
-         ', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2'))
+      call add_fluids(lines, units, model)
    end subroutine add_hole
+
+   !> Fluids and gravity, in one line where one fluid fills all.
+   pure subroutine add_fluids(lines, units, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      character(:), allocatable :: place
+      integer :: i
+      do i = 1, size(model%mud%fluids)
+         associate (fluid => model%mud%fluids(i))
+            place = ''
+            if (.not. fluid%outside) place = ' inside'
+            if (.not. fluid%inside) place = ' outside'
+            if (fluid%above_bit > 0.0_wp) then
+               place = place//', from '//quantity(fluid%above_bit, units%length, unit_label(units, unit_length))//' above the bit'
+            else if (fluid%md_top > 0.0_wp) then
+               place = place//', from '//quantity(fluid%md_top, units%length, unit_label(units, unit_length))
+            end if
+            if (fluid%collar /= collar_none) place = place//', float collar '//trim(collar_name(fluid%collar))
+            call append_text(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
+         end associate
+      end do
+      lines(size(lines))%text = lines(size(lines))%text//', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
+   end subroutine add_fluids
 
    !> A string with its components, from the bit upwards.
    pure subroutine add_string(lines, job, model, number)
@@ -216,6 +240,7 @@ contains
          optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
+         optional(', pump pressure ', case%pump_pressure, units%stress, unit_label(units, unit_stress))// &
          optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &
          optional(', ', case%trip_speed, units%trip_speed, unit_label(units, unit_speed))// &
          given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &

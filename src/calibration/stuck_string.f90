@@ -4,6 +4,7 @@ module dg_stuck_string
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness
    use dg_drillstring, only: component_at, component_tops, drillstring_type
+   use dg_fluid, only: cut_mud
    use dg_model, only: model_type, string_index
    use dg_profile, only: profile_type
    implicit none
@@ -21,6 +22,7 @@ contains
       integer :: i
       off = model%cases(1)%bit_depth - depth
       if (.not. off > 0.0_wp) return
+      call cut_mud(model%mud, off)
       associate (parts => model%strings(string_index(model%strings, model%cases(1)%string))%components)
          do i = 1, size(parts) - 1
             if (off < parts(i)%length) exit

@@ -3,6 +3,7 @@
 module dg_model_text
    use dg_kinds, only: wp
    use dg_component, only: component_type, has_bend
+   use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_name
@@ -104,12 +105,27 @@ contains
             call append_component(lines, 'component '//to_text(i)//', ', pipes(i))
          end do
       end associate
-      call append_text(lines, 'mud density = '//to_text(model%mud_density))
+      if (allocated(model%mud%fluids)) then
+         do i = 1, size(model%mud%fluids)
+            call append_fluid(lines, 'fluid '//to_text(i)//', ', model%mud%fluids(i))
+         end do
+      end if
       call append_text(lines, 'gravity = '//to_text(model%gravity))
       call append_text(lines, 'boundary, top centred = '//yes_or_no(model%boundary%top_centred))
       call append_text(lines, 'boundary, bit centred = '//yes_or_no(model%boundary%bit_centred))
       call append_text(lines, 'solver settings = '//settings_text(model%numerics))
    end function model_lines
+
+   subroutine append_fluid(lines, head, fluid)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      type(fluid_type), intent(in) :: fluid
+      call append_text(lines, head//'inside = '//yes_or_no(fluid%inside))
+      call append_text(lines, head//'outside = '//yes_or_no(fluid%outside))
+      call append_text(lines, head//'density = '//to_text(fluid%density))
+      call append_text(lines, head//'md_top = '//to_text(fluid%md_top))
+      call append_text(lines, head//'above_bit = '//to_text(fluid%above_bit))
+   end subroutine append_fluid
 
    subroutine append_hole(lines, head, hole)
       type(text_type), allocatable, intent(inout) :: lines(:)

@@ -139,6 +139,7 @@ contains
    subroutine check_strings(draft, faults)
       type(draft_type), intent(in) :: draft
       type(fault_list_type), intent(inout) :: faults
+      real(wp) :: heaviest
       integer :: i, j
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
@@ -152,9 +153,11 @@ contains
                   exit
                end do
             end if
-            if (draft%mud_density >= item%component%density) &
+            if (size(draft%fluids) == 0) cycle
+            heaviest = maxval(draft%fluids%fluid%density)
+            if (heaviest >= item%component%density) &
                call add_fault(faults, draft%path, item%line_density, 'group &component: '// &
-                              quoted(item%component%name)//' floats: the mud, '//dense(draft%mud_density)// &
+                              quoted(item%component%name)//' floats: the mud, '//dense(heaviest)// &
                               ', is not lighter than the material, '//dense(item%component%density))
          end associate
       end do

@@ -4,6 +4,7 @@ module dg_deck_draft
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
    use dg_component, only: component_type
+   use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
    use dg_model, only: boundary_type
@@ -14,7 +15,7 @@ module dg_deck_draft
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_type, draft_hole_type, draft_component_type, draft_case_type
+   public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -24,6 +25,14 @@ module dg_deck_draft
       integer :: line = 0
       integer :: line_top = 0, line_bottom = 0 !< of md_top and md_bottom; of the group where not given
    end type draft_hole_type
+
+   type :: draft_fluid_type
+      type(fluid_type) :: fluid
+      logical :: has_tvd = .false.             !< its upper end is a true vertical depth
+      real(wp) :: tvd_top = 0.0_wp             !< [m]
+      integer :: line = 0
+      integer :: line_tvd = 0, line_density = 0
+   end type draft_fluid_type
 
    type :: draft_component_type
       type(component_type) :: component
@@ -57,7 +66,7 @@ module dg_deck_draft
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
       type(rig_type) :: rig
-      real(wp) :: mud_density = 0.0_wp         !< [kg/m3]
+      type(draft_fluid_type), allocatable :: fluids(:)
       real(wp) :: gravity = standard_gravity   !< [m/s2]
    end type draft_type
 end module dg_deck_draft

@@ -15,7 +15,8 @@ module dg_deck_keys
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
-      group_rule_type('fluid', meaning='the mud'), &
+      group_rule_type('fluid', repeatable=.true., &
+         meaning='a fluid inside or outside the string, or both; listed from the top down'), &
       group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
       group_rule_type('component', repeatable=.true., required=.true., &
          meaning='a part of a drillstring; listed from the bit upwards'), &
@@ -39,6 +40,7 @@ module dg_deck_keys
    real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
    real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
    real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
+   real(wp), parameter :: highest_pump = 500.0_wp ! MPa; pumps reach 100, more is bar or psi
    real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; a wall of solid steel has 2e8, and beyond this forces do not balance
    real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
    real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
@@ -99,8 +101,18 @@ module dg_deck_keys
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section')]
 
-   type(key_rule_type), parameter :: fluid_keys(1) = [ &
-      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the mud')]
+   type(key_rule_type), parameter :: fluid_keys(6) = [ &
+      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
+      key_rule_type('fluid', 'where', kind_text, default='both', choices='both inside outside', &
+         meaning='which side of the string it fills'), &
+      key_rule_type('fluid', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='measured depth where it begins; it reaches down to the next fluid of its side'), &
+      key_rule_type('fluid', 'tvd_top', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='in place of md_top: true vertical depth where it begins'), &
+      key_rule_type('fluid', 'above_bit', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='in place of md_top: distance from the bit, along the string, where it begins; it moves with the string'), &
+      key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
+         meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit')]
 
    type(key_rule_type), parameter :: rig_keys(4) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
@@ -190,7 +202,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the bit')]
 
-   type(key_rule_type), parameter :: load_case_keys(16) = [ &
+   type(key_rule_type), parameter :: load_case_keys(17) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -206,6 +218,8 @@ module dg_deck_keys
       key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
       key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string'), &
+      key_rule_type('load_case', 'pump_pressure', unit=unit_stress, low=0.0_wp, high=highest_pump, default='0', &
+         meaning='added to the pressure inside, from surface to the bit or a closed collar'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='for comparison'), &
       key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &

@@ -1,6 +1,7 @@
 !> Makes the model of a draft that is without fault.
 module dg_deck_model
    use dg_deck_draft, only: draft_type
+   use dg_deck_fluid, only: place_fluids
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, add_fault
@@ -12,7 +13,7 @@ module dg_deck_model
 
 contains
 
-   !> Builds the model; a path that the stations do not allow is the only fault left to find.
+   !> Builds the model. Faults left to find are a path that the stations do not allow, and what fluids need the path for.
    subroutine build_model(draft, model, faults)
       type(draft_type), intent(in) :: draft
       type(model_type), intent(out) :: model
@@ -37,7 +38,7 @@ contains
       model%boundary = draft%boundary
       model%numerics = draft%numerics
       model%rig = draft%rig
-      model%mud_density = draft%mud_density
+      call place_fluids(draft, model%trajectory, model%mud, faults)
       model%gravity = draft%gravity
    end subroutine build_model
 

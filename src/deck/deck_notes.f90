@@ -48,11 +48,14 @@ contains
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i
-      associate (units => draft%units)
-         if (draft%mud_density > 0.0_wp .and. draft%mud_density < lightest_mud) call append_text(notes, &
-            'group &fluid: density = '//to_text(draft%mud_density/units%density, digits)// &
-            ' is that of a gas or of foam; water has '//to_text(water/units%density, few_digits))
-      end associate
+      do i = 1, size(draft%fluids)
+         associate (fluid => draft%fluids(i)%fluid, units => draft%units)
+            ! a fluid of one side alone may well be gas
+            if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
+               call append_text(notes, 'group &fluid: density = '//to_text(fluid%density/units%density, digits)// &
+                                ' is that of a gas or of foam; water has '//to_text(water/units%density, few_digits))
+         end associate
+      end do
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
          'group &solver: eps_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
          'force and friction come out too small')

@@ -221,6 +221,7 @@ contains
          case%bit_depth = real_of(group, 'bit_depth', 0.0_wp)
          case%wob = real_of(group, 'wob', 0.0_wp)
          case%tob = real_of(group, 'tob', 0.0_wp)
+         case%pump_pressure = real_of(group, 'pump_pressure', 0.0_wp)
          case%angular_speed = real_of(group, 'rpm', 0.0_wp)
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
          case%toolface = real_of(group, 'toolface', 0.0_wp)

@@ -8,6 +8,7 @@ module dg_read_deck
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: draft_type
+   use dg_deck_fluid, only: draft_fluid
    use dg_deck_legacy, only: take_legacy
    use dg_deck_steering, only: take_steering
    use dg_deck_sticking, only: take_stickings
@@ -17,6 +18,7 @@ module dg_read_deck
    use dg_numerics, only: settings_of
    use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
+   use dg_fluid_notes, only: note_fluids
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_sweep, only: take_sweeps
@@ -103,7 +105,10 @@ contains
       call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
       job%inputs = inputs_of(path, checked, catalogue, job%legacy)
       if (faults%count == 0) call build_model(draft, model, faults)
-      if (faults%count == 0) call note_oddities(draft, job, notes)
+      if (faults%count == 0) then
+         call note_oddities(draft, job, notes)
+         call note_fluids(model, draft%units, notes)
+      end if
    end subroutine build_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.
@@ -278,9 +283,11 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
-      integer :: i, holes, components, cases
+      integer :: i, holes, fluids, components, cases
       allocate (draft%holes(count_of('hole')), draft%components(count_of('component')), draft%cases(count_of('load_case')))
+      allocate (draft%fluids(count_of('fluid')))
       holes = 0
+      fluids = 0
       components = 0
       cases = 0
       draft%numerics = settings_of('auto')      ! for a deck without &solver
@@ -298,7 +305,8 @@ contains
             holes = holes + 1
             call draft_hole(groups(i), holes, draft%holes(holes))
          case ('fluid')
-            draft%mud_density = real_of(groups(i), 'density', draft%mud_density)
+            fluids = fluids + 1
+            call draft_fluid(draft%path, groups(i), draft%fluids(fluids), faults)
          case ('rig')
             call draft_rig(draft%path, groups(i), draft%rig, faults)
          case ('component')

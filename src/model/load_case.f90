@@ -49,6 +49,7 @@ module dg_load_case
       real(wp) :: trip_speed = 0.0_wp       !< axial, of the string [m/s], >= 0
       real(wp) :: toolface = 0.0_wp         !< to which bends of the string point: from the high side (north), clockwise [rad]
       logical :: bend_stands = .false.      !< a string that turns is seen at this toolface; else without its bends
+      real(wp) :: pump_pressure = 0.0_wp    !< added to the pressure inside [Pa], >= 0
       type(optional_real) :: measured_hookload  !< [N]
       type(optional_real) :: measured_torque    !< [N.m]
       type(optional_real) :: reference_hookload !< another calculation's [N]

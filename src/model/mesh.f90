@@ -1,6 +1,6 @@
 !> The string of one load case cut into beam elements along the hole.
 !>
-!> Nodes stand at survey stations, at ends of hole sections and of components, and between them so that no
+!> Nodes stand at survey stations, at ends of hole sections, of components and of fluids, and between them so that no
 !> element is longer than asked for: no element straddles a change. Element properties are those of the
 !> hole where the string rests on it unstretched.
 module dg_mesh
@@ -9,6 +9,7 @@ module dg_mesh
                            effective_joint_length, has_bend, has_joints, room_of, torsional_stiffness
    use dg_contact_friction, only: find_friction
    use dg_drillstring, only: at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, joint_ends
+   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: load_case_type, rotates
    use dg_model, only: model_type, string_index
@@ -108,7 +109,8 @@ contains
             mesh%ea(e) = axial_stiffness(component)
             mesh%ei(e) = bending_stiffness(component)
             mesh%gj(e) = torsional_stiffness(component)
-            mesh%weight(e) = buoyed_weight(component, model%mud_density, model%gravity)
+            mesh%weight(e) = buoyed_weight(component, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
+                                           density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
             mesh%radius(e) = 0.5_wp*contact_diameter(component)
             call put_in_hole(model, load_case, component, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
@@ -184,7 +186,7 @@ contains
       n = string_index(model%strings, load_case%string)
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
-      breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops]
+      breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops, fluid_tops(model%mud, bit)]
       breaks = [breaks, bit - blade_places(model%strings(n), tops), bit - bend_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)

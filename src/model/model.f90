@@ -3,6 +3,7 @@ module dg_model
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
    use dg_drillstring, only: drillstring_type
+   use dg_fluid, only: mud_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
    use dg_numerics, only: numerics_type
@@ -27,7 +28,7 @@ module dg_model
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
       type(rig_type) :: rig                               !< acts on no string, only on what is read of it
-      real(wp) :: mud_density = 0.0_wp                    !< [kg/m3]
+      type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
    end type model_type
 
@@ -54,7 +55,7 @@ contains
       copy%boundary = model%boundary
       copy%numerics = model%numerics
       copy%rig = model%rig
-      copy%mud_density = model%mud_density
+      copy%mud = model%mud
       copy%gravity = model%gravity
       allocate (copy%cases(1))
    end subroutine copy_without_cases

@@ -24,7 +24,7 @@ module dg_limits_file
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
       column_type('stretch', quantity_length, 'of the string by the effective axial force'), &
-      column_type('pressure_stretch', quantity_length, 'of the string by the pressure of the mud on all sides, not in stretch'), &
+      column_type('pressure_stretch', quantity_length, 'of the string by the pressures inside and outside, not in stretch'), &
       column_type('windup', quantity_turns, 'turn of the top against the bit'), &
       column_type('neutral_points', quantity_none, 'places where the effective axial force changes sign'), &
       column_type('neutral_top', quantity_length, 'depth of the uppermost of them'), &

@@ -12,7 +12,7 @@ module dg_profile_columns
    private
    public :: profile_columns, profile_values, profile_codes, code_names
 
-   type(column_type), parameter :: profile_columns(37) = [ &
+   type(column_type), parameter :: profile_columns(38) = [ &
       column_type('md', quantity_length, 'measured depth, of the point before loading'), &
       column_type('tvd', quantity_length, 'true vertical depth of the hole axis, from the first station'), &
       column_type('north', quantity_length, 'of the hole axis, from the first station'), &
@@ -46,7 +46,7 @@ module dg_profile_columns
       column_type('helical_load_upper', quantity_force, 'the same, upper limit'), &
       column_type('buckling_margin', quantity_force, 'sinusoidal_load + axial: compression left before buckling'), &
       column_type('buckling', quantity_text, 'none, sinusoidal or helical (beyond the lower limit), by the loads above'), &
-      column_type('pressure', quantity_stress, 'of the standing mud, inside and outside'), &
+      column_type('pressure', quantity_stress, 'of the fluid outside'), &
       column_type('dogleg', quantity_curvature, 'curvature of the hole; where two bends meet the sharper one'), &
       column_type('od', quantity_width, 'outside diameter of the body'), &
       column_type('hole', quantity_width, 'diameter of the hole'), &
@@ -59,7 +59,8 @@ module dg_profile_columns
       column_type('joint_side_force', quantity_force, 'contact force of a tool joint: side_force times the distance of joints; '// &
          'of joints solved one by one that of the joint that stands here, 0 between; empty without joints'), &
       column_type('standoff', quantity_percent, 'least distance of the body from the wall, over that of a centred one: 100 '// &
-         'where it is centred, 0 where it touches; of mcge alone')]
+         'where it is centred, 0 where it touches; of mcge alone'), &
+      column_type('inside_pressure', quantity_stress, 'of the fluid inside, pump pressure included; at a closed collar below it')]
 
 contains
 
@@ -107,6 +108,7 @@ contains
       case ('joint_side_force'); values = along%joint_side_force
       case ('standoff')
          where (.not. is_missing(along%standoff)) values = 100.0_wp*along%standoff
+      case ('inside_pressure'); values = along%inside_pressure
       case default
       end select
    end subroutine profile_values

@@ -19,6 +19,7 @@ module dg_soft_string_loads
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
    use dg_contact_friction, only: find_friction
    use dg_drillstring, only: component_tops
+   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
@@ -169,7 +170,8 @@ contains
       real(wp), intent(in) :: friction_scale
       logical, intent(in), optional :: coiled   !< absent: no
       type(piece_type) :: piece
-      real(wp), allocatable :: tops(:)
+      real(wp), allocatable :: tops(:), fluids(:)
+      real(wp) :: middle
       integer :: i, hole
       i = arc_at(model%trajectory, md)
       if (model%trajectory%arcs(i)%md >= md .and. i > 1) i = i - 1
@@ -180,12 +182,16 @@ contains
       if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
       associate (load_case => model%cases(case_index))
          associate (string => model%strings(string_index(model%strings, load_case%string)))
+            allocate (fluids, source=fluid_tops(model%mud, load_case%bit_depth))
             allocate (tops, source=load_case%bit_depth - component_tops(string, load_case%bit_depth - top_md(model%trajectory)))
             do i = 1, size(tops) - 1
                if (tops(i) < md) exit
             end do
             if (i < size(tops)) piece%top = max(piece%top, tops(i))
-            piece%weight = buoyed_weight(string%components(i), model%mud_density, model%gravity)
+            piece%top = maxval([piece%top, pack(fluids, fluids < md)])
+            middle = 0.5_wp*(piece%top + md)
+            piece%weight = buoyed_weight(string%components(i), density_at(model%mud, side_outside, middle, load_case%bit_depth), &
+                                         density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
             piece%radius = 0.5_wp*contact_diameter(string%components(i))
             piece%stiffness = bending_stiffness(string%components(i))
             piece%stretching = axial_stiffness(string%components(i))
@@ -300,7 +306,7 @@ contains
    end function climbed
 
    !> Depths between the top of the string and the bit where something changes: first station and bit, survey
-   !> stations, ends of hole sections and components. Ascending, none twice [m].
+   !> stations, ends of hole sections, components and fluids. Ascending, none twice [m].
    pure function breakpoints(model, case_index) result(md)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -316,7 +322,7 @@ contains
       tops = tops(size(tops):1:-1)
       allocate (hole_tops(size(model%holes)))
       hole_tops(:) = model%holes%md_top
-      all_md = merged(model%trajectory%md, merged(hole_tops, tops))
+      all_md = merged(model%trajectory%md, merged(hole_tops, merged(fluid_tops(model%mud, bit), tops)))
       allocate (md(size(all_md) + 2))
       count = 1
       md(1) = top

@@ -373,7 +373,7 @@ contains
                           string%way)
          call make_room(equations, numerics%linear_solver, mesh%nodes, planar=string%way == way_planar)
          allocate (equations%history(numerics%max_iterations + 1))
-         equations%force_scale = max(sum(mesh%weight*mesh%length) + abs(load_case%wob), least_scale)
+         equations%force_scale = max(sum(abs(mesh%weight)*mesh%length) + abs(load_case%wob), least_scale)
       end associate
    end subroutine prepare
 

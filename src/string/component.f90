@@ -151,13 +151,17 @@ contains
       length = min(length, component%joint_spacing)
    end function effective_joint_length
 
-   !> Weight in mud per length [N/m]: mass g (1 - mud density/material density). This is the effective
-   !> (buoyed) weight that goes with effective axial force: no pressure loads on ends.
-   elemental function buoyed_weight(component, mud_density, gravity) result(weight)
+   !> Weight in fluid per length [N/m], the effective (buoyed) one that goes with effective axial force: that of the pipe and of
+   !> the fluid in its bore, less that of the fluid which both displace. With A_i the bore and m/rho the steel's area, tool joints
+   !> and upsets included, the displaced area is A_i + m/rho, so that
+   !>     w = g (m + rho_i A_i - rho_o (A_i + m/rho)) = m g (1 - rho_o/rho) + (rho_i - rho_o) g A_i,
+   !> whose second term vanishes with one fluid on both sides. Negative where the string floats.
+   elemental function buoyed_weight(component, outside, inside, gravity) result(weight)
       type(component_type), intent(in) :: component
-      real(wp), intent(in) :: mud_density  !< [kg/m3]
-      real(wp), intent(in) :: gravity      !< [m/s2]
+      real(wp), intent(in) :: outside, inside  !< densities of the fluids [kg/m3]
+      real(wp), intent(in) :: gravity          !< [m/s2]
       real(wp) :: weight
-      weight = component%mass*gravity*(1.0_wp - mud_density/component%density)
+      weight = component%mass*gravity*(1.0_wp - outside/component%density) &
+               + (inside - outside)*gravity*tube_area(component%id, 0.0_wp)
    end function buoyed_weight
 end module dg_component

@@ -1,7 +1,7 @@
 !> What an engineer reads off along the string, from the profile of any model and the data of string, hole and mud:
 !> pressures, true axial force, stresses, safety factors, buckling limits. One place for all models.
 !>
-!> The mud stands still: the pressure inside and outside the string is p = rho g z alike, z below the first station.
+!> Pressures are those of the fluids at rest (dg_fluid_pressure).
 !> Where two components, hole sections or bends meet, both sides are looked at: stresses are those of the
 !> more highly used side, buckling limits the lower ones.
 module dg_along_string
@@ -12,6 +12,8 @@ module dg_along_string
    use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
                            tube_inertia, worn_od
    use dg_drillstring, only: component_at, component_tops
+   use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_mcge, model_soft
    use dg_joint_bending, only: joint_magnification
@@ -23,13 +25,15 @@ module dg_along_string
    use dg_trajectory, only: arc_at, point_on_arc, top_md
    implicit none
    private
-   public :: along_string_type, find_along_string, new_along_string, mud_pressure
+   public :: along_string_type, find_along_string, new_along_string
 
    !> One value a row of the profile. `missing` where there is none: safety factors without a yield strength, buckling
    !> limits of a weightless string in a straight hole, what belongs to tool joints
    !> without them.
    type :: along_string_type
-      real(wp), allocatable :: pressure(:)          !< of the mud, inside and outside [Pa]
+      real(wp), allocatable :: pressure(:)          !< of the fluid outside [Pa]
+      real(wp), allocatable :: inside_pressure(:)   !< of the fluid inside; at a closed collar, below it [Pa]
+      real(wp), allocatable :: inside_above(:)      !< the same, above the collar [Pa]
       real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
       real(wp), allocatable :: axial_stress(:)      !< of the true axial force [Pa]
       real(wp), allocatable :: bending_stress(:)    !< amplitude at the outer surface [Pa]
@@ -57,6 +61,8 @@ module dg_along_string
 
    !> Half the distance between what counts as above and below a row [m].
    real(wp), parameter :: hair = 1.0e-6_wp
+   !> Difference of pressures at one place that is round-off of depths [Pa].
+   real(wp), parameter :: no_pressure = 1.0_wp
 
 contains
 
@@ -66,7 +72,8 @@ contains
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(out) :: along
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, depth, moment(2)
+      type(fluid_column_type) :: outside, inside
+      real(wp) :: bit, depth, moment(2), pressure(2), weight(2)
       integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
       logical :: apart
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
@@ -75,6 +82,8 @@ contains
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      call new_fluid_column(model, model%cases(result%case_index), side_outside, outside)
+      call new_fluid_column(model, model%cases(result%case_index), side_inside, inside)
       associate (profile => result%profile, components => model%strings(string)%components)
          arc = 1
          do i = 1, n
@@ -83,8 +92,13 @@ contains
                part(side) = component_at(tops, bit - depth)
                hole(side) = hole_section_at(model%holes, depth)
                arc(side) = arc_at(model%trajectory, depth, near=arc(side))
+               pressure(side) = pressure_at(inside, depth, profile%tvd(i))
+               weight(side) = buoyed_weight(components(part(side)), density_at(model%mud, side_outside, depth, bit), &
+                                            density_at(model%mud, side_inside, depth, bit), model%gravity)
             end do
-            along%pressure(i) = mud_pressure(model, profile%tvd(i))
+            along%pressure(i) = pressure_at(outside, depth, profile%tvd(i))
+            along%inside_above(i) = pressure(1)
+            along%inside_pressure(i) = pressure(2)
             along%hole_diameter(i) = minval(model%holes(hole)%diameter)
             owner = component_at(tops, bit - profile%md(i))
             do side = 1, 2
@@ -93,16 +107,18 @@ contains
                moment(side) = profile%bending(i)
                if (result%model == model_soft) moment(side) = moment(side)*bending_stiffness(components(part(side)))/ &
                   bending_stiffness(components(owner))
-               if (side == 1 .or. part(2) /= part(1)) then
-                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), along)
-                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), &
+               if (side == 1 .or. part(2) /= part(1) .or. abs(pressure(2) - pressure(1)) > no_pressure) then
+                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
+                                  along)
+                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
                                  curvature_at(model, profile%md(i), arc(side)), apart, along)
                   if (has_joints(components(part(side))) .and. .not. apart) call keep_most(along%joint_side_force(i), &
                      profile%side_force(i)*components(part(side))%joint_spacing)
                end if
-               if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1)) &
-                  call put_limits(model, i, profile%md(i), components(part(side)), model%holes(hole(side))%diameter, &
-                                  arc(side), along)
+               if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1) .or. &
+                   abs(weight(2) - weight(1)) > 0.0_wp) &
+                  call put_limits(model, i, profile%md(i), components(part(side)), weight(side), &
+                                  model%holes(hole(side))%diameter, arc(side), along)
                if (result%model == model_mcge) call put_standoff(i, components(part(side))%od, &
                                                                  model%holes(hole(side))%diameter, profile%displacement(i), along)
             end do
@@ -114,7 +130,7 @@ contains
             do side = 1, 2
                if (components(part(side))%yield > 0.0_wp) call keep_least(along%overpull(i), &
                   pull_margin(components(part(side)), profile%axial(i), profile%torque(i), moment(side), along%curvature(i), &
-                              apart, along%buckling(i) /= buckling_none))
+                              apart, along%buckling(i) /= buckling_none, pressure(side) - along%pressure(i)))
             end do
          end do
       end associate
@@ -134,28 +150,21 @@ contains
       end do
    end subroutine put_joint_forces
 
-   !> Pressure of the standing mud [Pa] at a true vertical depth below the first station [m]; none above it.
-   pure function mud_pressure(model, tvd) result(pressure)
-      type(model_type), intent(in) :: model
-      real(wp), intent(in) :: tvd
-      real(wp) :: pressure
-      pressure = model%mud_density*model%gravity*max(tvd, 0.0_wp)
-   end function mud_pressure
-
    !> Stresses at row `i` on one side of it; kept where this side is used more highly than the one before.
-   pure subroutine put_stress(i, part, axial, torque, moment, along)
+   pure subroutine put_stress(i, part, axial, torque, moment, inside, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial    !< effective [N]
       real(wp), intent(in) :: torque   !< [N.m]
       real(wp), intent(in) :: moment   !< [N.m]
+      real(wp), intent(in) :: inside   !< pressure [Pa]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
       real(wp) :: force, factor, od
       logical :: second, worse
       od = worn_od(part)
-      force = true_axial(axial, od, part%id, along%pressure(i), along%pressure(i))
-      stress = pipe_stress(od, part%id, force, torque, moment, along%pressure(i), along%pressure(i))
+      force = true_axial(axial, od, part%id, along%pressure(i), inside)
+      stress = pipe_stress(od, part%id, force, torque, moment, along%pressure(i), inside)
       second = along%od(i) > 0.0_wp
       factor = missing
       ! A string under no load at all has no factor.
@@ -182,10 +191,11 @@ contains
    !> Bending between tool joints and stress in them at row `i`, for a component that has some; kept where larger than on the other
    !> side. A model that solved joint by joint has its magnification in its moments. The joint's bore is taken to be the
    !> pipe's, which is on the safe side. In compression bending is largest between joints, so that a joint has the mean one.
-   pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
+   pure subroutine put_joint(i, part, axial, torque, moment, inside, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
+      real(wp), intent(in) :: inside                  !< pressure [Pa]
       real(wp), intent(in) :: curvature               !< of the hole [1/m]
       logical, intent(in) :: apart                    !< whether joints were solved one by one
       type(along_string_type), intent(inout) :: along
@@ -200,8 +210,8 @@ contains
          call keep_most(along%jointed_bending(i), factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id))
       end if
       if (axial < 0.0_wp) factor = 1.0_wp
-      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%pressure(i))
-      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%pressure(i))
+      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), inside)
+      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), inside)
       call keep_most(along%joint_von_mises(i), stress%von_mises)
    end subroutine put_joint
 
@@ -227,22 +237,22 @@ contains
    end subroutine put_standoff
 
    !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
-   pure subroutine put_limits(model, i, md, part, diameter, arc, along)
+   pure subroutine put_limits(model, i, md, part, weight, diameter, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
       real(wp), intent(in) :: md        !< [m]
       type(component_type), intent(in) :: part
+      real(wp), intent(in) :: weight    !< buoyed [N/m]
       real(wp), intent(in) :: diameter  !< of the hole [m]
       integer, intent(in) :: arc        !< of the trajectory
       type(along_string_type), intent(inout) :: along
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
-      real(wp) :: position(3), tangent(3), curvature(3), weight, clearance, ei, inclined, vertical
+      real(wp) :: position(3), tangent(3), curvature(3), clearance, ei, inclined, vertical
       call point_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, position, tangent, curvature)
       along%curvature(i) = max(along%curvature(i), norm2(curvature))
       clearance = 0.5_wp*(diameter - contact_diameter(part))
       if (.not. clearance > 0.0_wp) return
       ei = bending_stiffness(part)
-      weight = max(buoyed_weight(part, model%mud_density, model%gravity), 0.0_wp)
       inclined = curved_limit(ei, weight*(down - tangent(3)*tangent), curvature, clearance)
       vertical = vertical_unit(ei, weight*tangent(3))
       if (.not. max(inclined, vertical) > 0.0_wp) return
@@ -277,7 +287,8 @@ contains
    pure function new_along_string(n) result(along)
       integer, intent(in) :: n
       type(along_string_type) :: along
-      allocate (along%pressure(n), along%true_axial(n), along%axial_stress(n), along%bending_stress(n), &
+      allocate (along%pressure(n), along%inside_pressure(n), along%inside_above(n), along%true_axial(n), &
+                along%axial_stress(n), along%bending_stress(n), &
                 along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &

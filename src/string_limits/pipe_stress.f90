@@ -100,19 +100,27 @@ contains
       end do
    end function pipe_stress
 
-   !> Effective tension [N] at which a pipe under torque and bending yields: A (sqrt(Y^2 - 3 tau^2) - sigma_b), both at the outer
-   !> surface, where both are largest. Negative where bending and torque make it yield without tension. Without bending it is the
-   !> tension-torque envelope of API RP 7G (appendix A.9), there written as torque over tension. With mud inside and outside at
-   !> one pressure the effective force is the right one: such a pressure by itself makes nothing yield.
-   elemental function tension_capacity(od, id, torque, bending, yield) result(tension)
-      real(wp), intent(in) :: od, id    !< [m]
-      real(wp), intent(in) :: torque    !< [N.m]
-      real(wp), intent(in) :: bending   !< moment [N.m]
-      real(wp), intent(in) :: yield     !< strength [Pa]
+   !> Effective tension [N] at which a pipe under torque, bending and pressure yields. With the effective force in place of the true
+   !> one, axial stress counts from the mean of hoop and radial stress (Lame), so that von Mises' is
+   !>     sqrt((T/A + sigma_b)^2 + 3 tau^2 + 3 S^2),   S = (p_i - p_o) r_i^2 r_o^2/((r_o^2 - r_i^2) r^2):
+   !> the difference of pressures alone counts, and one pressure on both sides makes nothing yield. Of the inner surface, where S
+   !> is largest, and the outer one, where bending and torque are, the weaker counts. Negative where torque, bending and
+   !> pressure make the pipe yield without tension. Without bending and pressure it is the tension-torque envelope of API RP 7G
+   !> (appendix A.9), there written as torque over tension.
+   elemental function tension_capacity(od, id, torque, bending, difference, yield) result(tension)
+      real(wp), intent(in) :: od, id      !< [m]
+      real(wp), intent(in) :: torque      !< [N.m]
+      real(wp), intent(in) :: bending     !< moment [N.m]
+      real(wp), intent(in) :: difference  !< of pressures, inside - outside [Pa]
+      real(wp), intent(in) :: yield       !< strength [Pa]
       real(wp) :: tension
-      real(wp) :: shear, inertia
-      inertia = tube_inertia(od, id)
-      shear = abs(torque)*0.25_wp*od/inertia
-      tension = tube_area(od, id)*(sqrt(max(yield**2 - 3.0_wp*shear**2, 0.0_wp)) - abs(bending)*0.5_wp*od/inertia)
+      real(wp) :: shear, bent, swing
+      bent = abs(bending)*0.5_wp*od/tube_inertia(od, id)
+      shear = abs(torque)*0.25_wp*od/tube_inertia(od, id)
+      swing = lame_swing(od, id, 0.0_wp, difference)
+      tension = sqrt(max(yield**2 - 3.0_wp*shear**2 - 3.0_wp*(swing/od**2)**2, 0.0_wp)) - bent
+      if (id > 0.0_wp) tension = min(tension, sqrt(max(yield**2 - 3.0_wp*(shear*id/od)**2 - 3.0_wp*(swing/id**2)**2, 0.0_wp)) &
+                                              - bent*id/od)
+      tension = tube_area(od, id)*tension
    end function tension_capacity
 end module dg_pipe_stress

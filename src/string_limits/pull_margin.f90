@@ -19,7 +19,7 @@ module dg_pull_margin
 contains
 
    !> Tension that may be added at one place [N]; where it yields already, negative: by how much compression or tension is too much.
-   pure function pull_margin(part, axial, torque, moment, curvature, apart, buckled) result(margin)
+   pure function pull_margin(part, axial, torque, moment, curvature, apart, buckled, difference) result(margin)
       type(component_type), intent(in) :: part   !< with a yield strength
       real(wp), intent(in) :: axial              !< effective [N]
       real(wp), intent(in) :: torque             !< [N.m]
@@ -27,18 +27,19 @@ contains
       real(wp), intent(in) :: curvature          !< of the hole [1/m]
       logical, intent(in) :: apart               !< whether joints were solved one by one
       logical, intent(in) :: buckled
+      real(wp), intent(in) :: difference         !< of pressures, inside - outside [Pa]
       real(wp) :: margin
       real(wp) :: low, high, middle
       integer :: i
-      margin = tension_capacity(worn_od(part), part%id, torque, moment, part%yield) - abs(axial)
+      margin = tension_capacity(worn_od(part), part%id, torque, moment, difference, part%yield) - abs(axial)
       if (margin < 0.0_wp) return
-      high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), part%yield)
+      high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), difference, part%yield)
       margin = high - axial
       if (.not. (apart .and. has_joints(part))) return
       low = min(axial, high)
       do i = 1, halvings
          middle = 0.5_wp*(low + high)
-         if (tension_capacity(worn_od(part), part%id, torque, moment_at(middle), part%yield) > middle) then
+         if (tension_capacity(worn_od(part), part%id, torque, moment_at(middle), difference, part%yield) > middle) then
             low = middle
          else
             high = middle

@@ -50,7 +50,7 @@ contains
       type(optional_real), intent(in) :: rig_limit   !< hook load that the rig may carry [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, distance
+      real(wp) :: bit, distance, inside
       integer :: i, side, part, last
       bit = model%cases(result%case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
@@ -61,10 +61,12 @@ contains
             do side = -1, 1, 2
                distance = min(max(bit - profile%md(i) - side*hair, 0.0_wp), tops(size(tops)))
                part = component_at(tops, distance)
-               if (part == last) cycle
+               inside = along%inside_pressure(i)
+               if (side < 0) inside = along%inside_above(i)
+               if (part == last .and. abs(along%inside_above(i) - along%inside_pressure(i)) <= 0.0_wp) cycle
                last = part
                call use_component(string%components(part), factors, profile%axial(i), profile%torque(i), along%pressure(i), &
-                                  along%pressure(i), profile%md(i), utilisation)
+                                  inside, profile%md(i), utilisation)
             end do
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
                factors%von_mises/along%safety_factor(i), profile%md(i))

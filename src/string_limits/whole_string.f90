@@ -1,7 +1,7 @@
 !> What an engineer reads off of a string as a whole: stretch, wind-up, neutral points, and how far it is from its limits.
 module dg_whole_string
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type, mud_pressure
+   use dg_along_string, only: along_string_type
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
@@ -86,7 +86,7 @@ contains
       type(whole_string_type), intent(out) :: whole
       integer :: i
       associate (profile => result%profile)
-         call add_deformation(model, result, whole)
+         call add_deformation(model, result, along, whole)
          allocate (whole%neutral_points, source=neutral_points_of(profile%md, profile%axial))
          call least_of(along%safety_factor, profile%md, whole%least_safety, whole%least_safety_md)
          call least_of(along%envelope_margin, profile%md, whole%least_envelope_margin)
@@ -130,12 +130,13 @@ contains
       if (.not. is_missing(number)) optional = given(number)
    end subroutine take
 
-   !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressure p on all sides,
-   !> -(1 - 2 nu) p/E (Hooke's law with axial, hoop and radial stress). Trapezoids between rows; no component
-   !> ends between two rows.
-   pure subroutine add_deformation(model, result, whole)
+   !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressures,
+   !> -(1 - 2 nu) p/E with p = (p_o A_o - p_i A_i)/A (Hooke's law with axial, hoop and radial stress; T the effective force), the
+   !> pressure itself where it is one on all sides. Trapezoids between rows; no component ends between two rows.
+   pure subroutine add_deformation(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
       type(whole_string_type), intent(inout) :: whole
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, length, pressure
@@ -146,9 +147,10 @@ contains
       associate (profile => result%profile)
          do i = 2, size(profile%md)
             length = profile%md(i) - profile%md(i - 1)
-            pressure = 0.5_wp*(mud_pressure(model, profile%tvd(i - 1)) + mud_pressure(model, profile%tvd(i)))
             associate (part => model%strings(string)%components(component_at(tops, &
                        bit - 0.5_wp*(profile%md(i - 1) + profile%md(i)))))
+               pressure = 0.5_wp*(along%pressure(i - 1) + along%pressure(i)) - 0.5_wp*part%id**2/((part%od - part%id)* &
+                          (part%od + part%id))*sum(along%inside_pressure(i - 1:i) - along%pressure(i - 1:i))
                whole%stretch = whole%stretch + 0.5_wp*length*sum(profile%axial(i - 1:i))/axial_stiffness(part)
                whole%windup = whole%windup + 0.5_wp*length*sum(profile%torque(i - 1:i))/torsional_stiffness(part)
                whole%pressure_stretch = whole%pressure_stretch - length*(1.0_wp - 2.0_wp*part%poisson)*pressure/part%youngs
@@ -320,7 +322,8 @@ contains
                   if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
                   if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
                      0.25_wp*(along%hole_diameter(i) - contact_diameter(part))*axial(i)
-                  if (-axial(i) > tension_capacity(worn_od(part), part%id, torque(i), moment, part%yield)) return
+                  if (-axial(i) > tension_capacity(worn_od(part), part%id, torque(i), moment, &
+                                                      along%inside_pressure(i) - along%pressure(i), part%yield)) return
                end associate
             end do
          end do

@@ -11,7 +11,7 @@ module dg_trajectory
    implicit none
    private
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
-   public :: cut_trajectory, arc_at, closest_point, position_at, frame_at, true_vertical_depth, top_md, bottom_md
+   public :: cut_trajectory, arc_at, closest_point, position_at, frame_at, true_vertical_depth, measured_depth_at, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
    public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
@@ -21,6 +21,9 @@ module dg_trajectory
 
    !> Largest angle between two stations [rad]: towards 180 deg the plane of the arc is lost.
    real(wp), parameter :: largest_dogleg = 170.0_wp*degree
+
+   !> Parts of an arc in which a true vertical depth is looked for.
+   integer, parameter :: pieces = 16
 
    type :: trajectory_type
       real(wp), allocatable :: md(:)           !< stations as given [m]
@@ -207,4 +210,38 @@ contains
       call position_at(trajectory, md, position, tangent)
       tvd = position(3)
    end function true_vertical_depth
+
+   !> Least measured depth [m] at which the hole reaches a true vertical depth below the first station [m]; huge where it does not.
+   pure function measured_depth_at(trajectory, tvd) result(md)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: tvd
+      real(wp) :: md
+      real(wp) :: low, high
+      integer :: i, k
+      if (tvd <= 0.0_wp) then
+         md = top_md(trajectory)
+         return
+      end if
+      do i = 1, size(trajectory%arcs)
+         associate (arc => trajectory%arcs(i))
+            do k = 1, pieces       ! a bend past 90 deg comes up again
+               high = arc%md + arc%length*k/pieces
+               if (true_vertical_depth(trajectory, high) < tvd) cycle
+               low = arc%md + arc%length*(k - 1)/pieces
+               do
+                  md = 0.5_wp*(low + high)
+                  if (md <= low .or. md >= high) exit
+                  if (true_vertical_depth(trajectory, md) < tvd) then
+                     low = md
+                  else
+                     high = md
+                  end if
+               end do
+               md = high
+               return
+            end do
+         end associate
+      end do
+      md = huge(md)
+   end function measured_depth_at
 end module dg_trajectory

@@ -4,6 +4,7 @@ module dg_sampled_model
    use dg_constants, only: pi
    use dg_counter_random, only: normal_number
    use dg_error, only: error_type
+   use dg_fluid, only: heaviest_fluid
    use dg_model, only: copy_without_cases, model_type
    use dg_trajectory, only: new_trajectory
    use dg_uncertainty, only: uncertainty_type
@@ -57,11 +58,21 @@ contains
             if (uncertainty%rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
          end associate
       end do
-      if (uncertainty%density_deviation > 0.0_wp) drawn%mud_density = &
-         max(model%mud_density + uncertainty%density_deviation*draw_of(uncertainty, sample, quantity_density, 0), 0.0_wp)
+      if (uncertainty%density_deviation > 0.0_wp .and. allocated(drawn%mud%fluids)) drawn%mud%fluids%density = &
+         max(model%mud%fluids%density + uncertainty%density_deviation*draw_of(uncertainty, sample, quantity_density, 0)* &
+             share_of(model%mud%fluids%density, heaviest_fluid(model%mud)), 0.0_wp)
       if (uncertainty%inclination_deviation > 0.0_wp .or. uncertainty%azimuth_deviation > 0.0_wp) &
          call draw_survey(model, uncertainty, sample, drawn, error)
    end subroutine draw_model
+
+   !> Share of a fluid in the deviation of density [-]: the heaviest one has it whole, others, gas above all, as much less as they
+   !> are lighter.
+   elemental function share_of(density, heaviest) result(share)
+      real(wp), intent(in) :: density, heaviest   !< [kg/m3]
+      real(wp) :: share
+      share = 1.0_wp
+      if (density < heaviest) share = density/heaviest
+   end function share_of
 
    !> Stations with angles as they may be. An inclination below 0 or beyond pi is the same direction seen from the other side.
    subroutine draw_survey(model, uncertainty, sample, drawn, error)

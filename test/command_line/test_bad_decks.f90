@@ -96,8 +96,10 @@ contains
    subroutine test_groups()
       call refuse("&boundary", "&boundry", 15, "unknown group &boundry; did you mean 'boundary'?")
       call refuse("&hole md_top = 0.0", "&hoel md_top = 0.0", 6, "did you mean 'hole'?")
+      call refuse("&boundary top_lateral = 'centred' /", "&boundary /  &boundary /", 15, &
+                  'given a second time, first in line 15')
       call refuse("&fluid density = 1200.0 /", "&fluid density = 1200.0 /  &fluid /", 10, &
-                  'given a second time, first in line 10')
+                  'group &fluid: the fluid in line 10 takes all of its place')
       call refuse("&boundary top_lateral = 'centred' /", "&job /", 15, 'group &job: given a second time, first in line 1')
       call refuse_text("! nothing"//newline, 1, 'group &trajectory: missing')
    end subroutine test_groups

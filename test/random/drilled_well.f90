@@ -6,6 +6,7 @@ module dg_drilled_well
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, &
@@ -101,7 +102,7 @@ contains
       case default; call draw_production_string(state, string, stations, model)
       end select
       call fit_lengths(model)
-      model%mud_density = muds(1 + int(size(muds)*draw(state)))
+      model%mud = standing_mud(muds(1 + int(size(muds)*draw(state))))
       model%boundary%top_centred = draw(state) > 0.25_wp
       model%boundary%bit_centred = draw(state) > 0.5_wp
       model%numerics = settings_of('auto')

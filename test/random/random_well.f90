@@ -5,6 +5,7 @@ module dg_random_well
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_count, operation_rotary_drilling, operation_sliding_drilling, operation_static
@@ -50,7 +51,7 @@ contains
       model%holes(1)%friction_axial = 0.5_wp*draw(state)
       model%holes(1)%friction_rotary = model%holes(1)%friction_axial
       if (size(model%strings(1)%components) == 1) model%holes(1)%diameter = 0.15_wp
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
       model%boundary%top_centred = draw(state) > 0.3_wp
       model%boundary%bit_centred = draw(state) > 0.3_wp
       model%numerics%element_length = shortest_element*(longest_element/shortest_element)**draw(state)

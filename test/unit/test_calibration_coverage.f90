@@ -8,6 +8,7 @@ module dg_test_calibration_coverage
    use dg_counter_random, only: normal_number
    use dg_error, only: error_type
    use dg_fit_by_kinds, only: fit_by_kinds
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_least_squares, only: fit_done, measured_function_type
@@ -108,7 +109,7 @@ contains
          allocate (model%strings(1)%components(1))
          model%strings(1)%components(1) = component_type(name='pipe', kind='drillpipe', od=0.127_wp, id=0.1086_wp, &
                                                              mass=31.9_wp)
-         model%mud_density = 1200.0_wp
+         model%mud = standing_mud(1200.0_wp)
          do i = 1, size(model%cases)
             model%cases(i)%name = 'case'
             model%cases(i)%section = ''

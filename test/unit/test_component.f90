@@ -58,10 +58,10 @@ contains
    subroutine test_weight_in_mud()
       type(component_type) :: pipe
       pipe%mass = 30.0_wp
-      call assertRelativelyEqual(30.0_wp*standard_gravity, buoyed_weight(pipe, 0.0_wp, standard_gravity), rounding)
+      call assertRelativelyEqual(30.0_wp*standard_gravity, buoyed_weight(pipe, 0.0_wp, 0.0_wp, standard_gravity), rounding)
       ! mud of a fifth of steel's density carries a fifth of the weight
-      call assertRelativelyEqual(24.0_wp*standard_gravity, buoyed_weight(pipe, 1570.0_wp, standard_gravity), rounding)
+      call assertRelativelyEqual(24.0_wp*standard_gravity, buoyed_weight(pipe, 1570.0_wp, 1570.0_wp, standard_gravity), rounding)
       pipe%density = 1570.0_wp
-      call assertEqual(0.0_wp, buoyed_weight(pipe, 1570.0_wp, standard_gravity), message='floats')
+      call assertEqual(0.0_wp, buoyed_weight(pipe, 1570.0_wp, 1570.0_wp, standard_gravity), message='floats')
    end subroutine test_weight_in_mud
 end module dg_test_component

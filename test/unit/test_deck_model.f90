@@ -99,7 +99,7 @@ contains
       call assertEqual(default%tolerance, model%numerics%tolerance)
       call assertEqual(default%gk_max, model%numerics%gk_max)
       call assertEqual(9.80665_wp, model%gravity)
-      call assertEqual(0.0_wp, model%mud_density)
+      call assertEqual(0.0_wp, model%mud%fluids(1)%density)
    end subroutine test_si
 
    !> NIST SP 811: 1 ft = 0.3048 m, 1 in = 25.4 mm, 1 lbm/ft = 1.488163944 kg/m, 1 lbm/gal = 119.826427 kg/m3,
@@ -121,7 +121,7 @@ contains
       call assertEqual('field', trim(job%units%name))
       call assertEqual(304.8_wp, model%trajectory%md(2), 1.0e-12_wp)
       call assertEqual(0.2159_wp, model%holes(1)%diameter, rounding)
-      call assertEqual(1198.26427_wp, model%mud_density, 1198.0_wp*printed_digits)
+      call assertEqual(1198.26427_wp, model%mud%fluids(1)%density, 1198.0_wp*printed_digits)
       call assertEqual(29.76327888_wp, model%strings(1)%components(1)%mass, 30.0_wp*printed_digits)
       call assertEqual(206.0e9_wp, model%strings(1)%components(1)%youngs, message='defaults are SI in any deck')
       call assertEqual(7850.0_wp, model%strings(1)%components(1)%density)

@@ -7,6 +7,7 @@ module dg_test_mesh
    use dg_component, only: buoyed_weight, component_type
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_gap_state, only: gap_law_type, state_elastic, state_free
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_hole_section, only: hole_section_type
@@ -58,7 +59,7 @@ contains
       model%cases(1)%string = 'main'
       model%cases(1)%bit_depth = 291.0_wp
       model%cases(1)%operation = operation_trip_out
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
    end subroutine build
 
    !> Stations 101 and 173, shoe 130, collar top 291 - 40 = 251, between them equal parts of at most 10 m.
@@ -181,10 +182,10 @@ contains
       do e = 1, mesh%elements
          middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
          if (middle > 251.0_wp) then
-            w = buoyed_weight(model%strings(1)%components(1), 1200.0_wp, model%gravity)
+            w = buoyed_weight(model%strings(1)%components(1), 1200.0_wp, 1200.0_wp, model%gravity)
             call assertEqual(0.08_wp, mesh%radius(e), 1.0e-15_wp, message='collar')
          else
-            w = buoyed_weight(model%strings(1)%components(2), 1200.0_wp, model%gravity)
+            w = buoyed_weight(model%strings(1)%components(2), 1200.0_wp, 1200.0_wp, model%gravity)
             call assertEqual(0.0825_wp, mesh%radius(e), 1.0e-15_wp, message='joint')
          end if
          call assertEqual(w, mesh%weight(e))

@@ -116,16 +116,24 @@ contains
       real(wp), parameter :: moment = 10.0e3_wp
       type(pipe_stress_type) :: stress
       real(wp) :: torque, tension
-      call assertRelativelyEqual(yield*tube_area(od, id), tension_capacity(od, id, 0.0_wp, 0.0_wp, yield), rounding)
+      call assertRelativelyEqual(yield*tube_area(od, id), tension_capacity(od, id, 0.0_wp, 0.0_wp, 0.0_wp, yield), rounding)
       torque = yield/sqrt(3.0_wp)*2.0_wp*tube_inertia(od, id)/0.0635_wp
-      call assertEqual(0.0_wp, tension_capacity(od, id, torque*(1.0_wp + rounding), 0.0_wp, yield), 1.0_wp, message='within 1 N')
-      call assertEqual(0.0_wp, tension_capacity(od, id, 2.0_wp*torque, 0.0_wp, yield))
-      tension = tension_capacity(od, id, 0.6_wp*torque, 0.0_wp, yield)
+      call assertEqual(0.0_wp, tension_capacity(od, id, torque*(1.0_wp + rounding), 0.0_wp, 0.0_wp, yield), 1.0_wp, &
+                       message='within 1 N')
+      call assertEqual(0.0_wp, tension_capacity(od, id, 2.0_wp*torque, 0.0_wp, 0.0_wp, yield))
+      tension = tension_capacity(od, id, 0.6_wp*torque, 0.0_wp, 0.0_wp, yield)
       call assertRelativelyEqual(0.8_wp*yield*tube_area(od, id), tension, rounding, message='3, 4, 5')
-      tension = tension_capacity(od, id, 0.6_wp*torque, moment, yield)
+      tension = tension_capacity(od, id, 0.6_wp*torque, moment, 0.0_wp, yield)
       stress = pipe_stress(od, id, tension, 0.6_wp*torque, moment, 0.0_wp, 0.0_wp)
       call assertRelativelyEqual(yield, stress%von_mises, rounding, message='bending too')
-      call assertTrue(tension_capacity(od, id, 0.0_wp, 2.0_wp*yield*tube_inertia(od, id)/(0.5_wp*od), yield) < 0.0_wp, &
+      tension = tension_capacity(od, id, 0.3_wp*torque, 0.5_wp*moment, 60.0e6_wp, yield)
+      stress = pipe_stress(od, id, true_axial(tension, od, id, 30.0e6_wp, 90.0e6_wp), 0.3_wp*torque, 0.5_wp*moment, 30.0e6_wp, &
+                           90.0e6_wp)
+      call assertRelativelyEqual(yield, stress%von_mises, rounding, message='pressure inside')
+      tension = tension_capacity(od, id, 0.0_wp, 0.0_wp, -60.0e6_wp, yield)
+      stress = pipe_stress(od, id, true_axial(tension, od, id, 90.0e6_wp, 30.0e6_wp), 0.0_wp, 0.0_wp, 90.0e6_wp, 30.0e6_wp)
+      call assertRelativelyEqual(yield, stress%von_mises, rounding, message='pressure outside')
+      call assertTrue(tension_capacity(od, id, 0.0_wp, 2.0_wp*yield*tube_inertia(od, id)/(0.5_wp*od), 0.0_wp, yield) < 0.0_wp, &
                       message='bending alone')
    end subroutine test_envelope
 

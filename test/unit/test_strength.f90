@@ -7,6 +7,7 @@ module dg_test_strength
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
@@ -189,7 +190,7 @@ contains
       model%strings(1)%components(1) = pipe(6.5_wp, 2.8125_wp, 0.0_wp, 1.0_wp)
       model%strings(1)%components(1)%length = 100.0_wp
       model%strings(1)%components(2) = pipe(5.0_wp, 4.276_wp, 135.0_wp, 1.0_wp)
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
       model%cases(1)%name = 'case'
       model%cases(1)%section = ''
       model%cases(1)%string = 'main'
@@ -208,7 +209,8 @@ contains
       end associate
    end subroutine build
 
-   !> Each limit by hand, at the place where it is used most, with its factor. In mud of one pressure nothing bursts or collapses.
+   !> Each limit by hand, at the place where it is used most, with its factor. In mud of one pressure nothing bursts or collapses;
+   !> pump pressure bursts, air inside lets the mud outside press the pipe in.
    subroutine test_used()
       type(model_type) :: model
       type(case_result_type) :: result
@@ -237,6 +239,21 @@ contains
       ! 0.5 Y of tension, 0.1 x 0.577 Y of shear
       call used(limit_von_mises, 1.1_wp*sqrt(0.25_wp + 3.0_wp*0.0577_wp**2), 0.0_wp)
       call assertEqual('slips', trim(governing_name(most)))
+      factors%burst = 1.2_wp
+      factors%collapse = 1.1_wp
+      model%cases(1)%pump_pressure = 20.0e6_wp
+      call find_along_string(model, result, along)
+      call find_utilisation(model, result, along, factors, optional_real(), most)
+      call used(limit_burst, 1.2_wp*20.0e6_wp/burst_strength(model%strings(1)%components(2)), 0.0_wp)
+      model%cases(1)%pump_pressure = 0.0_wp
+      model%mud%fluids(1)%inside = .false.
+      call find_along_string(model, result, along)
+      call find_utilisation(model, result, along, factors, optional_real(), most)
+      associate (part => model%strings(1)%components(2), outside => 1200.0_wp*model%gravity*900.0_wp)
+         call used(limit_burst, 0.0_wp, 0.0_wp)
+         call used(limit_collapse, 1.1_wp*outside/collapse_strength(part, (result%profile%axial(2) - outside* &
+                   tube_area(part%od, 0.0_wp))/tube_area(part%od, part%id)), 900.0_wp)
+      end associate
       factors%slip_length = 0.0_wp
       factors%torsion = 7.0_wp
       call find_utilisation(model, result, along, factors, optional_real(), most)

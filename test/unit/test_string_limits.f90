@@ -8,6 +8,7 @@ module dg_test_string_limits
                            tube_inertia
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
@@ -67,7 +68,7 @@ contains
       allocate (model%strings(1)%components(2))
       model%strings(1)%components(1) = tube(50.0_wp, 0.16_wp, 0.07_wp, 700.0e6_wp)
       model%strings(1)%components(2) = tube(0.0_wp, 0.127_wp, 0.1086_wp, 500.0e6_wp)
-      model%mud_density = mud
+      model%mud = standing_mud(mud)
       model%cases(1)%name = 'case'
       model%cases(1)%section = ''
       model%cases(1)%string = 'main'
@@ -265,7 +266,7 @@ contains
       real(wp) :: weight, limit
       call build(model, result, 60.0_wp, operation_sliding_drilling)
       pipe = model%strings(1)%components(2)
-      weight = buoyed_weight(pipe, mud, model%gravity)
+      weight = buoyed_weight(pipe, mud, mud, model%gravity)
       limit = sinusoidal_limit(bending_stiffness(pipe), weight*sin(60.0_wp*degree), 0.5_wp*(0.2_wp - 0.127_wp))
       result%profile%axial(1) = -limit - 100.0_wp
       call find_along_string(model, result, along)
@@ -287,7 +288,7 @@ contains
       type(whole_string_type) :: whole
       call build(model, result, 60.0_wp, operation_sliding_drilling)
       model%strings(1)%components%mass = 0.0_wp
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       result%profile%axial = -1.0e5_wp
       call find_along_string(model, result, along)
       call assertTrue(all(is_missing(along%sinusoidal)))
@@ -373,9 +374,9 @@ contains
       call find_whole_string(model, result, along, optional_real(), whole)
       do i = 1, 2
          associate (part => model%strings(1)%components(i))
-            along_hole(i) = buoyed_weight(part, mud, model%gravity)*merge(50.0_wp, 950.0_wp, i == 1)*0.5_wp
+            along_hole(i) = buoyed_weight(part, mud, mud, model%gravity)*merge(50.0_wp, 950.0_wp, i == 1)*0.5_wp
             limit(i) = sinusoidal_limit(bending_stiffness(part), &
-                                        buoyed_weight(part, mud, model%gravity)*sin(60.0_wp*degree), 0.5_wp*(0.2_wp - part%od))
+                                        buoyed_weight(part, mud, mud, model%gravity)*sin(60.0_wp*degree), 0.5_wp*(0.2_wp - part%od))
          end associate
       end do
       call assertRelativelyEqual(min(limit(1), limit(2) + along_hole(1)), whole%wob_buckling%value, halved)
@@ -404,7 +405,7 @@ contains
       real(wp), parameter :: moment = 5.0e3_wp, joint = 0.168_wp, factor = 2.0746294414550963_wp
       real(wp) :: tension
       call build(model, result, 60.0_wp, operation_trip_out)
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       model%strings(1)%components(2)%joint_od = joint
       model%strings(1)%components(2)%joint_spacing = 8.0_wp
       tension = 0.25_wp*bending_stiffness(model%strings(1)%components(2))

@@ -8,6 +8,7 @@ module dg_test_uncertainty
    use dg_constants, only: degree, pi
    use dg_counter_random, only: normal_number, philox
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
@@ -149,7 +150,7 @@ contains
       allocate (model%holes(2), model%strings(0), model%cases(0))
       model%holes(1) = hole_section_type('cased', 0.0_wp, 200.0_wp, 0.22_wp, 0.2_wp, 0.25_wp)
       model%holes(2) = hole_section_type('open', 200.0_wp, 600.0_wp, 0.21_wp, 0.3_wp, 0.35_wp)
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
       uncertainty%range%models = [1]
       uncertainty%range%operations = [operation_trip_out, operation_trip_in]
       uncertainty%range%depths = [300.0_wp, 600.0_wp]
@@ -172,11 +173,11 @@ contains
       call assertEqual(0.01_wp*draw_of(uncertainty, 7, quantity_friction, [1, 2]), change, round_off)
       call assertEqual(change, drawn%holes%friction_rotary - model%holes%friction_rotary, round_off)
       call assertTrue(abs(change(1) - change(2)) > 1.0e-6_wp, message='sections are drawn apart')
-      call assertEqual(1200.0_wp, drawn%mud_density)
+      call assertEqual(1200.0_wp, drawn%mud%fluids(1)%density)
       uncertainty%density_deviation = 20.0_wp
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertEqual(change, drawn%holes%friction_axial - model%holes%friction_axial, round_off)
-      call assertTrue(abs(drawn%mud_density - 1200.0_wp) > 1.0e-3_wp)
+      call assertTrue(abs(drawn%mud%fluids(1)%density - 1200.0_wp) > 1.0e-3_wp)
       uncertainty%friction_factor = 1.0e4_wp*uncertainty%friction_factor
       uncertainty%range%frictions(1) = given(0.15_wp)
       call draw_model(model, uncertainty, 7, drawn, error)
@@ -227,7 +228,7 @@ contains
       call build(model, uncertainty)
       call new_trajectory(model%trajectory, [0.0_wp, length], [60.0_wp, 60.0_wp]*degree, [0.0_wp, 0.0_wp], &
                           interpolation_minimum_curvature, error)
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       deallocate (model%strings)
       allocate (model%strings(1))
       model%strings(1)%name = 'main'

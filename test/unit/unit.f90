@@ -34,6 +34,7 @@ contains
       use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
       use dg_test_director, only: director_suite
+      use dg_test_fluid, only: fluid_suite
       use dg_test_gap_contact, only: gap_contact_suite
       use dg_test_gap_element, only: gap_element_suite
       use dg_test_gap_location, only: gap_location_suite
@@ -71,6 +72,7 @@ contains
       call suite%addTest(deck_model_suite())
       call suite%addTest(deck_text_suite())
       call suite%addTest(drillstring_suite())
+      call suite%addTest(fluid_suite())
       call suite%addTest(hole_section_suite())
       call suite%addTest(load_case_suite())
       call suite%addTest(output_names_suite())

@@ -9,6 +9,7 @@ module dg_test_bent_housing
    use dg_constants, only: degree, pi
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
+   use dg_fluid, only: standing_mud
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
    use dg_model, only: model_type
@@ -138,7 +139,7 @@ contains
       model%strings(1)%components(3)%bend_position = well%bend_above - sum(well%length(1:2))
       model%cases(1)%bit_depth = well%bit
       model%cases(1)%toolface = well%toolface
-      model%mud_density = well%mud
+      model%mud = standing_mud(well%mud)
       model%gravity = well%gravity
       model%boundary%top_centred = .true.
       model%boundary%bit_centred = .true.

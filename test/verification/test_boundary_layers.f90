@@ -11,6 +11,7 @@ module dg_test_boundary_layers
    use dg_case_result, only: case_result_type
    use dg_component, only: axial_stiffness, bending_stiffness, component_type
    use dg_constants, only: degree, pi
+   use dg_fluid, only: standing_mud
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out
@@ -172,7 +173,7 @@ contains
       do i = 1, size(strings)
          call new_well(model, md, inc, spread(20.0_wp, 1, 4), holes(i), 0.2_wp, strings(i))
          model%numerics = settings_of('auto')
-         model%mud_density = 1100.0_wp
+         model%mud = standing_mud(1100.0_wp)
          model%boundary%top_centred = .true.
          model%boundary%bit_centred = .true.
          model%cases(1)%bit_depth = deepest

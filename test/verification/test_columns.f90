@@ -7,6 +7,7 @@ module dg_test_columns
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
+   use dg_fluid, only: standing_mud
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static
@@ -65,7 +66,7 @@ contains
       component%makeup_torque = makeup
       call new_well(model, md, inclination, azimuth, hole, friction, component)
       model%numerics = settings_of('auto')
-      model%mud_density = mud
+      model%mud = standing_mud(mud)
       model%gravity = gravity
       model%boundary%top_centred = .true.
       model%boundary%bit_centred = .true.

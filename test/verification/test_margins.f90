@@ -5,6 +5,7 @@ module dg_test_margins
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: component_type
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static, optional_real
@@ -43,7 +44,7 @@ contains
       component%yield = yield
       call new_well(model, md, inclination, azimuth, hole, 0.0_wp, component)
       model%numerics = settings_of('auto')
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
       model%boundary%bit_centred = .true.
       model%boundary%top_centred = .true.
    end subroutine build

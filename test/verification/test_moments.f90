@@ -5,6 +5,7 @@ module dg_test_moments
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, &
                                   push_at_bit, value_at
    use dg_kinds, only: wp
@@ -180,7 +181,7 @@ contains
       model%cases(1)%bit_depth = well%bit
       model%cases(1)%wob = well%wob
       model%cases(1)%tob = well%tob
-      model%mud_density = well%mud
+      model%mud = standing_mud(well%mud)
       model%gravity = well%gravity
       model%boundary%top_centred = .true.
       model%boundary%bit_centred = .true.

@@ -4,6 +4,7 @@ module dg_test_soft_wells
    use dg_case_result, only: case_result_type, result_converged
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, &
       operation_static, operation_trip_in, operation_trip_out
@@ -136,7 +137,7 @@ contains
          call three_part_well(model, [0.0_wp, 731.5_wp, 1280.0_wp, 3718.0_wp], [0.0_wp, 0.0_wp, 44.0_wp, 44.0_wp], 1000.0_wp, &
                     friction(i), friction(i))
          model%gravity = 9.81_wp
-         model%mud_density = 9.8_wp/8.33_wp*1000.0_wp
+         model%mud = standing_mud(9.8_wp/8.33_wp*1000.0_wp)
          model%strings(1)%components = [ &
             part('collar', 372.0_wp*field%length, 6.5_wp*inch, 2.5_wp*inch, 146.90_wp*field%mass_per_length, 0.0_wp), &
             part('hwdp', 840.0_wp*field%length, 5.0_wp*inch, 3.0_wp*inch, 46.90_wp*field%mass_per_length, 6.375_wp*inch), &
@@ -221,7 +222,7 @@ contains
    subroutine one_pipe(model, weight)
       type(model_type), intent(inout) :: model
       real(wp), intent(in) :: weight
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       model%strings(1)%components = [part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, weight/model%gravity, 0.0_wp)]
    end subroutine one_pipe
 end module dg_test_soft_wells

@@ -7,6 +7,7 @@ module dg_test_stiff_wells
    use dg_component, only: bending_stiffness, component_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, &
       operation_sliding_drilling, operation_static, operation_trip_in, operation_trip_out
@@ -211,13 +212,13 @@ contains
       steel%joint_od = 0.2699_wp
       call new_well(model, [0.0_wp, 300.0_wp, 900.0_wp, 1450.0_wp], [0.0_wp, 0.0_wp, 50.0_wp, 50.0_wp], spread(77.0_wp, 1, 4), &
                     0.3112_wp, 0.3_wp, steel)
-      model%mud_density = 1300.0_wp
+      model%mud = standing_mud(1300.0_wp)
       call compare(casing, [0.0_wp, 0.0_wp], 5.0e-3_wp, 0.02_wp, 'casing')
       steel = pipe(10.0_wp*73.4_wp, 0.127_wp, 0.0762_wp)
       steel%joint_od = 0.1651_wp
       call new_well(model, [0.0_wp, 250.0_wp, 270.0_wp, 560.0_wp], [2.0_wp, 2.0_wp, 11.0_wp, 11.0_wp], spread(77.0_wp, 1, 4), &
                     0.2159_wp, 0.2_wp, steel)
-      model%mud_density = 1200.0_wp
+      model%mud = standing_mud(1200.0_wp)
       call compare(dogleg, [-250.0e3_wp, 0.0_wp], 0.01_wp, 0.2_wp, 'dogleg')
 
    contains

@@ -7,6 +7,7 @@ module dg_test_wells
    use dg_component, only: component_type
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -44,7 +45,7 @@ contains
       model%cases(1)%bit_depth = md(size(md))
       model%boundary%top_centred = .false.
       model%boundary%bit_centred = .false.
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       model%gravity = 10.0_wp
    end subroutine new_well
 
@@ -75,7 +76,7 @@ contains
       model%cases(1)%section = ''
       model%cases(1)%string = 'main'
       model%cases(1)%bit_depth = md(size(md))
-      model%mud_density = 1440.0_wp
+      model%mud = standing_mud(1440.0_wp)
    end subroutine three_part_well
 
    !> A component by its numbers; no tool joints where `joint_od` is 0.
@@ -133,17 +134,19 @@ contains
       call assertLessThan(result%equilibrium_moment, left*model%cases(1)%bit_depth, message=what//': moments balance')
    end subroutine solve
 
-   !> Weight of the whole string in the hole [N]; components but the last as long as they say.
+   !> Weight of the whole string in the hole [N], in its first fluid; components but the last as long as they say.
    pure function string_weight(model) result(weight)
       type(model_type), intent(in) :: model
-      real(wp) :: weight, length, rest
+      real(wp) :: weight, length, rest, density
       integer :: i
       rest = model%cases(1)%bit_depth - model%trajectory%md(1)
+      density = 0.0_wp
+      if (allocated(model%mud%fluids)) density = model%mud%fluids(1)%density
       weight = 0.0_wp
       associate (components => model%strings(1)%components)
          do i = 1, size(components)
             length = merge(rest, components(i)%length, i == size(components))
-            weight = weight + length*components(i)%mass*model%gravity*(1.0_wp - model%mud_density/components(i)%density)
+            weight = weight + length*components(i)%mass*model%gravity*(1.0_wp - density/components(i)%density)
             rest = rest - length
          end do
       end associate

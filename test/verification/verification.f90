@@ -36,6 +36,7 @@ contains
       use dg_test_columns, only: columns_suite
       use dg_test_margins, only: margins_suite
       use dg_test_boundary_layers, only: boundary_layers_suite
+      use dg_test_fluids, only: fluids_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -66,5 +67,6 @@ contains
       call suite%addTest(columns_suite())
       call suite%addTest(margins_suite())
       call suite%addTest(boundary_layers_suite())
+      call suite%addTest(fluids_suite())
    end function load_tests
 end program verification

@@ -1,0 +1,102 @@
+!> Pressures of the fluids inside and outside a string at rest, by depth.
+!>
+!> A column of fluids presses at a place by the sum of density times gravity times true vertical extent above it. Air above the
+!> first fluid presses nothing: pressures count from that of the atmosphere. Pump pressure adds to the column inside from the
+!> surface down to the first closed collar, else to the bit; what is lost along the string is left out, so that the bit takes
+!> all of it. Below a closed collar the column begins anew.
+module dg_fluid_pressure
+   use dg_kinds, only: wp
+   use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_top, fluid_tops, side_inside, side_outside
+   use dg_load_case, only: load_case_type
+   use dg_model, only: model_type
+   use dg_trajectory, only: top_md, true_vertical_depth
+   implicit none
+   private
+   public :: fluid_column_type, new_fluid_column, pressure_at
+
+   !> The fluids of one side in a load case, as pieces of one density from the top down.
+   type :: fluid_column_type
+      real(wp), allocatable :: md(:)         !< upper ends [m]
+      real(wp), allocatable :: tvd(:)        !< of the upper ends, below the first station [m]
+      real(wp), allocatable :: pressure(:)   !< at the upper ends [Pa]
+      real(wp), allocatable :: gradient(:)   !< density times gravity [Pa/m]
+   end type fluid_column_type
+
+contains
+
+   !> The column of a side. Where the lowest collar is open below, what is beneath it has the pressure of the annulus at the bit.
+   pure subroutine new_fluid_column(model, load_case, side, column)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: side   !< side_inside or side_outside
+      type(fluid_column_type), intent(out) :: column
+      type(fluid_column_type) :: annulus
+      real(wp) :: bit_tvd
+      integer :: i, collar
+      call stack_up(model, load_case, side, column)
+      if (side == side_outside) return
+      do i = size(column%md), 1, -1
+         collar = collar_at(model, column%md(i), load_case%bit_depth)
+         if (collar /= collar_none) exit
+      end do
+      if (collar /= collar_open_below) return
+      call stack_up(model, load_case, side_outside, annulus)
+      bit_tvd = true_vertical_depth(model%trajectory, load_case%bit_depth)
+      column%pressure(i:) = column%pressure(i:) + pressure_at(annulus, load_case%bit_depth, bit_tvd) &
+                            - pressure_at(column, load_case%bit_depth, bit_tvd)
+   end subroutine new_fluid_column
+
+   !> The pieces of a side, pressures summed from the surface down and anew below each collar.
+   pure subroutine stack_up(model, load_case, side, column)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: side
+      type(fluid_column_type), intent(out) :: column
+      real(wp) :: pressure
+      real(wp), allocatable :: tops(:)
+      integer :: i
+      allocate (tops, source=fluid_tops(model%mud, load_case%bit_depth))
+      allocate (column%md(size(tops) + 1))
+      column%md(1) = top_md(model%trajectory)
+      column%md(2:) = tops
+      allocate (column%tvd(size(column%md)), column%pressure(size(column%md)), column%gradient(size(column%md)))
+      pressure = 0.0_wp
+      if (side == side_inside) pressure = load_case%pump_pressure
+      do i = 1, size(column%md)
+         column%tvd(i) = true_vertical_depth(model%trajectory, column%md(i))
+         column%gradient(i) = density_at(model%mud, side, column%md(i), load_case%bit_depth)*model%gravity
+         if (i > 1) pressure = pressure + column%gradient(i - 1)*(column%tvd(i) - column%tvd(i - 1))
+         if (side == side_inside .and. collar_at(model, column%md(i), load_case%bit_depth) /= collar_none) pressure = 0.0_wp
+         column%pressure(i) = pressure
+      end do
+   end subroutine stack_up
+
+   !> Which collar stands at the upper end of a piece.
+   pure function collar_at(model, md, bit_depth) result(collar)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: md, bit_depth   !< [m]
+      integer :: collar
+      integer :: i
+      collar = collar_none
+      if (.not. allocated(model%mud%fluids)) return
+      do i = 1, size(model%mud%fluids)
+         associate (fluid => model%mud%fluids(i))
+            if (fluid%collar == collar_none .or. fluid%above_bit >= bit_depth) cycle
+            if (abs(fluid_top(fluid, bit_depth) - md) <= 0.0_wp) collar = fluid%collar
+         end associate
+      end do
+   end function collar_at
+
+   !> Pressure above that of the atmosphere [Pa] at a place of the hole; never negative.
+   pure function pressure_at(column, md, tvd) result(pressure)
+      type(fluid_column_type), intent(in) :: column
+      real(wp), intent(in) :: md    !< measured depth; where two fluids meet, the lower one's counts [m]
+      real(wp), intent(in) :: tvd   !< of the same place, below the first station [m]
+      real(wp) :: pressure
+      integer :: i
+      do i = size(column%md), 2, -1
+         if (column%md(i) <= md) exit
+      end do
+      pressure = max(column%pressure(i) + column%gradient(i)*(tvd - column%tvd(i)), 0.0_wp)
+   end function pressure_at
+end module dg_fluid_pressure
