@@ -9,6 +9,7 @@ module dg_deck_echo
    use dg_fluid, only: collar_name, collar_none
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type, boundary_type
    use dg_numerics, only: numerics_type, gap_at_nodes
@@ -176,10 +177,26 @@ contains
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
                   bent_text(units, part))
                call add_strength(lines, units, part, job%design)
+               if (part%centralizer%present) call append_text(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
          end do
       end associate
    end subroutine add_string
+
+   !> The centralisers of a component.
+   pure function centralizer_text(units, centralizer) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(centralizer_type), intent(in) :: centralizer
+      character(:), allocatable :: text
+      text = trim(merge('bow springs       ', 'rigid centralizers', centralizer%bow))//', od '// &
+             quantity(centralizer%od, units%diameter, unit_label(units, unit_diameter))//', every '// &
+             quantity(centralizer%spacing, units%length, unit_label(units, unit_length))//' from '// &
+             quantity(centralizer%first, units%length, unit_label(units, unit_length))// &
+             optional(', restoring ', centralizer%restoring_force, units%force, unit_label(units, unit_force))// &
+             optional(', running ', centralizer%running_force, units%force, unit_label(units, unit_force))// &
+             friction_text(' axial ', centralizer%friction_axial, 1.0_wp)// &
+             friction_text(' rotary ', centralizer%friction_rotary, 1.0_wp)
+   end function centralizer_text
 
    !> What a component says of its friction in one way; nothing where it has that of the hole.
    pure function friction_text(way, own, scale) result(text)

@@ -178,6 +178,7 @@ contains
             longest = element_length
             if (model%numerics%discrete_joints .and. has_joints(pipes(i))) &
                longest = min(longest, pipes(i)%joint_spacing/elements_a_joint)
+            if (pipes(i)%centralizer%present) longest = min(longest, pipes(i)%centralizer%spacing/elements_a_joint)
             elements = elements + (tops(i) - bottom)/longest
             bottom = tops(i)
          end do

@@ -2,6 +2,7 @@
 !> Two models with the same lines give the same results, and where they differ the line says in what.
 module dg_model_text
    use dg_kinds, only: wp
+   use dg_centralizer, only: centralizer_type
    use dg_component, only: component_type, has_bend
    use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_section_type
@@ -164,10 +165,28 @@ contains
          call append_text(lines, head//'friction_scale_axial = '//to_text(part%scale_axial))
       if (abs(part%scale_rotary - 1.0_wp) > 0.0_wp) &
          call append_text(lines, head//'friction_scale_rotary = '//to_text(part%scale_rotary))
+      if (part%centralizer%present) call append_centralizer(lines, head//'centralizer ', part%centralizer)
       if (.not. has_bend(part)) return
       call append_text(lines, head//'bend = '//to_text(part%bend))
       call append_text(lines, head//'bend_position = '//to_text(part%bend_position))
    end subroutine append_component
+
+   subroutine append_centralizer(lines, head, centralizer)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      type(centralizer_type), intent(in) :: centralizer
+      call append_text(lines, head//'kind = '//trim(merge('bow  ', 'rigid', centralizer%bow)))
+      call append_text(lines, head//'od = '//to_text(centralizer%od))
+      call append_text(lines, head//'spacing = '//to_text(centralizer%spacing))
+      call append_text(lines, head//'first = '//to_text(centralizer%first))
+      call append_text(lines, head//'restoring_force = '//to_text(centralizer%restoring_force))
+      call append_text(lines, head//'rated_hole = '//to_text(centralizer%rated_hole))
+      call append_text(lines, head//'running_force = '//to_text(centralizer%running_force))
+      if (.not. is_missing(centralizer%friction_axial)) &
+         call append_text(lines, head//'friction_axial = '//to_text(centralizer%friction_axial))
+      if (.not. is_missing(centralizer%friction_rotary)) &
+         call append_text(lines, head//'friction_rotary = '//to_text(centralizer%friction_rotary))
+   end subroutine append_centralizer
 
    !> All settings of the solver in the order of their type: list-directed output takes in those that come new.
    function settings_text(numerics) result(text)

@@ -3,7 +3,7 @@
 !> gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter, is_bit
+   use dg_component, only: centralizer_diameter, is_bit
    use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: quoted, suggestion, to_text, lower_case
@@ -262,19 +262,21 @@ contains
       type(draft_case_type), intent(in) :: probe
       integer, intent(in) :: parts(:)        !< components of its string, from the bit up
       type(fault_list_type), intent(inout) :: faults
-      integer :: k, h, m
+      integer :: k, h, m, line
       real(wp) :: lower_end, diameter
       lower_end = probe%load_case%bit_depth
       do k = 1, size(parts)
          if (lower_end <= 0.0_wp) return
          associate (item => draft%components(parts(k)))
-            diameter = contact_diameter(item%component)
+            diameter = centralizer_diameter(item%component)
+            line = merge(item%line_centralizer, item%line_diameter, item%line_centralizer > 0)
             do h = 1, size(draft%holes)
                if (draft%holes(h)%section%md_top >= lower_end) exit
                if (diameter < draft%holes(h)%section%diameter) cycle
                if (is_bit(item%component) .and. .not. diameter > draft%holes(h)%section%diameter) cycle
-               if (said_before(item%line_diameter)) exit
-               call add_fault(faults, draft%path, item%line_diameter, 'group &component: '// &
+               if (said_before(line)) exit
+               call add_fault(faults, draft%path, line, 'group &'// &
+                              trim(merge('centralizer', 'component  ', item%line_centralizer > 0))//': '// &
                               quoted(item%component%name)//' with '//wide(diameter)//' does not pass the hole of '// &
                               wide(draft%holes(h)%section%diameter)//' (line '//to_text(draft%holes(h)%line)// &
                               ') in '//trim(probe%what)//' '//quoted(probe%load_case%name)//'; needs a diameter < '// &

@@ -21,6 +21,8 @@ module dg_deck_keys
       group_rule_type('component', repeatable=.true., required=.true., &
          meaning='a part of a drillstring; listed from the bit upwards'), &
       group_rule_type('strength', meaning='design factors, and the slips that the string hangs in'), &
+      group_rule_type('centralizer', repeatable=.true., &
+         meaning='centralisers on a component, which they keep off the wall at places along it'), &
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &
@@ -195,6 +197,27 @@ module dg_deck_keys
          meaning='length over which slips grip the uppermost pipe; 0: not known, no slips'), &
       key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
          meaning='lateral over axial load of slips; 4 with a friction of 0.08 on their backs')]
+   type(key_rule_type), parameter :: centralizer_keys(12) = [ &
+      key_rule_type('centralizer', 'string', kind_text, default='main', meaning='name of the string of the component'), &
+      key_rule_type('centralizer', 'component', kind_text, required=.true., &
+         meaning='name of the component that has them; all of that name in the string'), &
+      key_rule_type('centralizer', 'kind', kind_text, default='rigid', choices='rigid bow', meaning='solid, or a bow spring'), &
+      key_rule_type('centralizer', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
+         meaning='outside diameter; of bows that nothing presses'), &
+      key_rule_type('centralizer', 'spacing', unit=unit_length, required=.true., low=1.0_wp, high=1.0e3_wp, &
+         meaning='distance from one to the next'), &
+      key_rule_type('centralizer', 'first', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='of the lowest, above the lower end of the component; default half the spacing'), &
+      key_rule_type('centralizer', 'restoring_force', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='of a bow at 67 % standoff (API 10D)'), &
+      key_rule_type('centralizer', 'rated_hole', unit=unit_diameter, low=narrowest, high=widest, &
+         meaning='diameter of the hole for which restoring_force holds; default od'), &
+      key_rule_type('centralizer', 'running_force', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
+         meaning='drag of one bow in a hole narrower than it (API 10D)'), &
+      key_rule_type('centralizer', 'friction', low=0.0_wp, high=roughest, &
+         meaning='coefficient where it touches, axial and rotary; default that of the component'), &
+      key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
+      key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
 
    type(key_rule_type), parameter :: boundary_keys(2) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
@@ -435,6 +458,7 @@ contains
       case ('rig'); rules = rig_keys
       case ('component'); rules = component_keys
       case ('strength'); rules = strength_keys
+      case ('centralizer'); rules = centralizer_keys
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys

@@ -4,6 +4,7 @@ module dg_read_deck
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
    use dg_catalogue, only: catalogue_within
+   use dg_deck_centralizer, only: take_centralizers
    use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_calibrate, only: take_calibrations
@@ -94,6 +95,7 @@ contains
       job%deck_text = text_of_lines(lines)
       call fill_from_catalogue(path, checked, catalogue, faults)
       call take_draft(checked, draft, faults)
+      call take_centralizers(checked, draft, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)

@@ -81,6 +81,8 @@ contains
          force(6) = force(6) - load(2)
          force(9) = force(9) - load(3)
          force(12) = force(12) - load(4)
+         force(1:3) = force(1:3) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e)
+         force(7:9) = force(7:9) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e + 1)
          element%symmetric = conservative
          call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
          residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)

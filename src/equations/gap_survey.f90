@@ -98,7 +98,7 @@ contains
       if (closely) lone = lone_contacts(gaps%state) .and. .not. mesh%spacing > 0.0_wp
       known = 0                    ! node whose offset stands in gap_j
       do e = 1, mesh%elements
-         if (.not. (closed .or. gaps%state(e) == state_free)) cycle
+         if (.not. (closed .or. gaps%state(e) == state_free) .or. mesh%centralizer(e)) cycle
          if (known == e) then
             gap_i = gap_j
             tangent_i = tangent_j

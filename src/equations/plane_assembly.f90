@@ -55,6 +55,7 @@ contains
          section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
          call plane_beam(section, chord, i, j, tangent, force, axial, stiffness)
          call take_weight(mesh%weight(e)*hermite_line_load(mesh%length(e)), i, j, tangent, force, stiffness)
+         force([1, 4]) = force([1, 4]) - 0.5_wp*loads%friction_scale*mesh%drag(e)
          if (gaps%state(e) /= state_free) &
             call take_gap(mesh, plane, loads, gaps, e, chord, i, j, tangent, work, force, stiffness)
          residual(:, e) = residual(:, e) + force(1:3)

@@ -62,10 +62,11 @@ contains
       integer :: e
       allocate (laws(mesh%elements))
       do e = 1, mesh%elements
-         laws(e) = gap_law_type(clearance=mesh%clearance(e), contact=mesh%wall(e)*mesh%length(e), &
+         laws(e) = gap_law_type(clearance=mesh%opening(e), contact=mesh%wall(e)*mesh%length(e), &
             maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
             r_n0=numerics%r_n0)
       end do
       gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
+      where (mesh%centralizer) gaps%xi = middle
    end subroutine lay_out_gaps
 end module dg_walls

@@ -1,22 +1,24 @@
 !> Friction where a component rubs on its hole: coefficients of hole, load case and component together.
 module dg_contact_friction
    use dg_kinds, only: wp
-   use dg_component, only: component_type
+   use dg_component, only: centralizer_diameter, component_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: friction_split, load_case_type
    use dg_missing, only: is_missing
    implicit none
    private
-   public :: find_friction
+   public :: find_friction, running_drag
 
 contains
 
    !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
-   !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say.
-   pure subroutine find_friction(hole, component, load_case, radius, scale, axial, rotary)
+   !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say. A
+   !> centraliser does so, too, where it touches.
+   pure subroutine find_friction(hole, component, load_case, centralized, radius, scale, axial, rotary)
       type(hole_section_type), intent(in) :: hole
       type(component_type), intent(in) :: component
       type(load_case_type), intent(in) :: load_case
+      logical, intent(in) :: centralized !< its centralisers touch, not its body
       real(wp), intent(in) :: radius     !< at which the string touches [m]
       real(wp), intent(in) :: scale      !< on all coefficients [-]
       real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]
@@ -30,6 +32,23 @@ contains
       if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
       mu_rotary = mu_rotary*component%scale_rotary
       if (.not. is_missing(component%friction_rotary)) mu_rotary = component%friction_rotary
+      if (centralized) then
+         if (.not. is_missing(component%centralizer%friction_axial)) mu_axial = component%centralizer%friction_axial
+         if (.not. is_missing(component%centralizer%friction_rotary)) mu_rotary = component%centralizer%friction_rotary
+      end if
       call friction_split(load_case, scale*mu_axial, scale*mu_rotary, radius, axial, rotary)
    end subroutine find_friction
+
+   !> Drag of a bow spring in a hole that is narrower than it [N], signed as `axial` above: its running force. A string that turns
+   !> as it moves has the share of it that an axial friction has.
+   pure function running_drag(hole, component, load_case) result(drag)
+      type(hole_section_type), intent(in) :: hole
+      type(component_type), intent(in) :: component
+      type(load_case_type), intent(in) :: load_case
+      real(wp) :: drag, ignored
+      drag = 0.0_wp
+      if (.not. component%centralizer%present .or. hole%diameter >= component%centralizer%od) return
+      call friction_split(load_case, component%centralizer%running_force, 0.0_wp, 0.5_wp*centralizer_diameter(component), drag, &
+                          ignored)
+   end function running_drag
 end module dg_contact_friction

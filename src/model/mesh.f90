@@ -5,10 +5,12 @@
 !> hole where the string rests on it unstretched.
 module dg_mesh
    use dg_kinds, only: wp
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
-                           effective_joint_length, has_bend, has_joints, room_of, torsional_stiffness
-   use dg_contact_friction, only: find_friction
-   use dg_drillstring, only: at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, joint_ends
+   use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, component_type, &
+                           contact_diameter, effective_joint_length, has_bend, has_joints, room_of, torsional_stiffness
+   use dg_contact_friction, only: find_friction, running_drag
+   use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, &
+                             joint_ends
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: load_case_type, rotates
@@ -35,14 +37,17 @@ module dg_mesh
       real(wp), allocatable :: gj(:)             !< [N.m2]
       real(wp), allocatable :: weight(:)         !< buoyed, per length [N/m]
       real(wp), allocatable :: clearance(:)      !< (D - d)/2 [m]
+      real(wp), allocatable :: opening(:)        !< offset at which contact begins: the clearance, less for a bow spring [m]
       real(wp), allocatable :: radius(:)         !< of contact, d/2 [m]
       real(wp), allocatable :: lying(:)          !< clearance at which the string lies: that of its joints [m]
       real(wp), allocatable :: gathered(:)       !< contact load of an element over the string's mean: joints gather it [-]
       real(wp), allocatable :: spacing(:)        !< between joints, 0 where the string touches all along [m]
       real(wp), allocatable :: axial(:)          !< friction along the hole, > 0 pushes down the hole [-]
       real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
-      real(wp), allocatable :: wall(:)           !< wall stiffness Gkc [N/m2]
+      real(wp), allocatable :: wall(:)           !< wall stiffness Gkc, or a bow spring's over its length [N/m2]
       real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
+      real(wp), allocatable :: drag(:)           !< running force of bow springs, > 0 pushes down the hole [N]
+      logical, allocatable :: centralizer(:)     !< a centraliser touches, at the middle of its element
       !> Angle by which an element is bent before loading, times the unit vector to which its lower end points (3,elements) [rad];
       !> not allocated where the whole string is straight.
       real(wp), allocatable :: bend(:, :)
@@ -92,7 +97,7 @@ contains
       n = mesh%elements
       allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
                 mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n), &
-                mesh%lying(n), mesh%gathered(n), mesh%spacing(n))
+                mesh%lying(n), mesh%gathered(n), mesh%spacing(n), mesh%opening(n), mesh%drag(n), mesh%centralizer(n))
       top = mesh%md(1)
       allocate (tops(size(model%strings(index)%components)))
       tops = component_tops(model%strings(index), load_case%bit_depth - top)
@@ -111,15 +116,18 @@ contains
             mesh%gj(e) = torsional_stiffness(component)
             mesh%weight(e) = buoyed_weight(component, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
                                            density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
-            mesh%radius(e) = 0.5_wp*contact_diameter(component)
+            distance = load_case%bit_depth - middle
+            if (part > 1) distance = distance - tops(part - 1)
+            mesh%centralizer(e) = at_centralizer(component%centralizer, distance)
+            mesh%radius(e) = 0.5_wp*merge(centralizer_diameter(component), contact_diameter(component), mesh%centralizer(e))
             call put_in_hole(model, load_case, component, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
             mesh%gathered(e) = 1.0_wp
             mesh%spacing(e) = 0.0_wp
+            if (component%centralizer%present) call put_centralizer(model, load_case, component, middle, e, mesh)
+            if (component%centralizer%present) cycle
             if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
             mesh%spacing(e) = component%joint_spacing
-            distance = load_case%bit_depth - middle
-            if (part > 1) distance = distance - tops(part - 1)
             if (at_joint(component, distance)) then
                mesh%gathered(e) = component%joint_spacing/effective_joint_length(component)
             else
@@ -163,13 +171,43 @@ contains
       type(mesh_type), intent(inout) :: mesh
       associate (hole => model%holes(hole_section_at(model%holes, md)))
          mesh%clearance(e) = room_of(0.5_wp*hole%diameter - mesh%radius(e))
+         mesh%opening(e) = mesh%clearance(e)
+         mesh%drag(e) = 0.0_wp
          mesh%wall(e) = hole%wall_stiffness
          if (.not. hole%wall_stiffness > 0.0_wp) mesh%wall(e) = model%numerics%gk_contact
          mesh%eps_nmax(e) = model%numerics%eps_nmax
          if (hole%mud_sheath > 0.0_wp) mesh%eps_nmax(e) = hole%mud_sheath/mesh%clearance(e)  ! = 2 t/(D - d)
-         call find_friction(hole, component, load_case, mesh%radius(e), 1.0_wp, mesh%axial(e), mesh%rotary(e))
+         call find_friction(hole, component, load_case, mesh%centralizer(e), mesh%radius(e), 1.0_wp, mesh%axial(e), &
+                            mesh%rotary(e))
       end associate
    end subroutine put_in_hole
+
+   !> What centralisers change on an element of their component, which is in its hole: all load gathers where they touch.
+   pure subroutine put_centralizer(model, load_case, component, md, e, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: md
+      integer, intent(in) :: e
+      type(mesh_type), intent(inout) :: mesh
+      associate (centralizer => component%centralizer, hole => model%holes(hole_section_at(model%holes, md)))
+         mesh%spacing(e) = centralizer%spacing
+         mesh%gathered(e) = merge(centralizer%spacing/contact_length, 0.0_wp, mesh%centralizer(e))
+         if (centralizer%bow) then
+            mesh%lying(e) = min(mesh%clearance(e), bow_opening(centralizer, hole%diameter) &
+                                + abs(mesh%weight(e))*centralizer%spacing/bow_stiffness(centralizer, component%od))
+         else
+            mesh%lying(e) = 0.5_wp*(hole%diameter - centralizer%od)
+         end if
+         if (.not. mesh%centralizer(e)) return
+         if (centralizer%bow) then
+            mesh%opening(e) = min(bow_opening(centralizer, hole%diameter), mesh%clearance(e))
+            mesh%eps_nmax(e) = (mesh%clearance(e) - mesh%opening(e))/mesh%opening(e)
+            mesh%wall(e) = bow_stiffness(centralizer, component%od)/contact_length
+            mesh%drag(e) = running_drag(hole, component, load_case)*mesh%length(e)/contact_length
+         end if
+      end associate
+   end subroutine put_centralizer
 
    !> Depths of the nodes [m], from the first station to the bit: all breaks, and between them equal parts no longer
    !> than asked for.
@@ -188,6 +226,7 @@ contains
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops, fluid_tops(model%mud, bit)]
       breaks = [breaks, bit - blade_places(model%strings(n), tops), bit - bend_ends(model%strings(n), tops)]
+      breaks = [breaks, bit - all_centralizer_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)

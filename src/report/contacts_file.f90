@@ -18,7 +18,7 @@ module dg_contacts_file
          'beyond what weight and tension in a bend press to the wall there'), &
       column_type('length', quantity_length, 'over which it acts; 0 for bit and top'), &
       column_type('clock', quantity_angle, 'where to, as clock in the profiles'), &
-      column_type('kind', quantity_text, 'tool joint, stabilizer, edge, bit or top')]
+      column_type('kind', quantity_text, 'tool joint, stabilizer, centralizer, edge, bit or top')]
 
 contains
 

@@ -8,7 +8,7 @@ module dg_limits_table
    use dg_constants, only: pi
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -74,6 +74,13 @@ contains
       numbers = wholes%bending_error
       numbers%value = -100.0_wp*numbers%value
       call append_least(lines, units, names, 'Moments may be off by, %', quantity_none, 1, numbers, nowhere, .true.)
+      numbers = wholes%least_standoff
+      do i = 1, size(results)
+         numbers(i)%present = numbers(i)%present .and. has_centralizers(model, results(i)%case_index)
+      end do
+      numbers%value = 100.0_wp*wholes%least_standoff%value
+      depths = wholes%least_standoff_md
+      call append_least(lines, units, names, 'Least standoff, %', quantity_none, 1, numbers, depths, .false.)
       numbers = wholes%least_safety
       depths = wholes%least_safety_md
       call append_least(lines, units, names, 'Least safety against yield', quantity_none, 2, numbers, depths, .false.)
@@ -118,6 +125,14 @@ contains
          end associate
       end do
    end subroutine append_block
+
+   !> Whether a case runs a string with centralisers, whose standoff is looked for.
+   pure function has_centralizers(model, case_index) result(has)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      logical :: has
+      has = any(model%strings(string_index(model%strings, model%cases(case_index)%string))%components%centralizer%present)
+   end function has_centralizers
 
    !> The least of some numbers, with its case and place; `negative` numbers are shown without their sign.
    pure subroutine append_least(lines, units, names, what, quantity, decimals, numbers, depths, negative)

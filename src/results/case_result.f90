@@ -10,7 +10,8 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_name
+   public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
+             contact_name
 
    integer, parameter :: result_converged = 1
    integer, parameter :: result_not_converged = 2
@@ -37,8 +38,9 @@ module dg_case_result
       'compressed', 'no rest in the plane']
 
    !> What presses the wall at one place, and names in files.
-   integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5
-   character(*), parameter :: contact_name(5) = [character(10) :: 'tool joint', 'stabilizer', 'edge', 'bit', 'top']
+   integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5, &
+                         contact_centralizer = 6
+   character(*), parameter :: contact_name(6) = [character(11) :: 'tool joint', 'stabilizer', 'edge', 'bit', 'top', 'centralizer']
 
    !> A contact force that acts over a short length.
    type :: contact_point_type

@@ -137,7 +137,7 @@ contains
       real(wp) :: contact(3), bend(3), shear(3), bending(3)
       call balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
       normal = piece%climb*norm2(contact)
-      change = piece%axial*normal - dot_product(shear, bend)
+      change = piece%axial*normal + piece%drag - dot_product(shear, bend)
    end subroutine rates
 
    !> Contact force on the wall, curvature of the string, shear and moment at a depth.

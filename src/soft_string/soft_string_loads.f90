@@ -6,7 +6,8 @@
 !>     contact force on the wall per metre   c = T k + w (g - (g.t) t),     n = |c|
 !>     dT/ds' = w g.t + f n,      dM/ds' = m r n                     (s' up the hole)
 !> with effective tension T, curvature vector k = dt/ds, unit vector down g, buoyed weight w, radius of contact r,
-!> and the signed shares f, m of friction along and around the hole (friction_split).
+!> and the signed shares f, m of friction along and around the hole (friction_split). Running forces of bow springs per length are
+!> added to f n. Where a component has centralisers all contact is theirs.
 !> Brett et al. 1989 (the paper's flexible type) use the same balance.
 !>
 !> Asked for `coiled`, compression F beyond the coiling load presses the string on the wall all around, by c F^2/(4 EI) per metre
@@ -16,8 +17,8 @@ module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    use dg_snake, only: snake_contact, snake_swing
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, contact_diameter
-   use dg_contact_friction, only: find_friction
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
+   use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: component_tops
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
@@ -61,6 +62,7 @@ module dg_soft_string_loads
       real(wp) :: top = 0.0_wp      !< measured depth of its upper end [m]
       real(wp) :: weight = 0.0_wp   !< buoyed [N/m]
       real(wp) :: radius = 0.0_wp   !< of contact [m]
+      real(wp) :: drag = 0.0_wp     !< of bow springs, signed as f [N/m]
       real(wp) :: axial = 0.0_wp    !< f of the balance above [-]
       real(wp) :: rotary = 0.0_wp   !< m of the balance above [-]
       real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
@@ -192,12 +194,16 @@ contains
             middle = 0.5_wp*(piece%top + md)
             piece%weight = buoyed_weight(string%components(i), density_at(model%mud, side_outside, middle, load_case%bit_depth), &
                                          density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
-            piece%radius = 0.5_wp*contact_diameter(string%components(i))
+            piece%radius = 0.5_wp*centralizer_diameter(string%components(i))
             piece%stiffness = bending_stiffness(string%components(i))
             piece%stretching = axial_stiffness(string%components(i))
-            piece%clearance = 0.5_wp*model%holes(hole)%diameter - piece%radius
-            call find_friction(model%holes(hole), string%components(i), load_case, piece%radius, friction_scale, &
-                               piece%axial, piece%rotary)
+            piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(string%components(i)))
+            associate (part => string%components(i))
+               call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
+                                  piece%axial, piece%rotary)
+               if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
+                                                          /part%centralizer%spacing
+            end associate
          end associate
          if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
          if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
@@ -234,11 +240,11 @@ contains
          offset = offset - step
          block
             real(wp) :: n1, n2, n3, n4, middle
-            middle = force + piece%weight*(here%depth - half_way%depth)
+            middle = force + piece%weight*(here%depth - half_way%depth) + 0.5_wp*step*piece%drag
             n1 = pressed(piece, here, force)
             n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
             n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
-            force = force + piece%weight*(here%depth - there%depth)
+            force = force + piece%weight*(here%depth - there%depth) + step*piece%drag
             n4 = pressed(piece, there, force + step*piece%axial*n3)
             normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
          end block

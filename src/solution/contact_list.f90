@@ -4,8 +4,8 @@ module dg_contact_list
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, contact_places, contact_xi, length_of
    use dg_bending_rows, only: clock_in_hole
-   use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_edge, contact_joint, contact_point_type, &
-                             contact_top
+   use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_centralizer, contact_edge, contact_joint, &
+                             contact_point_type, contact_top
    use dg_component, only: has_blades
    use dg_contact_edges, only: centroid, contact_edge_type, find_edges
    use dg_drillstring, only: component_at, component_tops
@@ -127,7 +127,8 @@ contains
       stretches%spread(n) = is_spread
    end subroutine add
 
-   !> What touches at each element of the analysis: contact_joint where tool joints stand one by one, contact_blades, else 0.
+   !> What touches at each element of the analysis: contact_centralizer, contact_joint where tool joints stand one by one,
+   !> contact_blades, else 0.
    pure function kinds_of(model, case_index, mesh) result(kind)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -145,7 +146,7 @@ contains
             if (has_blades(components(component_at(tops, height)))) then
                kind(e) = contact_blades
             else if (mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp) then
-               kind(e) = contact_joint
+               kind(e) = merge(contact_centralizer, contact_joint, mesh%centralizer(e))
             end if
          end do
       end associate

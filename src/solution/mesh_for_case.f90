@@ -95,7 +95,7 @@ contains
          end do
          depths = subdivided(mesh%md, longest)
          ! where joints touch their spacing rules, and nothing else bends the string as shortly
-         if (.not. model%numerics%discrete_joints) then
+         if (.not. (model%numerics%discrete_joints .or. any(mesh%centralizer))) then
             e = size(depths)
             depths = graded(mesh%md, longest, growth)
             shortened(scale_neighbour) = size(depths) - e
@@ -118,7 +118,7 @@ contains
          if (any(marked(max(e - 1, 1):min(e + 1, mesh%elements)))) &
             longest(e) = min(mesh%length(e), max(cut_share*mesh%length(e), shortest))
       end do
-      if (model%numerics%discrete_joints) then
+      if (model%numerics%discrete_joints .or. any(mesh%centralizer)) then
          depths = subdivided(mesh%md, longest)
       else
          depths = graded(mesh%md, longest, growth)

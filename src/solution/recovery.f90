@@ -117,7 +117,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: force, moment
-      real(wp) :: forces(3), moments(3), lever(3), weight(4), origin(3), start(3), tangent(3)
+      real(wp) :: forces(3), moments(3), lever(3), weight(4), drag(3, 2), origin(3), start(3), tangent(3)
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       integer :: e
       forces = work%reaction
@@ -128,6 +128,10 @@ contains
          weight = mesh%weight(e)*hermite_line_load(mesh%length(e))
          forces = forces + (weight(1) + weight(3))*down
          moments = moments + cross(start + work%shift(:, e), weight(1)*down) + cross(work%d(:, e), weight(2)*down)
+         drag = 0.5_wp*mesh%drag(e)*mesh%frame(:, 1, e:e + 1)
+         forces = forces + drag(:, 1) + drag(:, 2)
+         moments = moments + cross(start + work%shift(:, e), drag(:, 1)) + &
+                   cross(start + mesh%chord(:, e) + work%shift(:, e + 1), drag(:, 2))
          lever = start + point_on_string(mesh, work, e, gaps%xi(e))
          forces = forces + work%contact_force(:, e)
          moments = moments + cross(lever, work%contact_force(:, e)) + work%contact_moment(:, e)

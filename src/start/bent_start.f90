@@ -56,7 +56,7 @@ contains
       do e = 1, n - 1
          beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
          beam%owner(e) = e
-         beam%law(e) = gap_law_type(clearance=mesh%clearance(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
+         beam%law(e) = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
       end do

@@ -53,12 +53,13 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
-      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place
+      real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place, depth
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
       real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
       logical :: found, sharp
       integer :: i, e, laid
       wall = start%softness*mesh%wall
+      where (mesh%opening < mesh%clearance) wall = mesh%wall     ! bow springs are soft
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, start%scale, start%scale, coiled=.true.)
       offset = 0.0_wp
       do i = 1, mesh%nodes
@@ -69,8 +70,9 @@ contains
          friction = mesh%rotary(e)*climb(e)*start%scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
-         offset(:, i) = (mesh%lying(e) + force*mesh%gathered(e)/wall(e))*[dot_product(n, mesh%frame(:, 2, i)), &
-                                                                 dot_product(n, mesh%frame(:, 3, i))]
+         depth = mesh%lying(e) + force*mesh%gathered(e)/wall(e)
+         if (mesh%opening(e) < mesh%clearance(e)) depth = min(mesh%opening(e) + force*mesh%gathered(e)/wall(e), mesh%clearance(e))
+         offset(:, i) = depth*[dot_product(n, mesh%frame(:, 2, i)), dot_product(n, mesh%frame(:, 3, i))]
       end do
       call slopes_of(model%numerics%tuning, mesh, offset, slope)
       call lay_buckled(model, mesh, axial, gaps%xi, wall, load, offset, slope, laid)
@@ -93,6 +95,7 @@ contains
          if (found) pressed(e) = sum(forces(:, e))
          gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
          if (.not. (found .and. pressed(e) > 0.0_wp .and. model%numerics%gap_location == gap_at_extremum)) cycle
+         if (mesh%centralizer(e)) cycle
          place = dot_product(contact_xi, forces(:, e))/pressed(e)
          if (abs(place - gaps%xi(e)) > model%numerics%tuning%aside) gaps%xi(e) = place
       end do

@@ -2,14 +2,15 @@
 !> All quantities SI. Section properties are those of the tube body, as it is new.
 module dg_component
    use dg_kinds, only: wp
+   use dg_centralizer, only: centralizer_type
    use dg_constants, only: pi, steel_density
    use dg_missing, only: missing
    use dg_text, only: lower_case
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, &
-             has_bend, is_bit, room_of
+   public :: contact_diameter, centralizer_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, &
+             is_worn, has_bend, is_bit, room_of
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -41,6 +42,7 @@ module dg_component
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
       real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
       real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
+      type(centralizer_type) :: centralizer  !< on its body
    end type component_type
 
 contains
@@ -103,6 +105,14 @@ contains
       real(wp) :: diameter
       diameter = max(component%joint_od, component%od)
    end function contact_diameter
+
+   !> Diameter at which the component rubs where its centralisers touch [m]: that of rigid ones; within a bow spring the pipe turns.
+   elemental function centralizer_diameter(component) result(diameter)
+      type(component_type), intent(in) :: component
+      real(wp) :: diameter
+      diameter = contact_diameter(component)
+      if (component%centralizer%present .and. .not. component%centralizer%bow) diameter = component%centralizer%od
+   end function centralizer_diameter
 
    !> Whether the component touches at joints spaced along it, its body between them being thinner.
    elemental function has_joints(component) result(has)

@@ -1,10 +1,12 @@
 !> A drillstring: named components in order from the bit upwards.
 module dg_drillstring
    use dg_kinds, only: wp
+   use dg_centralizer, only: centralizer_ends
    use dg_component, only: component_type, effective_joint_length, has_bend, has_blades, has_joints
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, bend_ends, bend_within, at_joint
+   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, all_centralizer_ends, bend_ends, &
+             bend_within, at_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
@@ -50,8 +52,8 @@ contains
       index = size(tops)
    end function component_at
 
-   !> Ends of all tool joints, as distances above the bit [m]. Joints stand every joint_spacing from a component's lower
-   !> end, half a joint at its ends.
+   !> Ends of all tool joints, as distances above the bit [m]; components with centralisers have none. Joints stand every
+   !> joint_spacing from a component's lower end, half a joint at its ends.
    pure function joint_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops
@@ -61,7 +63,7 @@ contains
       allocate (ends(0))
       bottom = 0.0_wp
       do i = 1, size(tops)
-         if (has_joints(string%components(i))) then
+         if (has_joints(string%components(i)) .and. .not. string%components(i)%centralizer%present) then
             half = 0.5_wp*effective_joint_length(string%components(i))
             do k = 0, int((tops(i) - bottom)/string%components(i)%joint_spacing) + 1
                centre = bottom + k*string%components(i)%joint_spacing
@@ -71,6 +73,21 @@ contains
          bottom = tops(i)
       end do
    end function joint_ends
+
+   !> Ends of the contacts of all centralisers, as distances above the bit [m].
+   pure function all_centralizer_ends(string, tops) result(ends)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), allocatable :: ends(:)
+      real(wp) :: bottom
+      integer :: i
+      allocate (ends(0))
+      bottom = 0.0_wp
+      do i = 1, size(tops)
+         ends = [ends, bottom + centralizer_ends(string%components(i)%centralizer, tops(i) - bottom)]
+         bottom = tops(i)
+      end do
+   end function all_centralizer_ends
 
    !> Places within stabilisers where they are divided, as distances above the bit [m].
    pure function blade_places(string, tops) result(places)

@@ -75,7 +75,7 @@ contains
       type(fluid_column_type) :: outside, inside
       real(wp) :: bit, depth, moment(2), pressure(2), weight(2)
       integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
-      logical :: apart
+      logical :: apart, solved(2)   ! joint by joint; bending between contacts, on either side
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
       n = size(result%profile%md)
       along = new_along_string(n)
@@ -95,6 +95,7 @@ contains
                pressure(side) = pressure_at(inside, depth, profile%tvd(i))
                weight(side) = buoyed_weight(components(part(side)), density_at(model%mud, side_outside, depth, bit), &
                                             density_at(model%mud, side_inside, depth, bit), model%gravity)
+               solved(side) = apart .or. (components(part(side))%centralizer%present .and. result%model == model_mcge)
             end do
             along%pressure(i) = pressure_at(outside, depth, profile%tvd(i))
             along%inside_above(i) = pressure(1)
@@ -111,8 +112,8 @@ contains
                   call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
                                   along)
                   call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
-                                 curvature_at(model, profile%md(i), arc(side)), apart, along)
-                  if (has_joints(components(part(side))) .and. .not. apart) call keep_most(along%joint_side_force(i), &
+                                 curvature_at(model, profile%md(i), arc(side)), solved(side), along)
+                  if (has_joints(components(part(side))) .and. .not. solved(side)) call keep_most(along%joint_side_force(i), &
                      profile%side_force(i)*components(part(side))%joint_spacing)
                end if
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1) .or. &
@@ -130,7 +131,7 @@ contains
             do side = 1, 2
                if (components(part(side))%yield > 0.0_wp) call keep_least(along%overpull(i), &
                   pull_margin(components(part(side)), profile%axial(i), profile%torque(i), moment(side), along%curvature(i), &
-                              apart, along%buckling(i) /= buckling_none, pressure(side) - along%pressure(i)))
+                              solved(side), along%buckling(i) /= buckling_none, pressure(side) - along%pressure(i)))
             end do
          end do
       end associate

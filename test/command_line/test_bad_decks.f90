@@ -186,6 +186,18 @@ contains
       call refuse("id = 108.6", "id = 130", 13, 'id = 130 is not smaller than od = 127')
       call refuse("id = 108.6", "id = 108.6, friction = 0.1, friction_scale_rotary = 0.5", 13, &
                   'friction_scale_rotary has nothing to scale: the component has its own rotary friction')
+      call refuse("&solver", "&centralizer component = 'colar', od = 200, spacing = 10 / &solver", 20, &
+                  "string 'main' has no component 'colar'")
+      call refuse("&solver", "&centralizer component = 'collars', kind = 'bow', od = 200, spacing = 10 / &solver", 20, &
+                  "kind = 'bow' needs restoring_force")
+      call refuse("&solver", "&centralizer component = 'collars', od = 200, spacing = 10, running_force = 1 / &solver", 20, &
+                  "running_force has no meaning with kind = 'rigid'")
+      call refuse("&solver", "&centralizer component = 'collars', od = 170, spacing = 10 / &solver", 20, &
+                  "od = 170 mm is not greater than that of 'collars' (line 11), 171.45 mm")
+      call refuse("&solver", "&centralizer component = 'collars', od = 200, spacing = 250 / &solver", 20, &
+                  "the lowest stands 125 m above the lower end of 'collars', which is 100 m long")
+      call refuse("&solver", "&centralizer component = 'collars', od = 230, spacing = 10 / &solver", 20, &
+                  "'collars' with 230 mm does not pass the hole of")
       call refuse("joint_od = 168.3", "joint_od = 100", 14, 'joint_od = 100 is smaller than od = 127')
       call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')

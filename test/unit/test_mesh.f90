@@ -3,6 +3,7 @@ module dg_test_mesh
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_centralizer, only: centralizer_type
    use dg_case_result, only: scale_count
    use dg_component, only: buoyed_weight, component_type
    use dg_constants, only: degree
@@ -32,6 +33,7 @@ contains
       call suite%addTest(TestMethod('nodes_at_every_change', test_nodes_at_every_change))
       call suite%addTest(TestMethod('no_sliver', test_no_sliver))
       call suite%addTest(TestMethod('ends_of_components', test_ends_of_components))
+      call suite%addTest(TestMethod('centralizers', test_centralizers))
       call suite%addTest(TestMethod('subdivided', test_subdivided))
       call suite%addTest(TestMethod('graded', test_graded))
       call suite%addTest(TestMethod('sag', test_sag))
@@ -110,6 +112,39 @@ contains
          call assertEqual(1, count(abs(md - wanted(i)) < 1.0e-9_wp), message='a node at every end, once')
       end do
    end subroutine test_ends_of_components
+
+   !> Bow springs every 12 m from 5 m above the lower end of the pipe, which stands at 251: 246, 234 ... Each has an element of half
+   !> a metre, a load of 24 times the mean, and the stiffness of its rating, 6 kN at 0.33 of 20 mm.
+   subroutine test_centralizers()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp), parameter :: length = 0.5_wp
+      integer :: e
+      call build(model)
+      model%strings(1)%components(2)%joint_od = 0.0_wp
+      associate (centralizer => model%strings(1)%components(2)%centralizer, pipe => model%strings(1)%components(2))
+         centralizer = centralizer_type(present=.true., bow=.true., od=0.215_wp, spacing=12.0_wp, first=5.0_wp, &
+                                        restoring_force=6.0e3_wp, rated_hole=pipe%od + 0.04_wp, running_force=700.0_wp)
+         call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 3.0_wp), mesh)
+         call assertEqual(21, count(mesh%centralizer), message='one each from 246 m to 6 m')
+         do e = 1, mesh%elements
+            if (.not. mesh%centralizer(e)) cycle
+            call assertEqual(length, mesh%length(e), 1.0e-9_wp, message='length')
+            call assertEqual(0.0_wp, modulo(246.0_wp - mesh%md(e) - 0.5_wp*length + 1.0e-6_wp, 12.0_wp), 1.0e-5_wp, message='place')
+            call assertRelativelyEqual(6.0e3_wp/(0.33_wp*0.02_wp), mesh%wall(e)*mesh%length(e), 1.0e-9_wp, message='stiffness')
+            call assertRelativelyEqual(24.0_wp, mesh%gathered(e), 1.0e-9_wp)
+            ! cased with 220 mm, which the bow does not fill, below 130 m with 210 mm, which is narrower
+            call assertEqual(merge(2.5e-3_wp, 0.0_wp, mesh%md(e) < 130.0_wp), mesh%opening(e), 1.0e-5_wp, message='opening')
+            call assertEqual(merge(0.0_wp, 700.0_wp, mesh%md(e) < 130.0_wp), mesh%drag(e), 1.0e-6_wp, message='drag, pulled')
+         end do
+         call assertEqual(0.0_wp, sum(mesh%drag, mask=.not. mesh%centralizer), message='none between')
+         centralizer%bow = .false.
+         centralizer%od = 0.2_wp
+         call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 3.0_wp), mesh)
+         call assertEqual(0.1_wp, pack(mesh%radius, mesh%centralizer), 1.0e-12_wp, message='rigid ones rub at their blades')
+         call assertEqual(0.0_wp, maxval(abs(mesh%opening - mesh%clearance)), message='and do not give way')
+      end associate
+   end subroutine test_centralizers
 
    subroutine test_subdivided()
       call assertEqual([0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.5_wp, 6.0_wp], &
