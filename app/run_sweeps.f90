@@ -2,19 +2,21 @@
 module dg_run_sweeps
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_case_result, only: case_result_type, result_converged, result_not_converged
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
-   use dg_job, only: job_type, model_mcge, model_name
+   use dg_job, only: job_type, model_mcge, model_name, model_soft
    use dg_load_case, only: operation_name
-   use dg_model, only: copy_without_cases, model_type
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: copy_without_cases, model_type, string_index
    use dg_model_text, only: sweep_lines
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_rig, only: indicated_load
    use dg_solve_case, only: solve_case
-   use dg_sweep, only: point_at, point_case, point_count, point_type, sweep_type
+   use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
    use dg_sweep_file, only: write_sweep
    use dg_sweep_record, only: close_record, keep, keeper_type, open_record, take_parts, write_record
    use dg_sweep_result, only: is_solved, sweep_result_type
@@ -95,6 +97,7 @@ contains
             return
          end if
          call add_indicator(model, sweep, run%points)
+         call add_margins(job, model, sweep, run%points)
          call write_sweep(job%output_dir//'/sweep_'//sweep%name//'.csv', job, sweep, run%points, error)
          if (allocated(error)) return
          if (job%merge == 0) call close_record(run%keeper, run%points, closing)
@@ -121,6 +124,49 @@ contains
          points(i)%weight_indicator = indicated_load(model%rig, sweep%operations(place%operation), points(i)%hookload)
       end do
    end subroutine add_indicator
+
+   !> What is left to the limits of rig and string. The pull until something yields is that of the soft string, which has a force
+   !> at every depth in microseconds.
+   subroutine add_margins(job, model, sweep, points)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(inout) :: points(:)
+      logical :: yields
+      associate (rig => model%rig)
+         where (points%status == result_converged)
+            points%rig_margin = merge(rig%max_hookload%value - rig%block_weight - points%hookload, missing, &
+                                      rig%max_hookload%present)
+            points%torque_margin = merge(rig%max_torque%value - points%torque, missing, rig%max_torque%present)
+         end where
+      end associate
+      yields = any(model%strings(string_index(model%strings, sweep%string))%components%yield > 0.0_wp)
+      if (.not. yields) return
+      !$omp parallel num_threads(thread_count(job%threads, size(points)/block_size)) default(shared)
+      call share_pulls()
+      !$omp end parallel
+   contains
+      subroutine share_pulls()
+         type(model_type) :: mine
+         type(case_result_type) :: result
+         type(along_string_type) :: along
+         type(error_type), allocatable :: error
+         integer :: i
+         call copy_without_cases(model, mine)
+         !$omp do schedule(dynamic, block_size)
+         do i = 1, size(points)
+            if (points(i)%status /= result_converged .or. is_interrupted()) cycle
+            call point_case(sweep, point_at(sweep, i), mine%cases(1))
+            call point_holes(sweep, point_at(sweep, i), mine%holes)
+            call solve_case(mine, model_soft, 1, result, error)
+            if (result%status /= result_converged) cycle
+            call find_along_string(mine, result, along)
+            if (all(is_missing(along%overpull))) cycle
+            points(i)%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
+         end do
+         !$omp end do
+      end subroutine share_pulls
+   end subroutine add_margins
 
    !> Solves the points of this part that have no result yet, as many at a time as the job allows. Points do not know of each
    !> other: results do not depend on the number of threads, nor on what was solved before.
@@ -215,6 +261,7 @@ contains
       type(case_result_type) :: result
       type(error_type), allocatable :: error
       call point_case(sweep, point, model%cases(1))
+      call point_holes(sweep, point, model%holes)
       call solve_case(model, sweep%models(point%model), 1, result, error, totals_only=.true.)
       ! a signal in the midst of a point leaves it for the next run
       if (is_interrupted() .and. result%status == result_not_converged) return

@@ -25,6 +25,7 @@ contains
             factors = ''
             do k = 1, size(sweep%frictions)
                if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
+               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
             end do
             if (factors == '') factors = ' of the hole'
             call append_text(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &

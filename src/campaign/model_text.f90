@@ -11,7 +11,7 @@ module dg_model_text
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_numerics, only: numerics_type
-   use dg_sweep, only: sweep_type
+   use dg_sweep, only: at_operation, sweep_type
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: uncertainty_type
    use dg_version, only: program_name, program_version
@@ -53,15 +53,36 @@ contains
          end if
       end do
       call append_text(lines, 'frictions ='//text)
-      call append_text(lines, 'wob = '//to_text(sweep%wob))
-      call append_text(lines, 'tob = '//to_text(sweep%tob))
-      call append_text(lines, 'rotation, rad/s = '//to_text(sweep%angular_speed))
-      call append_text(lines, 'trip speed, m/s = '//to_text(sweep%trip_speed))
+      if (allocated(sweep%frictions_cased)) then
+         call append_numbers(lines, 'frictions of cased sections', sweep%frictions_cased)
+         do i = 1, size(model%holes)
+            call append_text(lines, 'hole '//to_text(i)//', cased = '//yes_or_no(model%holes(i)%cased))
+         end do
+      end if
+      call append_loads(lines, 'wob', sweep%wob)
+      call append_loads(lines, 'tob', sweep%tob)
+      call append_loads(lines, 'rotation, rad/s', sweep%angular_speed)
+      call append_loads(lines, 'trip speed, m/s', sweep%trip_speed)
       call append_text(lines, 'first bit depth, m = '//to_text(sweep%depths(1)))
       call append_text(lines, 'last bit depth, m = '//to_text(sweep%depths(size(sweep%depths))))
       call append_text(lines, 'number of bit depths = '//to_text(size(sweep%depths)))
       call append_numbers(lines, 'bit depths, m', sweep%depths)
    end function sweep_lines
+
+   !> A load of all operations, or one of each.
+   subroutine append_loads(lines, key, loads)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: key
+      real(wp), allocatable, intent(in) :: loads(:)
+      logical :: one
+      one = .not. allocated(loads)
+      if (.not. one) one = size(loads) <= 1
+      if (one) then
+         call append_text(lines, key//' = '//to_text(at_operation(loads, 1)))
+      else
+         call append_numbers(lines, key, loads)
+      end if
+   end subroutine append_loads
 
    !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
    function uncertainty_lines(model, uncertainty) result(lines)

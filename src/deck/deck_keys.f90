@@ -86,7 +86,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
          meaning='path between stations; a spline wants them every 30 m or so where the hole bends')]
 
-   type(key_rule_type), parameter :: hole_keys(9) = [ &
+   type(key_rule_type), parameter :: hole_keys(10) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
       key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
          meaning='upper end; default the lower end of the section before'), &
@@ -101,7 +101,9 @@ module dg_deck_keys
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
          meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section')]
+         meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section'), &
+      key_rule_type('hole', 'cased', kind_logical, default='.false.', &
+         meaning='a cased section: takes frictions_cased of a sweep')]
 
    type(key_rule_type), parameter :: fluid_keys(6) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
@@ -116,7 +118,7 @@ module dg_deck_keys
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
          meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit')]
 
-   type(key_rule_type), parameter :: rig_keys(4) = [ &
+   type(key_rule_type), parameter :: rig_keys(6) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
          meaning='of what hangs on the lines beside the string: travelling block, hook, top drive'), &
       key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
@@ -124,7 +126,11 @@ module dg_deck_keys
       key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
          meaning='tension behind a sheave that turns over that before it; roller bearings 0.96 to 0.99'), &
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
-         meaning='active: the sheave of the dead line turns like the others')]
+         meaning='active: the sheave of the dead line turns like the others'), &
+      key_rule_type('rig', 'max_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='load that the rig may carry, its block counted in: as rig_limit of &job'), &
+      key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
+         meaning='torque that the rig may turn with; default: not known')]
 
    type(key_rule_type), parameter :: component_keys(29) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
@@ -333,7 +339,7 @@ module dg_deck_keys
       key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
          meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone')]
 
-   type(key_rule_type), parameter :: sweep_keys(16) = [ &
+   type(key_rule_type), parameter :: sweep_keys(18) = [ &
       key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
          meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
@@ -346,16 +352,16 @@ module dg_deck_keys
       key_rule_type('sweep', 'frictions', array=.true., low=0.0_wp, high=roughest, &
          meaning='coefficients, axial and rotary, all along the hole; default those of the hole sections'), &
       key_rule_type('sweep', 'string', kind_text, default='main', meaning='name of the drillstring'), &
-      key_rule_type('sweep', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
-         meaning='weight on bit in all operations; > 0 pushes the bit, < 0 pulls it'), &
-      key_rule_type('sweep', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
-         meaning='torque on bit in all operations'), &
+      key_rule_type('sweep', 'wob', unit=unit_force, array=.true., low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit, one of all operations or one of each; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('sweep', 'tob', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, default='0', &
+         meaning='torque on bit, one of all operations or one of each'), &
       key_rule_type('sweep', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several; default the models of &job'), &
-      key_rule_type('sweep', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', &
-         meaning='rotation speed, for ream and backream'), &
-      key_rule_type('sweep', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
-         meaning='axial speed of the string, for ream and backream'), &
+      key_rule_type('sweep', 'rpm', unit=unit_rotation, array=.true., low=0.0_wp, high=1.0e4_wp, default='0', &
+         meaning='rotation speed, for ream and backream; one or one of each operation'), &
+      key_rule_type('sweep', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
       key_rule_type('sweep', 'measured_depths', unit=unit_length, array=.true., low=0.0_wp, open=.true., high=deepest, &
          meaning='bit depths of measurements, to be laid beside; those of load cases come by themselves'), &
       key_rule_type('sweep', 'measured_operations', kind_text, array=.true., choices='*', &
@@ -363,7 +369,11 @@ module dg_deck_keys
       key_rule_type('sweep', 'measured_hookloads', unit=unit_force, array=.true., low=0.0_wp, high=strongest, &
          meaning='measured hook load of each; 0: none'), &
       key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
-         meaning='measured torque of each; 0: none')]
+         meaning='measured torque of each; 0: none'), &
+      key_rule_type('sweep', 'frictions_cased', array=.true., low=0.0_wp, high=roughest, &
+         meaning='in place of frictions: coefficients in cased hole sections, one for each of frictions_open'), &
+      key_rule_type('sweep', 'frictions_open', array=.true., low=0.0_wp, high=roughest, &
+         meaning='coefficients in the other hole sections')]
 
    type(key_rule_type), parameter :: calibrate_keys(13) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
@@ -405,16 +415,16 @@ module dg_deck_keys
       key_rule_type('uncertainty', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient, axial and rotary, all along the hole; default those of the hole sections'), &
       key_rule_type('uncertainty', 'string', kind_text, default='main', meaning='name of the drillstring'), &
-      key_rule_type('uncertainty', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
-         meaning='weight on bit in all operations; > 0 pushes the bit, < 0 pulls it'), &
-      key_rule_type('uncertainty', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
-         meaning='torque on bit in all operations'), &
+      key_rule_type('uncertainty', 'wob', unit=unit_force, array=.true., low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit, one of all operations or one of each; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('uncertainty', 'tob', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, default='0', &
+         meaning='torque on bit, one of all operations or one of each'), &
       key_rule_type('uncertainty', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several; default the models of &job'), &
-      key_rule_type('uncertainty', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', &
-         meaning='rotation speed, for ream and backream'), &
-      key_rule_type('uncertainty', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
-         meaning='axial speed of the string, for ream and backream'), &
+      key_rule_type('uncertainty', 'rpm', unit=unit_rotation, array=.true., low=0.0_wp, high=1.0e4_wp, default='0', &
+         meaning='rotation speed, for ream and backream; one or one of each operation'), &
+      key_rule_type('uncertainty', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
       key_rule_type('uncertainty', 'samples', kind_integer, default='1000', low=2.0_wp, high=1.0e6_wp, &
          meaning='how often all is drawn anew'), &
       key_rule_type('uncertainty', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &

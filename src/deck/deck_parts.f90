@@ -51,6 +51,7 @@ contains
       hole%section%friction_rotary = real_of(group, 'friction_rotary', friction)
       hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
       hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
+      hole%section%cased = logical_of(group, 'cased', .false.)
    end subroutine draft_hole
 
    !> A component; checks its diameters and its joints.
@@ -284,6 +285,8 @@ contains
       rig%lines = integer_of(group, 'lines', rig%lines)
       rig%sheave_efficiency = real_of(group, 'sheave_efficiency', rig%sheave_efficiency)
       rig%active_deadline_sheave = text_of(group, 'deadline_sheave', 'inactive') == 'active'
+      if (is_sound(group, 'max_hookload')) rig%max_hookload = given(real_of(group, 'max_hookload', 0.0_wp))
+      if (is_sound(group, 'max_torque')) rig%max_torque = given(real_of(group, 'max_torque', 0.0_wp))
       if (is_sound(group, 'sheave_efficiency') .and. rig%sheave_efficiency < 1.0_wp .and. .not. is_given(group, 'lines')) &
          call add_fault(faults, path, line_of(group, 'sheave_efficiency'), 'group &rig: sheave_efficiency = '// &
                         to_text(rig%sheave_efficiency, length_digits)//' needs lines, the number strung to the travelling block')

@@ -9,7 +9,7 @@ module dg_deck_sweep
    use dg_load_case, only: given, operation_backream, operation_from_name, operation_name, operation_ream, &
       operation_rotate_off_bottom, operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, &
       operation_trip_out
-   use dg_sweep, only: measured_type, regular_depths, sweep_type, with_depths
+   use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
    use dg_text, only: append_text, is_separator_free, lower_case, quoted, text_type, to_text
    implicit none
    private
@@ -74,10 +74,6 @@ contains
       if (.not. is_separator_free(sweep%name)) call fault('name', 'name = '//quoted(sweep%name)// &
          ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
       sweep%string = text_of(group, 'string', 'main')
-      sweep%wob = real_of(group, 'wob', 0.0_wp)
-      sweep%tob = real_of(group, 'tob', 0.0_wp)
-      sweep%angular_speed = real_of(group, 'rpm', 0.0_wp)
-      sweep%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
       sweep%operations = [operation_trip_out, operation_trip_in, operation_rotate_off_bottom]
       if (is_given(group, 'operations')) then
          texts = texts_of(group, 'operations')
@@ -97,6 +93,7 @@ contains
             end do
          end do
       end if
+      call take_loads(draft, group, sweep, faults)
       key = 'frictions'
       if (group%name /= 'sweep') key = 'friction'      ! one of them
       numbers = reals_of(group, key)
@@ -106,10 +103,7 @@ contains
             call fault('frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one')
          sweep%frictions(i) = given(numbers(i))
       end do
-      if (any(sweep%operations == operation_ream .or. sweep%operations == operation_backream)) then
-         call need_speed('rpm', sweep%angular_speed)
-         call need_speed('trip_speed', sweep%trip_speed)
-      end if
+      if (group%name == 'sweep') call take_pairs(draft, group, sweep, faults)
       call set_default_end(draft, group, last)
       first = real_of(group, 'bit_depth_from', 0.0_wp)
       step = real_of(group, 'bit_depth_step', usual_step)
@@ -148,13 +142,6 @@ contains
          call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
       end subroutine fault
 
-      subroutine need_speed(key, value)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: value
-         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
-         call fault(key, 'reaming needs '//key//' > 0')
-      end subroutine need_speed
-
       pure function is_sound_or_absent(key) result(yes)
          character(*), intent(in) :: key
          logical :: yes
@@ -167,6 +154,84 @@ contains
          text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
       end function shown
    end subroutine take_range
+
+   !> Loads and speeds, one of all operations or one of each; reaming needs both speeds.
+   subroutine take_loads(draft, group, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(sweep_type), intent(inout) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      integer :: o
+      call take('wob', sweep%wob)
+      call take('tob', sweep%tob)
+      call take('rpm', sweep%angular_speed)
+      call take('trip_speed', sweep%trip_speed)
+      do o = 1, size(sweep%operations)
+         if (.not. any(sweep%operations(o) == [operation_ream, operation_backream])) cycle
+         call need_speed('rpm', at_operation(sweep%angular_speed, o))
+         call need_speed('trip_speed', at_operation(sweep%trip_speed, o))
+         exit
+      end do
+   contains
+      subroutine take(key, loads)
+         character(*), intent(in) :: key
+         real(wp), allocatable, intent(out) :: loads(:)
+         loads = reals_of(group, key)
+         if (any(size(loads) == [0, 1, size(sweep%operations)])) return
+         call fault(key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
+                    ' operations; give one, or one for each')
+      end subroutine take
+
+      subroutine need_speed(key, value)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
+         call fault(key, 'reaming needs '//key//' > 0')
+      end subroutine need_speed
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
+      end subroutine fault
+   end subroutine take_loads
+
+   !> Pairs of friction in cased and open hole.
+   subroutine take_pairs(draft, group, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(sweep_type), intent(inout) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      real(wp), allocatable :: cased(:), open(:)
+      character(:), allocatable :: key
+      integer :: i, j
+      allocate (cased(0), open(0))
+      if (.not. (is_given(group, 'frictions_cased') .or. is_given(group, 'frictions_open'))) return
+      cased = reals_of(group, 'frictions_cased')
+      open = reals_of(group, 'frictions_open')
+      key = 'frictions_cased'
+      if (.not. is_given(group, key)) key = 'frictions_open'
+      if (is_given(group, 'frictions')) call fault('frictions_cased and frictions_open stand in place of frictions; keep one way')
+      if (size(cased) /= size(open)) call fault('frictions_cased has '//to_text(size(cased))//' values, frictions_open has '// &
+                                                to_text(size(open))//'; they go in pairs')
+      if (.not. (any(draft%holes%section%cased) .and. any(.not. draft%holes%section%cased))) &
+         call fault('pairs of friction need a hole section with cased = .true., and one without')
+      if (size(cased) /= size(open) .or. size(cased) == 0) return
+      do i = 1, size(cased)
+         do j = 1, i - 1
+            if (max(abs(cased(i) - cased(j)), abs(open(i) - open(j))) <= 0.0_wp) &
+               call fault('the pair '//to_text(cased(i))//', '//to_text(open(i))//' stands there twice; keep one')
+         end do
+      end do
+      sweep%frictions_cased = cased
+      deallocate (sweep%frictions)
+      allocate (sweep%frictions(size(open)))
+      sweep%frictions = given(open)
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
+      end subroutine fault
+   end subroutine take_pairs
 
    !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.
    subroutine set_default_end(draft, group, last)
@@ -187,7 +252,7 @@ contains
       type(sweep_type), intent(inout) :: sweep
       type(measured_type), allocatable :: found(:)
       real(wp) :: depths(size(draft%cases))
-      integer :: i, n
+      integer :: i, n, o
       allocate (found(size(draft%cases)))
       n = 0
       do i = 1, size(draft%cases)
@@ -196,7 +261,9 @@ contains
             if (case%string /= sweep%string .or. .not. any(sweep%operations == case%operation)) cycle
             if (.not. (case%measured_hookload%present .or. case%measured_torque%present)) cycle
             if (case%bit_depth < sweep%depths(1) .or. case%bit_depth > sweep%depths(size(sweep%depths))) cycle
-            if (abs(case%wob - sweep%wob) > 0.0_wp .or. abs(case%tob - sweep%tob) > 0.0_wp) cycle   ! another load
+            o = findloc(sweep%operations, case%operation, dim=1)
+            if (abs(case%wob - at_operation(sweep%wob, o)) > 0.0_wp .or. &
+                abs(case%tob - at_operation(sweep%tob, o)) > 0.0_wp) cycle   ! another load
             n = n + 1
             found(n)%name = case%name
             found(n)%operation = case%operation
@@ -285,11 +352,13 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i
-      if (abs(sweep%wob) <= 0.0_wp .and. sweep%tob <= 0.0_wp) return
+      if (.not. (allocated(sweep%wob) .and. allocated(sweep%tob))) return
+      if (max(size(sweep%wob), size(sweep%tob)) > 1) return     ! each operation has its own
+      if (abs(at_operation(sweep%wob, 1)) <= 0.0_wp .and. at_operation(sweep%tob, 1) <= 0.0_wp) return
       do i = 1, size(sweep%operations)
          if (any(sweep%operations(i) == [operation_rotary_drilling, operation_sliding_drilling])) cycle
          call append_text(notes, 'sweep '//quoted(sweep%name)//': its wob and tob act in '// &
-                          trim(operation_name(sweep%operations(i)))//' too; a second &sweep holds other loads')
+                          trim(operation_name(sweep%operations(i)))//' too; give one for each operation where that is not meant')
          return
       end do
    end subroutine note_bit_loads

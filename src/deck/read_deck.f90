@@ -96,6 +96,7 @@ contains
       call fill_from_catalogue(path, checked, catalogue, faults)
       call take_draft(checked, draft, faults)
       call take_centralizers(checked, draft, faults)
+      call take_rig_limit(checked, draft, job, faults)
       call close_holes(draft, faults)
       call check_draft(draft, faults)
       call take_legacy(draft, checked, job%legacy, faults)
@@ -250,6 +251,25 @@ contains
          return
       end do
    end subroutine take_job
+
+   !> The load that the rig may carry is told by &job or by &rig.
+   subroutine take_rig_limit(groups, draft, job, faults)
+      type(checked_group_type), intent(in) :: groups(:)
+      type(draft_type), intent(inout) :: draft
+      type(job_type), intent(inout) :: job
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i
+      if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
+         do i = 1, size(groups)
+            if (groups(i)%name /= 'rig') cycle
+            call add_fault(faults, draft%path, line_of(groups(i), 'max_hookload'), &
+                           'group &rig: max_hookload is rig_limit of &job under another name; keep one')
+            return
+         end do
+      end if
+      if (draft%rig%max_hookload%present) job%rig_limit = draft%rig%max_hookload
+      draft%rig%max_hookload = job%rig_limit
+   end subroutine take_rig_limit
 
    !> The lines of a file in one text, in linear time.
    pure function text_of_lines(lines) result(text)

@@ -14,6 +14,7 @@ module dg_hole_section
       real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
       real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
+      logical :: cased = .false.           !< for sweeps that vary friction of cased and open hole
    end type hole_section_type
 
 contains

@@ -8,7 +8,7 @@
 module dg_rig
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
-      operation_trip_in, operation_trip_out
+      operation_trip_in, operation_trip_out, optional_real
    implicit none
    private
    public :: rig_type, indicated_load, string_load, indicator_factor
@@ -20,6 +20,8 @@ module dg_rig
       real(wp) :: sheave_efficiency = 1.0_wp   !< tension behind a sheave that turns over that before it, 0 to 1 [-]
       !> The sheave of the crown over which the dead line comes turns with the others. Its line does not run, so it does not.
       logical :: active_deadline_sheave = .false.
+      type(optional_real) :: max_hookload      !< load that the rig may carry, its block counted in [N]
+      type(optional_real) :: max_torque        !< that it may turn with [N.m]
    end type rig_type
 
 contains

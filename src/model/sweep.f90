@@ -5,11 +5,12 @@
 !> sections of the hole stay where they are.
 module dg_sweep
    use dg_kinds, only: wp
+   use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, operation_static, optional_real
    implicit none
    private
    public :: sweep_type, measured_type, point_type
-   public :: curve_count, point_count, point_number, point_at, point_case, regular_depths, with_depths
+   public :: curve_count, point_count, point_number, point_at, point_case, point_holes, at_operation, regular_depths, with_depths
 
    !> What the rig showed at a depth in an operation.
    type :: measured_type
@@ -27,10 +28,14 @@ module dg_sweep
       integer, allocatable :: operations(:)    !< numbers (dg_load_case)
       type(optional_real), allocatable :: frictions(:) !< at least one; absent: the coefficients of the hole sections
       real(wp), allocatable :: depths(:)       !< of the bit, ascending, at least one [m]
-      real(wp) :: wob = 0.0_wp                 !< in all operations [N]
-      real(wp) :: tob = 0.0_wp                 !< in all operations [N.m]
-      real(wp) :: angular_speed = 0.0_wp       !< [rad/s]
-      real(wp) :: trip_speed = 0.0_wp          !< [m/s]
+      !> Coefficients of cased hole sections, as many as frictions, which then are those of the others; not allocated: none of
+      !> their own.
+      real(wp), allocatable :: frictions_cased(:)
+      ! one for all operations, or one each; not allocated: none
+      real(wp), allocatable :: wob(:)          !< [N]
+      real(wp), allocatable :: tob(:)          !< [N.m]
+      real(wp), allocatable :: angular_speed(:) !< [rad/s]
+      real(wp), allocatable :: trip_speed(:)   !< [m/s]
       type(measured_type), allocatable :: measured(:)
    end type sweep_type
 
@@ -90,13 +95,38 @@ contains
       load_case%string = sweep%string
       load_case%operation = sweep%operations(point%operation)
       load_case%bit_depth = sweep%depths(point%depth)
-      load_case%wob = sweep%wob
-      load_case%tob = sweep%tob
+      load_case%wob = at_operation(sweep%wob, point%operation)
+      load_case%tob = at_operation(sweep%tob, point%operation)
       load_case%friction_axial = sweep%frictions(point%friction)
-      load_case%friction_rotary = sweep%frictions(point%friction)
-      load_case%angular_speed = sweep%angular_speed
-      load_case%trip_speed = sweep%trip_speed
+      if (allocated(sweep%frictions_cased)) load_case%friction_axial = optional_real()     ! point_holes gives them
+      load_case%friction_rotary = load_case%friction_axial
+      load_case%angular_speed = at_operation(sweep%angular_speed, point%operation)
+      load_case%trip_speed = at_operation(sweep%trip_speed, point%operation)
    end subroutine point_case
+
+   !> Gives hole sections their friction at a point where cased ones have their own; else they stay.
+   pure subroutine point_holes(sweep, point, holes)
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      type(hole_section_type), intent(inout) :: holes(:)
+      if (.not. allocated(sweep%frictions_cased)) return
+      where (holes%cased)
+         holes%friction_axial = sweep%frictions_cased(point%friction)
+      else where
+         holes%friction_axial = sweep%frictions(point%friction)%value
+      end where
+      holes%friction_rotary = holes%friction_axial
+   end subroutine point_holes
+
+   !> What a list has for an operation: one for all, or one each; 0 where there is none.
+   pure function at_operation(list, operation) result(value)
+      real(wp), allocatable, intent(in) :: list(:)
+      integer, intent(in) :: operation         !< its place in the sweep
+      real(wp) :: value
+      value = 0.0_wp
+      if (.not. allocated(list)) return
+      if (size(list) > 0) value = list(min(operation, size(list)))
+   end function at_operation
 
    !> Depths from `first` to `last` every `step`, `last` always among them [m]. A `first` at surface is left out: there is
    !> no string yet.

@@ -2,7 +2,7 @@
 module dg_sweep_file
    use dg_kinds, only: wp
    use dg_case_result, only: result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_length, &
+   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
    use dg_comparison, only: as_measured, known, percent_error
    use dg_error, only: error_type
@@ -17,7 +17,7 @@ module dg_sweep_file
    public :: sweep_columns, write_sweep
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: sweep_columns(12) = [ &
+   type(column_type), parameter :: sweep_columns(16) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('friction', quantity_none, 'coefficient along and around the hole; empty: those of the hole sections'), &
@@ -29,7 +29,13 @@ module dg_sweep_file
       column_type('measured_torque', quantity_moment, 'the same of torque'), &
       column_type('error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator'), &
       column_type('message', quantity_text, 'reason and remedy where there is no solution, else warnings'), &
-      column_type('weight_indicator', quantity_force, 'what the rig shows of the hook load, as in summary.csv')]
+      column_type('weight_indicator', quantity_force, 'what the rig shows of the hook load, as in summary.csv'), &
+      column_type('friction_cased', quantity_none, 'coefficient in cased sections, where they have their own; friction is then '// &
+         'that of the others'), &
+      column_type('rig_margin', quantity_force, 'max_hookload of the rig (rig_limit) - hook load - block_weight'), &
+      column_type('torque_margin', quantity_moment, 'max_torque of the rig - torque'), &
+      column_type('overpull_margin', quantity_force, 'pull that may be added before anything yields, by the soft string; '// &
+         'empty without yield')]
 
 contains
 
@@ -81,5 +87,13 @@ contains
       call put(row, percent_error(as_measured(result%hookload, result%weight_indicator), hookload))
       call put(row, text_or_nothing(result%message))
       call put(row, known(result%weight_indicator))
+      if (allocated(sweep%frictions_cased)) then
+         call put(row, sweep%frictions_cased(point%friction))
+      else
+         call put_none(row)
+      end if
+      call put(row, known(result%rig_margin))
+      call put(row, known(result%torque_margin))
+      call put(row, known(result%overpull_margin))
    end subroutine sweep_fields
 end module dg_sweep_file

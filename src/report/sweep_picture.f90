@@ -6,8 +6,8 @@ module dg_sweep_picture
    use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
-   use dg_load_case, only: operation_label, operation_name, optional_real, rotates
-   use dg_sweep, only: sweep_type
+   use dg_load_case, only: operation_label, operation_name, rotates
+   use dg_sweep, only: at_operation, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -43,7 +43,7 @@ contains
       end do
       do k = 1, size(sweep%frictions)
          call add_series(key, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
-                         friction_label(sweep%frictions(k)))
+                         friction_label(sweep, k))
       end do
       call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, maxval(sweep%depths), &
                            curves(trim(merge('weight_indicator', 'hookload        ', indicated)), 'measured_hookload', .false.), &
@@ -59,13 +59,14 @@ contains
          integer :: operation, friction
          allocate (series(0))
          do operation = 1, size(sweep%operations)
-            if (turning .and. .not. (rotates(sweep%operations(operation)) .or. abs(sweep%tob) > 0.0_wp)) cycle
+            if (turning .and. .not. (rotates(sweep%operations(operation)) .or. &
+                                     abs(at_operation(sweep%tob, operation)) > 0.0_wp)) cycle
             do friction = 1, size(sweep%frictions)
-               call add_series(series, curve(operation, friction_test(sweep%frictions(friction)), column), &
+               call add_series(series, curve(operation, friction_test(sweep, friction), column), &
                                marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
             end do
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
-               curve(operation, friction_test(sweep%frictions(1)), measured), measured_look(operation), '')
+               curve(operation, friction_test(sweep, 1), measured), measured_look(operation), '')
          end do
       end function curves
 
@@ -86,19 +87,24 @@ contains
          colour_black//"'"
    end function measured_look
 
-   pure function friction_label(friction) result(text)
-      type(optional_real), intent(in) :: friction
+   pure function friction_label(sweep, number) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number      !< of the friction factor
       character(:), allocatable :: text
       text = 'friction of the hole'
-      if (friction%present) text = 'friction '//to_text(friction%value, digits)
+      if (sweep%frictions(number)%present) text = 'friction '//to_text(sweep%frictions(number)%value, digits)
+      if (allocated(sweep%frictions_cased)) text = text//', cased '//to_text(sweep%frictions_cased(number), digits)
    end function friction_label
 
    !> Whether a row of the file has that friction factor, in gnuplot's words.
-   pure function friction_test(friction) result(text)
-      type(optional_real), intent(in) :: friction
+   pure function friction_test(sweep, number) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number      !< of the friction factor
       character(:), allocatable :: text
       text = "stringcolumn('friction') eq ''"
       ! the file has ten digits
-      if (friction%present) text = "abs(column('friction') - "//to_text(friction%value)//') < 1e-9'
+      if (sweep%frictions(number)%present) text = "abs(column('friction') - "//to_text(sweep%frictions(number)%value)//') < 1e-9'
+      if (allocated(sweep%frictions_cased)) text = '('//text//" && abs(column('friction_cased') - "// &
+         to_text(sweep%frictions_cased(number))//') < 1e-9)'
    end function friction_test
 end module dg_sweep_picture

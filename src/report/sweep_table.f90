@@ -8,7 +8,7 @@ module dg_sweep_table
    use dg_load_case, only: given, operation_label, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_sweep, only: point_number, point_type, sweep_type
+   use dg_sweep, only: at_operation, point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -23,7 +23,7 @@ module dg_sweep_table
    integer, parameter :: label_width = 18
    !> Rows of a table: a page shows the shape of a curve, the file has every depth.
    integer, parameter :: most_rows = 25
-   integer, parameter :: hookload = 1, torque = 2
+   integer, parameter :: hookload = 1, torque = 2, depth_digits = 7
 
 contains
 
@@ -43,6 +43,7 @@ contains
                call append_curves(lines, units, sweep, points, quantity, curves(first:min(first + most_columns - 1, size(curves))))
             end do
          end do
+         call append_limits(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
       if (any(points%status /= result_converged)) call append_text(lines, '! no solution')
@@ -56,7 +57,7 @@ contains
       integer :: o, f
       allocate (curves(0))
       do o = 1, size(sweep%operations)
-         if (quantity == torque .and. .not. (rotates(sweep%operations(o)) .or. sweep%tob > 0.0_wp)) cycle
+         if (quantity == torque .and. .not. (rotates(sweep%operations(o)) .or. at_operation(sweep%tob, o) > 0.0_wp)) cycle
          do f = 1, size(sweep%frictions)
             curves = [curves, point_type(model, o, f, 1)]
          end do
@@ -86,7 +87,7 @@ contains
          i = i + n
       end do
       do k = 1, size(curves)
-         factors = factors//right_aligned(factor_text(sweep%frictions(curves(k)%friction)), cell_width - 1)//' '
+         factors = factors//right_aligned(factor_text(sweep, curves(k)%friction), cell_width - 1)//' '
       end do
       rule = repeat('-', max(len_trim(head), len(factors)))
       call append_text(lines, rule)
@@ -145,7 +146,7 @@ contains
       head = left_aligned('Load case', name_width)//right_aligned('Bit depth', depth_width)//'  '// &
          left_aligned('Operation', label_width)//right_aligned('Measured', cell_width + 1)
       do f = 1, shown
-         head = head//right_aligned(factor_text(sweep%frictions(f)), cell_width - 1)//' '
+         head = head//right_aligned(factor_text(sweep, f), cell_width - 1)//' '
       end do
       head = head//right_aligned('Fits', cell_width)
       rule = repeat('-', len(head))
@@ -196,6 +197,7 @@ contains
                merge(' ', '!', found%status == result_converged)
          end associate
       end do
+      if (allocated(sweep%frictions_cased)) return     ! no one factor
       row = row//fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
    end function measured_row
 
@@ -247,13 +249,58 @@ contains
       place = minloc(abs(sweep%depths - depth), dim=1)
    end function depth_of
 
-   pure function factor_text(friction) result(text)
-      type(optional_real), intent(in) :: friction
+   !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
+   pure function factor_text(sweep, number) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number
       character(:), allocatable :: text
-      integer, parameter :: digits = 4
+      integer, parameter :: digits = 4, few_digits = 2
       text = 'hole'
-      if (friction%present) text = to_text(friction%value, digits)
+      if (sweep%frictions(number)%present) text = to_text(sweep%frictions(number)%value, digits)
+      if (allocated(sweep%frictions_cased)) text = without_zero(to_text(sweep%frictions_cased(number), few_digits))//'/'// &
+         without_zero(to_text(sweep%frictions(number)%value, few_digits))
+   contains
+      pure function without_zero(long) result(short)
+         character(*), intent(in) :: long
+         character(:), allocatable :: short
+         short = long
+         if (index(long, '0.') == 1) short = long(2:)
+      end function without_zero
    end function factor_text
+
+   !> From which depth on a curve is beyond a limit of the rig, or yields.
+   pure subroutine append_limits(lines, units, sweep, points, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      integer :: o, f, first, last
+      type(point_type) :: point
+      do o = 1, size(sweep%operations)
+         do f = 1, size(sweep%frictions)
+            point = point_type(model, o, f, 1)
+            first = point_number(sweep, point)
+            last = first + size(sweep%depths) - 1
+            call tell(lines, 'max_hookload of the rig', points(first:last)%rig_margin)
+            call tell(lines, 'max_torque of the rig', points(first:last)%torque_margin)
+            call tell(lines, 'yield', points(first:last)%overpull_margin)
+         end do
+      end do
+   contains
+      pure subroutine tell(page, limit, margins)
+         type(text_type), allocatable, intent(inout) :: page(:)
+         character(*), intent(in) :: limit
+         real(wp), intent(in) :: margins(:)
+         logical :: beyond(size(margins))
+         beyond = .not. is_missing(margins) .and. margins < 0.0_wp
+         if (.not. any(beyond)) return
+         call append_text(page, 'Beyond '//limit//': '//trim(operation_label(sweep%operations(o)))//' at '// &
+                          factor_text(sweep, f)//' with the bit at '// &
+                          to_text(sweep%depths(findloc(beyond, .true., dim=1))/units%length, depth_digits)//' '// &
+                          trim(units%length_label))
+      end subroutine tell
+   end subroutine append_limits
 
    pure function quantity_text(units, quantity, indicated) result(text)
       type(unit_system_type), intent(in) :: units

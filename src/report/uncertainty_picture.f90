@@ -7,7 +7,7 @@ module dg_uncertainty_picture
    use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
-   use dg_sweep, only: sweep_type
+   use dg_sweep, only: at_operation, sweep_type
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty_file, only: uncertainty_columns
    use dg_units, only: unit_system_type
@@ -50,7 +50,8 @@ contains
          integer :: operation, k
          allocate (series(0))
          do operation = 1, size(range%operations)
-            if (turning .and. .not. (rotates(range%operations(operation)) .or. abs(range%tob) > 0.0_wp)) cycle
+            if (turning .and. .not. (rotates(range%operations(operation)) .or. &
+                                     abs(at_operation(range%tob, operation)) > 0.0_wp)) cycle
             do k = 1, size(quantile)
                call add_series(series, curve(operation, column//quantile(k)), look(operation, k, size(range%depths)), '')
             end do

@@ -14,6 +14,10 @@ module dg_sweep_result
       real(wp) :: hookload = 0.0_wp            !< [N]
       real(wp) :: weight_indicator = missing   !< what the rig's indicator shows of it; missing where no rig is given [N]
       real(wp) :: torque = 0.0_wp              !< at the top [N.m]
+      ! what is left to limits; missing where there is none
+      real(wp) :: rig_margin = missing         !< load that the rig may carry less that on it [N]
+      real(wp) :: torque_margin = missing      !< torque of the rig less that at the top [N.m]
+      real(wp) :: overpull_margin = missing    !< pull that may be added before anything yields [N]
       character(:), allocatable :: message     !< reason where there is no solution, warnings else; not allocated: none
    end type sweep_result_type
 

@@ -3,7 +3,7 @@
 module dg_test_rig_runs
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: deck_path, results_path, run_deck_text, run_type
+   use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_type
    use dg_result_rows, only: field, lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('what_is_shown', test_shown))
       call suite%addTest(TestMethod('block_from_measurements', test_block))
       call suite%addTest(TestMethod('held_string', test_held))
+      call suite%addTest(TestMethod('sweep_of_pairs_and_limits', test_sweep))
       call suite%addTest(TestMethod('bad_groups', test_bad))
    end function rig_runs_suite
 
@@ -136,6 +137,54 @@ contains
       call assertEqual(2, run%status)
       call assertTrue(index(run%diagnostics, 'nothing is left for the string') > 0, message=run%diagnostics)
    end subroutine test_held
+
+   !> The upper 400 m cased: hook load = weight along - wob + (0.4 mu cased + 0.6 mu open) weight across going up; torque that of
+   !> the bit and mu r times the contact. What is left to the rig's limits, and of the pipe's yield load at the top.
+   subroutine test_sweep()
+      type(run_type) :: run
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: text
+      real(wp), parameter :: cased(2) = [0.1_wp, 0.3_wp], open(2) = [0.35_wp, 0.2_wp], wob = 20.0_wp, tob = 2.0_wp
+      real(wp), parameter :: yield = 931.0e3_wp, area = 0.25_wp*3.141592653589793_wp*(0.127_wp**2 - 0.1086_wp**2)
+      real(wp) :: drag, hookload
+      integer :: k
+      text = replaced(deck(friction, '&rig block_weight = 140, max_hookload = 330, max_torque = 5 /'//newline// &
+         "&sweep name = 'b', operations = 'up', 'rotary', bit_depth_from = 1000, wob = 0, 20, tob = 0, 2, "// &
+         'frictions_cased = 0.1, 0.3, frictions_open = 0.35, 0.2 /'), "&hole name = 'all', diameter = 215.9", &
+         "&hole name = 'casing', md_bottom = 400, diameter = 215.9, cased = .true. /"//newline// &
+         "&hole name = 'open', diameter = 215.9")
+      text = replaced(text, 'mass = 20 /', 'mass = 20, yield = 931 /')
+      run = run_deck_text(text)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '.1/.35') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Beyond max_torque of the rig: rotary drilling at .1/.35') > 0, message=run%output)
+      allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      call assertEqual(5, size(lines))
+      if (size(lines) /= 5) return
+      do k = 1, 2
+         drag = across*(0.4_wp*cased(k) + 0.6_wp*open(k))
+         hookload = along + drag
+         call assertEqual(hookload, number(lines(1 + k)%text, 5), at_rest, message='up')
+         call assertEqual(open(k), number(lines(1 + k)%text, 3), 1.0e-12_wp)
+         call assertEqual(cased(k), number(lines(1 + k)%text, 13), 1.0e-12_wp)
+         call assertEqual(330.0_wp - block - hookload, number(lines(1 + k)%text, 14), at_rest, message='rig margin')
+         call assertEqual(yield*area - hookload, number(lines(1 + k)%text, 16), 1.0e-6_wp*yield*area, message='overpull')
+         call assertEqual(along - wob, number(lines(3 + k)%text, 5), at_rest, message='rotary')
+         call assertEqual(5.0_wp - tob - 0.0635_wp*drag, number(lines(3 + k)%text, 15), at_rest, message='torque margin')
+      end do
+      call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
+      call refuse(replaced(text, 'cased = .true.', 'cased = .false.'), 'pairs of friction need a hole section with cased = .true.')
+      call refuse(replaced(text, 'frictions_cased', 'frictions = 0.2, frictions_cased'), 'keep one way')
+      call refuse(replaced(text, 'wob = 0, 20', 'wob = 0, 20, 30'), 'wob has 3 values for 2 operations')
+      call refuse('&job rig_limit = 500 /'//newline//text(index(text, newline) + 1:), 'rig_limit of &job under another name')
+   contains
+      subroutine refuse(bad, expected)
+         character(*), intent(in) :: bad, expected
+         run = run_deck_text(bad)
+         call assertEqual(2, run%status, message=expected)
+         call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+      end subroutine refuse
+   end subroutine test_sweep
 
    subroutine test_bad()
       type(run_type) :: run
