@@ -148,7 +148,7 @@ contains
       real(wp), parameter :: yield = 931.0e3_wp, area = 0.25_wp*3.141592653589793_wp*(0.127_wp**2 - 0.1086_wp**2)
       real(wp) :: drag, hookload
       integer :: k
-      text = replaced(deck(friction, '&rig block_weight = 140, max_hookload = 330, max_torque = 5 /'//newline// &
+      text = replaced(deck(friction, '&rig block_weight = 140, max_hookload = 330, max_torque = 4.5 /'//newline// &
          "&sweep name = 'b', operations = 'up', 'rotary', bit_depth_from = 1000, wob = 0, 20, tob = 0, 2, "// &
          'frictions_cased = 0.1, 0.3, frictions_open = 0.35, 0.2 /'), "&hole name = 'all', diameter = 215.9", &
          "&hole name = 'casing', md_bottom = 400, diameter = 215.9, cased = .true. /"//newline// &
@@ -170,7 +170,7 @@ contains
          call assertEqual(330.0_wp - block - hookload, number(lines(1 + k)%text, 14), at_rest, message='rig margin')
          call assertEqual(yield*area - hookload, number(lines(1 + k)%text, 16), 1.0e-6_wp*yield*area, message='overpull')
          call assertEqual(along - wob, number(lines(3 + k)%text, 5), at_rest, message='rotary')
-         call assertEqual(5.0_wp - tob - 0.0635_wp*drag, number(lines(3 + k)%text, 15), at_rest, message='torque margin')
+         call assertEqual(4.5_wp - tob - 0.0635_wp*drag, number(lines(3 + k)%text, 15), at_rest, message='torque margin')
       end do
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
       call refuse(replaced(text, 'cased = .true.', 'cased = .false.'), 'pairs of friction need a hole section with cased = .true.')
