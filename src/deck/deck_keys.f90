@@ -11,7 +11,7 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(16) = [ &
+   type(group_rule_type), parameter :: group_rules(17) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &

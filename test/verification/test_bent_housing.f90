@@ -255,7 +255,7 @@ contains
       well = straight(40.0_wp, 0.0_wp, 0.0_wp)
       call build(well, gauge, model)
       model%gravity = 0.5_wp
-      model%mud_density = 0.0_wp
+      model%mud = standing_mud(0.0_wp)
       model%numerics = settings_of('auto')
       associate (parts => model%strings(1)%components)
          parts%length = [first - 0.5_wp*blade, blade, second - blade, blade, 0.0_wp, 0.0_wp]
