@@ -9,9 +9,11 @@ module dg_walls
    private
    public :: softness, lay_out_gaps, left_by_walls, tolerance_at
 
-   !> Places are known to some units in the last digit of metres [m]; times the wall's stiffness that is the least residual
-   !> force that there can be. It rules above the tolerance from walls of 1e9 N/m2 on.
-   real(wp), parameter :: round_off_of_places = 100.0_wp*epsilon(1.0_wp)
+   !> Places are known to the last digit of some metres [m]; times the wall's stiffness that is the least residual force that there
+   !> can be. It rules above the tolerance from walls of 1e9 N/m2 on, and where stations are kilometres apart: places count from
+   !> the station above.
+   real(wp), parameter :: far = 100.0_wp
+   real(wp), parameter :: round_off_of_places = far*epsilon(1.0_wp)
    !> The same of an element's shape, times 12 EI/L^3: collars in an element of 4 mm, between a station and the end of a component,
    !> have 0.1 N of it [m].
    real(wp), parameter :: round_off_of_shapes = 4.0_wp*epsilon(1.0_wp)
@@ -41,7 +43,8 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance
-      tolerance = max(min(numerics%tolerance, loosest), left_by_walls(gaps, force_scale), &
+      tolerance = max(min(numerics%tolerance, loosest), &
+                      max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*left_by_walls(gaps, force_scale), &
                       round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
    end function tolerance_at
 

@@ -275,6 +275,7 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: model
+      real(wp) :: margins(size(sweep%depths))
       integer :: o, f, first, last
       type(point_type) :: point
       do o = 1, size(sweep%operations)
@@ -282,9 +283,12 @@ contains
             point = point_type(model, o, f, 1)
             first = point_number(sweep, point)
             last = first + size(sweep%depths) - 1
-            call tell(lines, 'max_hookload of the rig', points(first:last)%rig_margin)
-            call tell(lines, 'max_torque of the rig', points(first:last)%torque_margin)
-            call tell(lines, 'yield', points(first:last)%overpull_margin)
+            margins = points(first:last)%rig_margin
+            call tell(lines, 'max_hookload of the rig', margins)
+            margins = points(first:last)%torque_margin
+            call tell(lines, 'max_torque of the rig', margins)
+            margins = points(first:last)%overpull_margin
+            call tell(lines, 'yield', margins)
          end do
       end do
    contains
