@@ -53,8 +53,10 @@ contains
       real(wp), intent(in) :: distance
       logical :: at
       real(wp) :: beyond
+      at = .false.
+      if (.not. centralizer%present) return
       beyond = distance - centralizer%first
-      at = centralizer%present .and. abs(beyond - centralizer%spacing*max(anint(beyond/centralizer%spacing), 0.0_wp)) &
+      at = abs(beyond - centralizer%spacing*max(anint(beyond/centralizer%spacing), 0.0_wp)) &
            <= 0.5_wp*contact_length
    end function at_centralizer
 
