@@ -22,7 +22,7 @@ import time
 ELSEWHERE = {"gp1.nml", "sweep_gp1.nml"}
 MODELS_APART = 5.0      # % of the largest hook load of the deck
 # Groups whose tables the page shows as they were printed, and its heading above them.
-PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&legacy", "&uncertainty"), "<h2>Calibrations, sweeps, studies, comparisons</h2>"
+PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&steering", "&legacy", "&uncertainty"), "<h2>Calibrations, sweeps, studies, comparisons</h2>"
 
 
 def faults_of(program, deck, folder):
