@@ -112,6 +112,8 @@ contains
       mesh%radius = spread(0.08_wp, 1, elements)
       mesh%axial = [0.2_wp, -0.2_wp, 0.1_wp, 0.3_wp, 0.2_wp, 0.2_wp]
       mesh%rotary = [0.2_wp, 0.2_wp, 0.3_wp, 0.0_wp, 0.1_wp, 0.2_wp]
+      mesh%drag = spread(150.0_wp, 1, elements)
+      mesh%centralizer = spread(.false., 1, elements)
       law = gap_law_type(clearance=0.045_wp, contact=5.0e5_wp, maximum=3.0e6_wp, eps_nmax=0.05_wp)
       gaps = new_gap_table([(law, e=1, elements)], 0.5_wp)
       gaps%xi = [0.5_wp, 0.2_wp, 1.0_wp, 0.7_wp, 0.0_wp, 0.4_wp]
