@@ -21,7 +21,7 @@ module dg_tuning
       !> settle more slowly and more surely. The third has the gaps at their other place: short packed assemblies may have no
       !> equilibrium at the place asked for.
       type(attempt_type) :: attempt(3) = [attempt_type(100, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
-                                          attempt_type(100, 100.0_wp, other_place=.true.)]
+                                          attempt_type(150, 100.0_wp, other_place=.true.)]
       !> How many of them are made, at most 3.
       integer :: most_attempts = 3
       !> Times that elements are cut where the string stands outside its hole.
