@@ -82,7 +82,7 @@ module dg_limits_file
       column_type('used_burst', quantity_percent, 'of the burst strength'), &
       column_type('used_collapse', quantity_percent, 'of the collapse strength under the tension there'), &
       column_type('used_slips', quantity_percent, 'of what slips may hold without crushing the pipe, by the hook load'), &
-      column_type('used_rig', quantity_percent, 'of rig_limit, by the hook load'), &
+      column_type('used_rig', quantity_percent, 'of rig_limit, by hook load and block_weight of &rig'), &
       column_type('governing_limit', quantity_text, 'the one of these that is used most'), &
       column_type('governing_utilisation', quantity_percent, 'how much of it'), &
       column_type('governing_md', quantity_length, 'where')]

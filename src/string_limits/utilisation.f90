@@ -47,7 +47,7 @@ contains
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(design_factors_type), intent(in) :: factors
-      type(optional_real), intent(in) :: rig_limit   !< hook load that the rig may carry [N]
+      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, its block counted in [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, distance, inside
@@ -76,7 +76,8 @@ contains
                factors%tension*max(result%hookload, 0.0_wp)/(tensile_strength(uppermost)* &
                slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), profile%md(1))
          end associate
-         if (rig_limit%present) call use_limit(utilisation, limit_rig, max(result%hookload, 0.0_wp)/rig_limit%value, profile%md(1))
+         if (rig_limit%present) call use_limit(utilisation, limit_rig, &
+            max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, profile%md(1))
       end associate
       ! von Mises comes last: of a pull alone it says what tension says
       do i = limit_count, 1, -1

@@ -236,6 +236,10 @@ contains
       call used(limit_collapse, 0.0_wp, 0.0_wp)
       call used(limit_slips, 0.6_wp*sqrt(1.0_wp + 0.625_wp + 0.625_wp**2), 0.0_wp)
       call used(limit_rig, 0.25_wp, 0.0_wp)
+      ! a block that weighs as much as half the string, at the same limit
+      model%rig%block_weight = 0.5_wp*result%hookload
+      call find_utilisation(model, result, along, factors, given(4.0_wp*result%hookload), most)
+      call used(limit_rig, 0.375_wp, 0.0_wp)
       ! 0.5 Y of tension, 0.1 x 0.577 Y of shear
       call used(limit_von_mises, 1.1_wp*sqrt(0.25_wp + 3.0_wp*0.0577_wp**2), 0.0_wp)
       call assertEqual('slips', trim(governing_name(most)))
