@@ -101,7 +101,7 @@ def constructors(text, name):
 
 
 def unquoted(text):
-    return text[1:-1].replace("''", "'") if text else ""
+    return re.sub(r"'\s*//\s*'", "", text)[1:-1].replace("''", "'") if text else ""
 
 
 def real_constants(text):
