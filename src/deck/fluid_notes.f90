@@ -5,6 +5,7 @@ module dg_fluid_notes
    use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
+   use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
@@ -42,12 +43,15 @@ contains
          integer, intent(in) :: number
          logical, intent(out) :: said
          type(fluid_column_type) :: inside, outside
+         type(load_case_type) :: still   ! without pump pressure: a closed collar keeps it from the bit
          real(wp) :: within, around, tvd
-         associate (case => model%cases(number))
+         still = model%cases(number)
+         still%pump_pressure = 0.0_wp
+         associate (case => still)
             tvd = true_vertical_depth(model%trajectory, case%bit_depth)
             call new_fluid_column(model, case, side_inside, inside)
             call new_fluid_column(model, case, side_outside, outside)
-            within = pressure_at(inside, case%bit_depth, tvd) - case%pump_pressure
+            within = pressure_at(inside, case%bit_depth, tvd)
             around = pressure_at(outside, case%bit_depth, tvd)
             said = abs(within - around) > no_pressure
             if (said) call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &

@@ -135,6 +135,7 @@ contains
       call assertEqual(collar_closed, model%mud%fluids(3)%collar)
       call assertTrue(model%mud%fluids(1)%outside .and. .not. model%mud%fluids(2)%outside)
       call assertTrue(index(notes(1)%text, 'float valve') > 0, message='what holds the difference')
+      call assertTrue(index(notes(1)%text, 'on the bit with 0 MPa') > 0, message='the collar keeps the pump from the bit')
       call read_with('&fluid where=''outside'' density=2000 /', model, faults, notes)
       call assertTrue(index(notes(2)%text, 'floats at 2000') > 0, message=notes(2)%text)
       call refuse('&fluid md_top=10, tvd_top=20 /', 'keep one')
