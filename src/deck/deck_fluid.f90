@@ -4,7 +4,7 @@ module dg_deck_fluid
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_fluid, only: collar_name, collar_none, fills, mud_type, side_inside, side_outside, standing_mud
+   use dg_fluid, only: collar_name, collar_none, fills, fluid_top, fluid_type, mud_type, side_inside, side_outside, standing_mud
    use dg_text, only: to_text
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
    implicit none
@@ -89,14 +89,25 @@ contains
          logical :: left(size(sides))
          hider = 0
          left = fills(mud%fluids(number), sides)
-         if (mud%fluids(number)%above_bit > 0.0_wp) return
          do other = number + 1, size(mud%fluids)
-            if (mud%fluids(other)%above_bit > 0.0_wp .or. mud%fluids(other)%md_top > mud%fluids(number)%md_top) cycle
+            if (begins_deeper(mud%fluids(other), mud%fluids(number))) cycle
             if (.not. any(left .and. fills(mud%fluids(other), sides))) cycle
             left = left .and. .not. fills(mud%fluids(other), sides)
             hider = other
          end do
          if (any(left)) hider = 0
       end function hidden_by
+
+      !> Whether a fluid begins deeper than the one listed before it. Of one that begins at a depth and one that moves with the
+      !> string: a moving one comes in deeper; of a moving one before it, at the lowest place of the bit.
+      pure function begins_deeper(later, earlier) result(yes)
+         type(fluid_type), intent(in) :: later, earlier
+         logical :: yes
+         if (later%above_bit > 0.0_wp) then
+            yes = later%above_bit < earlier%above_bit .or. .not. earlier%above_bit > 0.0_wp
+         else
+            yes = later%md_top > fluid_top(earlier, bottom_md(trajectory))
+         end if
+      end function begins_deeper
    end subroutine place_fluids
 end module dg_deck_fluid

@@ -144,6 +144,10 @@ contains
       call refuse('&fluid density=1200, tvd_top=1001 /', 'deeper than the hole')
       call refuse('&fluid density=1200 / &fluid density=1300 /', 'takes all of its place')
       call refuse('&fluid density=1200 / &fluid where=''inside'' / &fluid where=''outside'' /', 'takes all of its place')
+      call refuse('&fluid density=1200 / &fluid where=''inside'' above_bit=300 / &fluid where=''inside'' tvd_top=200 /', &
+                  'takes all of its place')
+      call refuse('&fluid density=1200 / &fluid where=''inside'' above_bit=300 / &fluid where=''inside'' above_bit=500 /', &
+                  'takes all of its place')
       call refuse('&fluid where=''inside'' density=8000 /', 'floats: the mud')
    contains
       subroutine refuse(fluids, expected)
