@@ -206,6 +206,9 @@ contains
       integer :: i, j
       allocate (cased(0), open(0))
       if (.not. (is_given(group, 'frictions_cased') .or. is_given(group, 'frictions_open'))) return
+      ! A number that is none is told already.
+      if (is_given(group, 'frictions_cased') .neqv. is_sound(group, 'frictions_cased')) return
+      if (is_given(group, 'frictions_open') .neqv. is_sound(group, 'frictions_open')) return
       cased = reals_of(group, 'frictions_cased')
       open = reals_of(group, 'frictions_open')
       key = 'frictions_cased'

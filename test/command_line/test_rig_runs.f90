@@ -173,6 +173,8 @@ contains
          call assertEqual(4.5_wp - tob - 0.0635_wp*drag, number(lines(3 + k)%text, 15), at_rest, message='torque margin')
       end do
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
+      call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1, 3'), 'frictions_cased(2) = 3 is out of')
+      call assertEqual(0, index(run%diagnostics, 'go in pairs'), message='one message a fault')
       call refuse(replaced(text, 'cased = .true.', 'cased = .false.'), 'pairs of friction need a hole section with cased = .true.')
       call refuse(replaced(text, 'frictions_cased', 'frictions = 0.2, frictions_cased'), 'keep one way')
       call refuse(replaced(text, 'wob = 0, 20', 'wob = 0, 20, 30'), 'wob has 3 values for 2 operations')
