@@ -17,7 +17,7 @@ module dg_run_deck
    use dg_model, only: model_type
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_paraview
-   use dg_printed_text, only: print_lines, printed_text_type
+   use dg_printed_text, only: print_line, print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
    use dg_result_name, only: case_file, contacts_file, history_file, profile_file, view_file
@@ -72,6 +72,16 @@ contains
       call release_folder(lock)
    end subroutine run_deck
 
+   !> What the path has that the deck's stations have not: every number below goes by it, so even --quiet prints it.
+   subroutine print_path(model)
+      type(model_type), intent(in) :: model
+      integer :: i
+      if (.not. allocated(model%path_notes)) return
+      do i = 1, size(model%path_notes)
+         call print_line('Path: '//model%path_notes(i)%text)
+      end do
+   end subroutine print_path
+
    !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
    subroutine run_in_folder(asked, given, status)
       type(job_type), intent(in) :: asked          !< as the deck has it
@@ -95,6 +105,7 @@ contains
       lost = 0
       if (calibrated_first) then
          call begin_files(job, given, error)
+         if (.not. allocated(error)) call print_path(given)
          if (.not. allocated(error)) call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
          if (lost > 0) status = status_not_converged
       end if
@@ -108,6 +119,7 @@ contains
          if (calibrated_first) call end_files(job, error)
          return
       end if
+      if (.not. calibrated_first) call print_path(given)
       rows = 0
       if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
       allocate (results(rows), alongs(rows), wholes(rows))

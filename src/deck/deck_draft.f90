@@ -11,6 +11,7 @@ module dg_deck_draft
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
    use dg_survey_file, only: station_list_type
+   use dg_text, only: text_type
    use dg_trajectory, only: interpolation_minimum_curvature
    use dg_units, only: unit_system_type
    implicit none
@@ -61,6 +62,8 @@ module dg_deck_draft
       logical :: has_stations = .false.        !< stations are without fault
       integer :: trajectory_line = 0
       integer :: interpolation = interpolation_minimum_curvature
+      logical :: tortuous = .false.            !< stations are those of a plan with tortuosity laid on it
+      type(text_type), allocatable :: path_notes(:) !< what was added to the stations of the deck
       type(draft_hole_type), allocatable :: holes(:)
       type(draft_component_type), allocatable :: components(:)
       type(draft_case_type), allocatable :: cases(:)

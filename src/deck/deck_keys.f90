@@ -11,9 +11,10 @@ module dg_deck_keys
    private
    public :: group_rules, keys_of, operation_words
 
-   type(group_rule_type), parameter :: group_rules(17) = [ &
+   type(group_rule_type), parameter :: group_rules(18) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
+      group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
       group_rule_type('fluid', repeatable=.true., &
          meaning='a fluid inside or outside the string, or both; listed from the top down'), &
@@ -50,6 +51,7 @@ module dg_deck_keys
    real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
    real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
+   real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
@@ -72,7 +74,7 @@ module dg_deck_keys
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
-   type(key_rule_type), parameter :: trajectory_keys(6) = [ &
+   type(key_rule_type), parameter :: trajectory_keys(8) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
       key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
@@ -84,7 +86,25 @@ module dg_deck_keys
       key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
          meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
-         meaning='path between stations; a spline wants them every 30 m or so where the hole bends')]
+         meaning='path between stations; a spline wants them every 30 m or so where the hole bends'), &
+      key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical', &
+         meaning='a hole above the first station that the survey leaves out: none unless it begins vertical, or vertical'), &
+      key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='depth down to which tie_on is vertical; from there an arc reaches the first station')]
+
+   type(key_rule_type), parameter :: tortuosity_keys(6) = [ &
+      key_rule_type('tortuosity', 'kind', kind_text, required=.true., choices='sine random', &
+         meaning='how the direction changes: to and fro, or drawn anew each period'), &
+      key_rule_type('tortuosity', 'amplitude', unit=unit_angle, required=.true., low=0.0_wp, open=.true., high=most_tortuous, &
+         meaning='largest change of an angle of the plan'), &
+      key_rule_type('tortuosity', 'period', unit=unit_length, required=.true., low=1.0_wp, high=deepest, &
+         meaning='length of a wave; of random changes, distance from one to the next'), &
+      key_rule_type('tortuosity', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='measured depth where it begins'), &
+      key_rule_type('tortuosity', 'md_bottom', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='measured depth where it ends; default the last station'), &
+      key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
+         meaning='of the random numbers: the same seed gives the same hole')]
 
    type(key_rule_type), parameter :: hole_keys(10) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
@@ -467,6 +487,7 @@ contains
       case ('fluid'); rules = fluid_keys
       case ('rig'); rules = rig_keys
       case ('component'); rules = component_keys
+      case ('tortuosity'); rules = tortuosity_keys
       case ('strength'); rules = strength_keys
       case ('centralizer'); rules = centralizer_keys
       case ('boundary'); rules = boundary_keys

@@ -27,6 +27,7 @@ contains
          call add_fault(faults, draft%path, draft%trajectory_line, 'group &trajectory: '//error%message)
          return
       end if
+      if (allocated(draft%path_notes)) model%path_notes = draft%path_notes
       allocate (model%holes(size(draft%holes)), model%cases(size(draft%cases)))
       do i = 1, size(draft%holes)
          model%holes(i) = draft%holes(i)%section

@@ -3,6 +3,7 @@ module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text, unit_factor
+   use dg_deck_tie_on, only: begins_below, begins_vertical
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_survey_file, only: station_list_type, read_survey_file
@@ -14,8 +15,6 @@ module dg_deck_survey
 
    !> Inclination that counts as vertical where azimuths are missing [rad].
    real(wp), parameter :: vertical = 1.0e-12_wp
-   !> Depth within which the first station is at surface [m].
-   real(wp), parameter :: at_surface = 1.0e-6_wp
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 9
 
@@ -124,8 +123,9 @@ contains
             end if
             return
          end if
-         if (abs(stations%md(1)) > at_surface) call station_fault(1, 'the first station is at '//depth(1)// &
-            '; the survey must begin at surface, md = 0')
+         if (begins_below(stations) .and. .not. begins_vertical(stations) .and. text_of(group, 'tie_on', 'none') == 'none') &
+            call station_fault(1, 'the first station is at '//depth(1)//' and inclined; the survey must begin at surface, '// &
+                               "md = 0, or where the hole is still vertical; or give tie_on = 'vertical'")
          do i = 2, n
             if (stations%md(i) > stations%md(i - 1)) cycle
             call station_fault(i, 'station '//to_text(i)//' at '//depth(i)//' is not below station '//to_text(i - 1)// &

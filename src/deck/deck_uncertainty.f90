@@ -66,6 +66,10 @@ contains
       uncertainty%torque_deviation = real_of(group, 'torque_deviation', 0.0_wp)
       uncertainty%systematic_survey = text_of(group, 'survey_errors', '') == 'systematic'
       uncertainty%interpolation = draft%interpolation
+      if (draft%tortuous .and. .not. uncertainty%systematic_survey .and. &
+          max(uncertainty%inclination_deviation, uncertainty%azimuth_deviation) > 0.0_wp) &
+         call add_fault(faults, draft%path, line_of(group, 'survey_errors'), 'group &uncertainty: errors of single stations '// &
+                        'would bend the hole at each station that &tortuosity adds; give survey_errors = ''systematic''')
       call take_range(draft, group, number, models, uncertainty%range, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (allocated(uncertainty%friction_factor) .or. uncertainty%calibration > 0) .and. &

@@ -23,7 +23,9 @@ module dg_read_deck
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_sweep, only: take_sweeps
+   use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_uncertainty, only: take_uncertainties
+   use dg_deck_tie_on, only: tie_on
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
@@ -95,6 +97,7 @@ contains
       job%deck_text = text_of_lines(lines)
       call fill_from_catalogue(path, checked, catalogue, faults)
       call take_draft(checked, draft, faults)
+      call take_tortuosity(checked, draft, faults)
       call take_centralizers(checked, draft, faults)
       call take_rig_limit(checked, draft, job, faults)
       call close_holes(draft, faults)
@@ -109,6 +112,7 @@ contains
       job%inputs = inputs_of(path, checked, catalogue, job%legacy)
       if (faults%count == 0) call build_model(draft, model, faults)
       if (faults%count == 0) then
+         if (allocated(draft%path_notes)) notes = [notes, draft%path_notes]
          call note_oddities(draft, job, notes)
          call note_fluids(model, draft%units, notes)
       end if
@@ -323,6 +327,7 @@ contains
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
             call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, faults)
+            if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1
             call draft_hole(groups(i), holes, draft%holes(holes))

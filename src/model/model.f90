@@ -8,6 +8,7 @@ module dg_model
    use dg_load_case, only: load_case_type
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
+   use dg_text, only: text_type
    use dg_trajectory, only: trajectory_type
    implicit none
    private
@@ -22,6 +23,7 @@ module dg_model
 
    type :: model_type
       type(trajectory_type) :: trajectory
+      type(text_type), allocatable :: path_notes(:)      !< what the path has beside the stations of the deck, for every report
       type(hole_section_type), allocatable :: holes(:)   !< from the top down, abutting
       type(drillstring_type), allocatable :: strings(:)
       type(load_case_type), allocatable :: cases(:)

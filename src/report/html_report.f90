@@ -60,7 +60,13 @@ contains
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
       type(page_type) :: lines
+      integer :: i
       call start_page(job, results, lines)
+      if (allocated(model%path_notes)) then
+         do i = 1, size(model%path_notes)
+            call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
+         end do
+      end if
       call append_warnings(lines, model, results)
       if (size(results) > 0) then
          call append_results(lines, job, model, results)

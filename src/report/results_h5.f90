@@ -92,10 +92,15 @@ contains
       type(hdf5_file_type), intent(inout) :: file
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
+      integer :: i
       call make_group(file, '/survey')
       call put_column(file, '/survey', survey_columns(1), units, model%trajectory%md)
       call put_column(file, '/survey', survey_columns(2), units, model%trajectory%inclination)
       call put_column(file, '/survey', survey_columns(3), units, model%trajectory%azimuth)
+      if (.not. allocated(model%path_notes)) return
+      do i = 1, size(model%path_notes)
+         call write_attribute(file, '/survey', 'note_'//to_text(i), model%path_notes(i)%text)
+      end do
    end subroutine put_survey
 
    !> One result: its rows of tables as attributes, its columns, its history.

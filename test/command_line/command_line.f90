@@ -20,6 +20,7 @@ contains
       use dg_test_study_runs, only: study_runs_suite
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
+      use dg_test_path_runs, only: path_runs_suite
       use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
@@ -40,6 +41,7 @@ contains
       call suite%addTest(sweep_runs_suite())
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
+      call suite%addTest(path_runs_suite())
       call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())

@@ -24,6 +24,7 @@ contains
       use dg_test_survey_file, only: survey_file_suite
       use dg_test_units, only: units_suite
       use dg_test_closest_point, only: closest_point_suite
+      use dg_test_tortuosity, only: tortuosity_suite
       use dg_test_trajectory, only: trajectory_suite
       use dg_test_soft_string, only: soft_string_suite
       use dg_test_beam_angle, only: beam_angle_suite
@@ -84,6 +85,7 @@ contains
       call suite%addTest(ten_digits_suite())
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())
+      call suite%addTest(tortuosity_suite())
       call suite%addTest(closest_point_suite())
       call suite%addTest(soft_string_suite())
       call suite%addTest(beam_angle_suite())

@@ -7,7 +7,7 @@ module dg_counter_random
    use dg_constants, only: pi
    implicit none
    private
-   public :: philox, normal_number
+   public :: philox, normal_number, uniform_number
 
    !> Multipliers and increments of the key (table 2 and section 3.3 there).
    integer(int64), parameter :: multiplier(2) = [int(z'D2511F53', int64), int(z'CD9E8D57', int64)]
@@ -56,6 +56,15 @@ contains
       words = philox([int(index, int64), int(sample, int64), int(quantity, int64), 0_int64], [int(seed, int64), 0_int64])
       number = sqrt(-2.0_wp*log(uniform(words(1), words(2))))*cos(2.0_wp*pi*uniform(words(3), words(4)))
    end function normal_number
+
+   !> A number evenly distributed between 0 and 1, for a quantity and an index within it.
+   elemental function uniform_number(seed, sample, quantity, index) result(number)
+      integer, intent(in) :: seed, sample, quantity, index     !< all >= 0
+      real(wp) :: number
+      integer(int64) :: words(4)
+      words = philox([int(index, int64), int(sample, int64), int(quantity, int64), 1_int64], [int(seed, int64), 0_int64])
+      number = uniform(words(1), words(2))
+   end function uniform_number
 
    !> A number strictly between 0 and 1, in steps of 2^-53.
    elemental function uniform(high, low) result(number)

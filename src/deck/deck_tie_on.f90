@@ -1,0 +1,102 @@
+!> A survey that begins below surface is tied on: the hole above its first station is taken as vertical, or as vertical down to a
+!> kick-off and one arc from there.
+module dg_deck_tie_on
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_constants, only: degree
+   use dg_deck_draft, only: draft_type
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_survey_file, only: station_list_type
+   use dg_text, only: append_text, to_text
+   implicit none
+   private
+   public :: begins_below, begins_vertical, tie_on
+
+   !> Depth within which the first station is at surface [m].
+   real(wp), parameter :: at_surface = 1.0e-6_wp
+   !> Inclination of a first station that is still vertical: what tools show in vertical holes [rad].
+   real(wp), parameter :: still_vertical = 0.5_wp*degree
+   integer, parameter :: digits = 9, few_digits = 4
+
+contains
+
+   !> Whether a survey leaves out the hole next to surface.
+   pure function begins_below(stations) result(below)
+      type(station_list_type), intent(in) :: stations  !< one at least
+      logical :: below
+      below = stations%md(1) > at_surface
+   end function begins_below
+
+   !> Whether the hole is vertical at the first station.
+   pure function begins_vertical(stations) result(vertical)
+      type(station_list_type), intent(in) :: stations  !< one at least
+      logical :: vertical
+      vertical = stations%inclination(1) < still_vertical
+   end function begins_vertical
+
+   !> Adds vertical stations, at surface and at the kick-off, to a survey that begins below surface, and notes what was added.
+   !> Those of the survey stay as they are; between the lowest one added and the first of the survey the hole is the arc that
+   !> `interpolation` makes of them.
+   subroutine tie_on(group, draft, faults)
+      type(checked_group_type), intent(in) :: group      !< &trajectory
+      type(draft_type), intent(inout) :: draft           !< with stations that are without fault
+      type(fault_list_type), intent(inout) :: faults
+      real(wp), allocatable :: added(:)
+      real(wp) :: kick_off
+      integer :: i
+      kick_off = real_of(group, 'kick_off', 0.0_wp)
+      associate (stations => draft%stations)
+         if (is_given(group, 'kick_off') .and. is_sound(group, 'kick_off')) then
+            if (text_of(group, 'tie_on', 'none') == 'none') then
+               call fault("kick_off has no meaning without tie_on = 'vertical'; give both or none")
+            else if (kick_off >= stations%md(1)) then
+               call fault('kick_off is not above the first station, '//depth(stations%md(1))//'; needs a depth above it')
+            end if
+         end if
+         if (.not. draft%has_stations .or. .not. begins_below(stations)) return
+         allocate (added(0))
+         added = [0.0_wp]
+         if (kick_off > at_surface) added = [0.0_wp, kick_off]
+         call append_text(draft%path_notes, note())
+         stations%md = [added, stations%md]
+         stations%inclination = [(0.0_wp, i=1, size(added)), stations%inclination]
+         stations%azimuth = [(stations%azimuth(1), i=1, size(added)), stations%azimuth]
+         stations%lines = [(stations%lines(1), i=1, size(added)), stations%lines]
+      end associate
+
+   contains
+
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'kick_off'), 'group &trajectory: '//message)
+         draft%has_stations = .false.
+      end subroutine fault
+
+      !> What is added, and how the hole turns there: from vertical to the first station.
+      function note() result(text)
+         character(:), allocatable :: text
+         real(wp) :: length
+         associate (stations => draft%stations, units => draft%units)
+            length = stations%md(1) - added(size(added))
+            text = 'group &trajectory: the survey begins at '//depth(stations%md(1))//' with '// &
+                   to_text(stations%inclination(1)/degree, few_digits)//' deg; the hole is taken as vertical at surface'
+            if (size(added) > 1) text = text//' and down to '//depth(kick_off)
+            if (size(added) > 1) then
+               text = text//' (stations added at both)'
+            else
+               text = text//' (a station added there)'
+            end if
+            text = text//'; from there to the first station it turns by '// &
+                   to_text(stations%inclination(1)/degree, few_digits)//' deg, '// &
+                   to_text(stations%inclination(1)/length/units%curvature, few_digits)//' '//&
+                   trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))
+         end associate
+      end function note
+
+      function depth(md) result(text)
+         real(wp), intent(in) :: md
+         character(:), allocatable :: text
+         text = to_text(md/draft%units%length, digits)//' '//trim(draft%units%length_label)
+      end function depth
+   end subroutine tie_on
+end module dg_deck_tie_on
