@@ -62,7 +62,7 @@ contains
    end function number_of_steps
 
    !> Adds the stations of a section to those of a plan and changes the directions there. Sine: inclination and azimuth both change
-   !> by amplitude*sin(2 pi (md - md_top)/period). Random: each period the direction is drawn anew, up to the amplitude upwards or
+   !> by amplitude*sin(2 pi (md - md_top)/period), in a vertical hole the inclination alone. Random: each period the direction is drawn anew, up to the amplitude upwards or
    !> downwards and as much sideways (so the azimuth changes by up to amplitude/sin(inclination)), evenly distributed; between two
    !> of them stations of the plan take what lies between. Stations outside the section stay as they are.
    subroutine lay_tortuosity(plan, section, md, inclination, azimuth)
@@ -140,7 +140,9 @@ contains
                    sin(sideways)*[-sin(azimuth), cos(azimuth), 0.0_wp]
       else
          change = section%amplitude*sin(2.0_wp*pi*modulo((md - section%md_top)/section%period, 1.0_wp))
-         tangent = tangent_of(inclination + change, azimuth + change)
+         sideways = change
+         if (hypot(tangent(1), tangent(2)) <= vertical_sine) sideways = 0.0_wp
+         tangent = tangent_of(inclination + change, azimuth + sideways)
       end if
    end function tortuous_tangent
 
