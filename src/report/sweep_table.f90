@@ -268,7 +268,7 @@ contains
       end function without_zero
    end function factor_text
 
-   !> From which depth on a curve is beyond a limit of the rig, or yields.
+   !> From which depth on a curve is beyond a limit of the rig, yields, or goes down no more by its weight.
    pure subroutine append_limits(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -284,24 +284,30 @@ contains
             first = point_number(sweep, point)
             last = first + size(sweep%depths) - 1
             margins = points(first:last)%rig_margin
-            call tell(lines, 'max_hookload of the rig', margins)
+            call tell(lines, 'Beyond max_hookload of the rig', beyond(margins))
             margins = points(first:last)%torque_margin
-            call tell(lines, 'max_torque of the rig', margins)
+            call tell(lines, 'Beyond max_torque of the rig', beyond(margins))
             margins = points(first:last)%overpull_margin
-            call tell(lines, 'yield', margins)
+            call tell(lines, 'Beyond yield', beyond(margins))
+            call tell(lines, 'Must be pushed at surface', points(first:last)%status == result_converged .and. &
+                      points(first:last)%hookload < 0.0_wp)
          end do
       end do
    contains
-      pure subroutine tell(page, limit, margins)
+      elemental function beyond(margin)
+         real(wp), intent(in) :: margin
+         logical :: beyond
+         beyond = .not. is_missing(margin) .and. margin < 0.0_wp
+      end function beyond
+
+      pure subroutine tell(page, what, there)
          type(text_type), allocatable, intent(inout) :: page(:)
-         character(*), intent(in) :: limit
-         real(wp), intent(in) :: margins(:)
-         logical :: beyond(size(margins))
-         beyond = .not. is_missing(margins) .and. margins < 0.0_wp
-         if (.not. any(beyond)) return
-         call append_text(page, 'Beyond '//limit//': '//trim(operation_label(sweep%operations(o)))//' at '// &
+         character(*), intent(in) :: what
+         logical, intent(in) :: there(:)     !< at each depth
+         if (.not. any(there)) return
+         call append_text(page, what//': '//trim(operation_label(sweep%operations(o)))//' at '// &
                           factor_text(sweep, f)//' with the bit at '// &
-                          to_text(sweep%depths(findloc(beyond, .true., dim=1))/units%length, depth_digits)//' '// &
+                          to_text(sweep%depths(findloc(there, .true., dim=1))/units%length, depth_digits)//' '// &
                           trim(units%length_label))
       end subroutine tell
    end subroutine append_limits
