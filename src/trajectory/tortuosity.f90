@@ -62,7 +62,8 @@ contains
    end function number_of_steps
 
    !> Adds the stations of a section to those of a plan and changes the directions there. Sine: inclination and azimuth both change
-   !> by amplitude*sin(2 pi (md - md_top)/period), in a vertical hole the inclination alone. Random: each period the direction is drawn anew, up to the amplitude upwards or
+   !> by amplitude*sin(2 pi (md - md_top)/period), in a vertical hole the inclination alone. Random: each period the direction
+   !> is drawn anew, up to the amplitude upwards or
    !> downwards and as much sideways (so the azimuth changes by up to amplitude/sin(inclination)), evenly distributed; between two
    !> of them stations of the plan take what lies between. Stations outside the section stay as they are.
    subroutine lay_tortuosity(plan, section, md, inclination, azimuth)
