@@ -88,7 +88,7 @@ contains
       call johancsik(amplitude*degree, 0.0_wp, unused, theirs(2))
       call assertTrue(all(abs(ours_smooth - theirs_smooth) < 1.0e-3_wp*theirs_smooth), message='smooth')
       call assertTrue(all(abs(ours - theirs) < 1.0e-3_wp*theirs), message=to_text(ours(1))//' '//to_text(theirs(1)))
-      call assertTrue(all(theirs > 1.05_wp*theirs_smooth), message='it adds something')
+      call assertTrue(all(theirs > 1.02_wp*theirs_smooth), message='it adds something')
       call assertTrue(all(abs((ours - ours_smooth) - (theirs - theirs_smooth)) < 0.01_wp*(theirs - theirs_smooth)), &
                       message='added: '//to_text(ours(1) - ours_smooth(1))//' '//to_text(theirs(1) - theirs_smooth(1))//', '// &
                       to_text(ours(2) - ours_smooth(2))//' '//to_text(theirs(2) - theirs_smooth(2)))
@@ -127,8 +127,13 @@ contains
    subroutine test_named()
       character(*), parameter :: sine = "&tortuosity kind = 'sine', amplitude = 1, period = 100, md_top = 200 /"
       character(*), parameter :: words = 'group &tortuosity in line 3: laid on the path from 200 to 1000 m'
+      character(:), allocatable :: drawn
+      integer :: at
       type(run_type) :: run
-      run = run_deck_text(deck(', plots = .true.', sine), '--quiet')
+      drawn = deck('', sine)
+      at = index(drawn, 'plots = .false.')
+      drawn(at:at + 14) = 'plots = .true. '
+      run = run_deck_text(drawn, '--quiet')
       call assertEqual(1, index(run%output, 'Path: '//words), message=run%output)
       call assertTrue(index(content(results_path//'/report.html'), &
                             'Path: group &amp;tortuosity in line 3: laid on the path from 200 to 1000 m') > 0)
