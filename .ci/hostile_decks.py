@@ -103,7 +103,7 @@ def listed():
     yield "99 kB of keys", changed("density =", "x=1 " * 24_000 + "density ="), 2, "too many faults", {}
     yield "100 lines of 98 kB", {**good, "deck.nml": SI_DECK + ("! " + "&<" * 49_000 + "\n") * 100}, 0, "", {}
     yield "200000 lines", {**good, "deck.nml": SI_DECK + "\n" * 200_000}, 0, "", {}
-    yield "20000 groups", {**good, "deck.nml": SI_DECK + "&fluid /\n" * 20_000}, 2, "second time", {}
+    yield "20000 groups", {**good, "deck.nml": SI_DECK + "&boundary /\n" * 20_000}, 2, "second time", {}
     yield "5000 cases", {**good, "deck.nml": SI_DECK + "".join(f"&load_case name='c{i}' operation='up' bit_depth=7e9 /\n" for i in range(5000))}, 2, "deck.nml:", {}
     yield "huge repeat count", changed("models = 'mcge', 'soft', 'rigid', 'mixed'", "models = 2000000000*'mcge'"), 2, "deck.nml:1", {}
     yield "large repeat count", changed("models = 'mcge'", "models = 999999*'mcge'"), 2, "deck.nml:1", {}
@@ -112,7 +112,7 @@ def listed():
     yield "huge subscript", changed("density = 1200.0", "density(2000000000) = 1200.0"), 2, "deck.nml:5", {}
     yield "huge stations", {"deck.nml": FIELD_DECK.replace("azi=4*45", "azi=4*45, md(2000000000)=1")}, 2, "deck.nml:2", {}
     yield "duplicated key", changed("density = 1200.0", "density = 1200.0, density = 1300.0"), 2, "density", {}
-    yield "duplicated group", {**good, "deck.nml": SI_DECK + "&fluid density = 1000.0 /\n"}, 2, "second time", {}
+    yield "duplicated group", {**good, "deck.nml": SI_DECK + "&boundary /\n" * 2}, 2, "second time", {}
     for number in ("NaN", "Infinity", "-Infinity", "1e400", "1e308", "-1e308"):
         yield f"mud of {number}", changed("density = 1200.0", f"density = {number}"), 2, "deck.nml:5", {}
         yield f"station at {number}", {**good, "wells/path.csv": SURVEY.replace("400", number)}, 2, "path.csv:5", {}
