@@ -82,6 +82,8 @@ class Echo:
         self.work += sum(int(v) * int(c) for v, c in re.findall(r"^study +at most (\d+) variants of (\d+) cases", text, re.M))
         fluid = re.search(r"^fluid +(\S+) (?:kg/m3|lbm/gal)", text, re.M)
         self.mud = float(fluid.group(1)) if fluid else 0.0
+        # Weights are told for one fluid that fills the hole and the string.
+        self.one_fluid = len(re.findall(r"^fluid .*(?:, from |, above the bit|inside|outside)", text, re.M)) == 0
         self.gravity = float(found_in(r", gravity (\S+) m/s2", text) or GRAVITY)
         self.strings, parts = {}, None        # name: (length or None, mass, density) from the bit upwards
         for line in text.splitlines():
@@ -205,7 +207,7 @@ def faults_of_row(out, row, balance, echo, tables):
         total = sum((b - a) * (p + q) / 2.0 for a, b, p, q in zip(depths, depths[1:], sides, sides[1:]))
         if row["model"] == "mcge" and not abs(total - normal) <= SIDE_FORCES * max(normal, 1e-2 * force) + PULLED * force + 1e-9:
             found.append(f"{place}: side forces sum up to {total}, normal force {normal}")
-        weight = echo.weight(row["case"], depths, verticals) if echo and row["case"] in echo.cases else None
+        weight = echo.weight(row["case"], depths, verticals) if echo and echo.one_fluid and row["case"] in echo.cases else None
         if weight:
             wet, dry = weight
             if not abs(hook + wob + friction - wet) <= WEIGHT * max(dry, force):
