@@ -4,7 +4,7 @@ module dg_deck_calibrate
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: case_named, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name, model_soft
@@ -145,10 +145,7 @@ contains
          if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
       end if
       do i = 1, size(wanted)
-         found = 0
-         do k = 1, size(names)
-            if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
-         end do
+         found = case_named(draft, wanted(i)%text)
          if (found == 0) then
             call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
          else if (.not. measured(found)) then
@@ -181,10 +178,7 @@ contains
          names(k) = draft%cases(k)%load_case%name
       end do
       do i = 1, size(wanted)
-         found = 0
-         do k = 1, size(names)
-            if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
-         end do
+         found = case_named(draft, wanted(i)%text)
          if (found == 0) then
             call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
          else if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then

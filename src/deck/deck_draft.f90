@@ -16,7 +16,7 @@ module dg_deck_draft
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type
+   public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, case_named
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -73,4 +73,17 @@ module dg_deck_draft
       type(draft_fluid_type), allocatable :: fluids(:)
       real(wp) :: gravity = standard_gravity   !< [m/s2]
    end type draft_type
+
+contains
+
+   !> Number of a load case by its name; 0: there is none.
+   pure function case_named(draft, name) result(number)
+      type(draft_type), intent(in) :: draft
+      character(*), intent(in) :: name
+      integer :: number, k
+      number = 0
+      do k = 1, size(draft%cases)
+         if (draft%cases(k)%load_case%name == name) number = k
+      end do
+   end function case_named
 end module dg_deck_draft

@@ -2,7 +2,7 @@
 module dg_deck_legacy
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: case_named, draft_type
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_type, read_legacy_file, unit_value
@@ -68,8 +68,8 @@ contains
       if (is_sound(group, 'case')) then
          do k = 1, size(names)
             names(k) = draft%cases(k)%load_case%name
-            if (draft%cases(k)%load_case%name == text_of(group, 'case', '')) table%case_index = k
          end do
+         table%case_index = case_named(draft, text_of(group, 'case', ''))
          if (table%case_index == 0) call fault('case', 'there is no load case '//quoted(text_of(group, 'case', ''))//'; '// &
                                                suggestion(text_of(group, 'case', ''), names))
       end if

@@ -2,7 +2,7 @@
 module dg_deck_study
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_sound, line_of, reals_of, texts_of
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: case_named, draft_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
@@ -78,10 +78,7 @@ contains
       end do
       if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(names))]
       do i = 1, size(wanted)
-         found = 0
-         do k = 1, size(names)
-            if (draft%cases(k)%load_case%name == wanted(i)%text) found = k
-         end do
+         found = case_named(draft, wanted(i)%text)
          if (found == 0) then
             call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &'//group%name//': there is no load case '// &
                            quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))

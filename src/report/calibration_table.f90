@@ -14,7 +14,7 @@ module dg_calibration_table
    use dg_missing, only: is_missing
    use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_prediction_table, only: append_predictions
+   use dg_prediction_table, only: append_predictions, quantity_words
    use dg_residual_order, only: find_succession
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -142,7 +142,8 @@ contains
                counted = counted + 1
             end where
             call append_text(lines, left_aligned(model%cases(calibration%cases(datum%case))%name, name_width)// &
-               left_aligned(quantity_text(units, datum%kind), 18)//fixed_cell(given(datum%measured), unit, cell_width, decimals)// &
+               left_aligned(quantity_words(units, datum%kind), 18)// &
+               fixed_cell(given(datum%measured), unit, cell_width, decimals)// &
                fixed_cell(before, unit, cell_width, decimals)//fixed_cell(errors(1), one, cell_width, 2)// &
                fixed_cell(given(result%fit%values(d)), unit, cell_width, decimals)// &
                fixed_cell(errors(2), one, cell_width, 2)// &
@@ -204,8 +205,8 @@ contains
          'to round-off, which tells nothing of their error; give a hookload_deviation')
       scatter = result%statistics%scatter
       if (all(.not. is_missing(result%deviations))) then
-         call append_text(lines, 'Standard deviations by the residuals: '//quantity_text(units, hookload_datum)//': '// &
-            to_text(result%deviations(hookload_datum)/units%force, 3)//'; '//quantity_text(units, torque_datum)//': '// &
+         call append_text(lines, 'Standard deviations by the residuals: '//quantity_words(units, hookload_datum)//': '// &
+            to_text(result%deviations(hookload_datum)/units%force, 3)//'; '//quantity_words(units, torque_datum)//': '// &
             to_text(result%deviations(torque_datum)/units%moment, 3))
          scatter = maxval(result%scatters, mask=[calibration%hookload_deviation%present, calibration%torque_deviation%present])
       end if
@@ -311,13 +312,4 @@ contains
       if (text == '') text = ', all'
       text = text(len(', ') + 1:)
    end function unknown_text
-
-   pure function quantity_text(units, kind) result(text)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: kind
-      character(:), allocatable :: text
-      text = 'hook load, '//trim(units%force_label)
-      if (kind /= hookload_datum) text = 'torque, kN.m'
-      if (kind /= hookload_datum .and. units%name == 'field') text = 'torque, kft.lbf'
-   end function quantity_text
 end module dg_calibration_table

@@ -16,7 +16,7 @@ module dg_prediction_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_predictions, prediction_rows, prediction_columns
+   public :: append_predictions, prediction_rows, prediction_columns, quantity_words
 
    !> New ones are added at the end only: others rely on the names and the order.
    type(column_type), parameter :: prediction_columns(15) = [ &
@@ -206,6 +206,7 @@ contains
       if (kind == hookload_datum) measured = load_case%measured_hookload
    end function measured_of
 
+   !> Name of what was measured, with its unit.
    pure function quantity_words(units, kind) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: kind
