@@ -62,7 +62,7 @@ contains
       integer :: e
       climb = 1.0_wp
       vertical = mesh%frame(3, 1, :) > upright
-      if (.not. compressed > 0.0_wp .or. .not. (any(mesh%rotary > 0.0_wp) .or. all(vertical))) return
+      if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
       do e = 1, mesh%elements
          if (.not. (mesh%rotary(e) > 0.0_wp .or. all(vertical))) cycle

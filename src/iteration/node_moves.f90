@@ -2,7 +2,6 @@
 module dg_node_moves
    use dg_kinds, only: wp
    use dg_arc, only: point_on_arc
-   use dg_gap_survey, only: node_offset
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: closest_point, trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
@@ -17,11 +16,12 @@ contains
 
    !> Takes a step (6,nodes) of every node apart where the node is now: the way it slides along the hole, and what moves it across.
    !> A node that has slid by metres has another tangent than the one that its unknowns go by.
-   pure subroutine split_step(trajectory, mesh, work, step, slide, across)
+   pure subroutine split_step(trajectory, mesh, work, step, offset, slide, across)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed
       real(wp), intent(in) :: step(:, :)
+      real(wp), intent(out) :: offset(:, :)          !< of the node from the hole axis, along n_1 and n_2 (2,nodes) [m]
       real(wp), intent(out) :: slide(:)              !< [m]
       real(wp), intent(out) :: across(:, :)          !< lateral (2) and slopes (2) by node [m, -]
       real(wp) :: point(3), gap(3), tangent(3), curvature(3), foot, local(3)
@@ -30,6 +30,7 @@ contains
          arc = mesh%arc(n)
          point = mesh%base(:, n) + work%shift(:, n)
          call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
+         offset(:, n) = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
          local = matmul(tangent, mesh%frame(:, :, n))
          slide(n) = dot_product(step(:3, n), local)
          across(1:2, n) = step(dof_lateral_1:dof_lateral_2, n) - slide(n)*local(2:3)
@@ -41,29 +42,24 @@ contains
    !> Moves the nodes across the hole. Where that is wanted (`turning`), what moves a node across its offset from the hole axis is
    !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
    !> lines a string on a round wall could only creep.
-   pure subroutine move_across(beyond, turning, trajectory, mesh, work, across, state)
+   pure subroutine move_across(beyond, turning, mesh, offset, across, state)
       real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over their clearance [-]
       logical, intent(in) :: turning
-      type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work       !< nodes placed at `state`
+      real(wp), intent(in) :: offset(:, :)       !< of the nodes at `state` (2,nodes) [m]
       real(wp), intent(in) :: across(:, :)
       real(wp), intent(inout) :: state(:, :)
-      real(wp) :: gap(3), tangent(3), offset(2), move(2), slope(2), square, along, turn
+      real(wp) :: move(2), slope(2), square, along, turn
       integer :: n
       do n = 1, mesh%nodes
          move = across(1:2, n)
          slope = state(dof_slope_1:dof_slope_2, n)
          square = 0.0_wp
-         if (turning) then
-            call node_offset(trajectory, mesh, work, n, gap, tangent)
-            offset = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
-            square = sum(offset**2)
-         end if
+         if (turning) square = sum(offset(:, n)**2)
          if (square > (beyond*mesh%clearance(min(n, mesh%elements)))**2) then
-            turn = (offset(1)*move(2) - offset(2)*move(1))/square
-            along = dot_product(move, offset)/square
-            move = turned((1.0_wp + along)*offset, turn) - offset
+            turn = (offset(1, n)*move(2) - offset(2, n)*move(1))/square
+            along = dot_product(move, offset(:, n))/square
+            move = turned((1.0_wp + along)*offset(:, n), turn) - offset(:, n)
             slope = turned(slope + across(3:4, n) - turn*[-slope(2), slope(1)], turn)
          else
             slope = slope + across(3:4, n)

@@ -59,6 +59,7 @@ module dg_step
       integer :: rounds = 0, round_start = 0
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
       real(wp), allocatable :: move(:, :)     !< that share of the step, in space (6,nodes)
+      real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
       real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
       real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
@@ -90,7 +91,7 @@ contains
       it%watched = watched
       call new_contact_problem(mesh, unknowns, it%problem)
       allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
-                it%slide(mesh%nodes), source=0.0_wp)
+                it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
       if (watched) call make_room_to_watch(mesh, it)
@@ -230,7 +231,7 @@ contains
       else
          it%move = equations%step
       end if
-      call split_step(trajectory, mesh, work, it%move, it%slide, it%across)
+      call split_step(trajectory, mesh, work, it%move, it%offset, it%slide, it%across)
       reach = 0.0_wp
       do n = 1, mesh%nodes
          reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
@@ -350,7 +351,7 @@ contains
       real(wp), intent(inout) :: state(:, :)
       real(wp) :: slide
       integer :: e
-      call move_across(it%numerics%tuning%turned_beyond, it%watched, trajectory, mesh, work, it%share*it%across, state)
+      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
       state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
       do e = 1, mesh%nodes
          call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))

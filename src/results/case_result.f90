@@ -104,8 +104,6 @@ module dg_case_result
       !> string on the low side, sqrt(1 + nu) - 1); 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
       logical :: coils_slide = .false.         !< a helix that friction acts on along the hole: many equilibria
-      !> Least and largest hook load that were found for such a string; missing where they were not looked for [N].
-      real(wp) :: hookload_range(2) = missing
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
       real(wp) :: moment_error = missing

@@ -46,7 +46,7 @@ module dg_static_analysis
    real(wp), parameter :: support_length = 1.0_wp
    !> Of a string without weight and load, which has no scale of its own [N].
    real(wp), parameter :: least_scale = 1.0_wp
-   !> Part of the coiling load from which a string may buckle: friction's climb fades, and the margin of stability is told [-].
+   !> Part of the coiling load from which a string may buckle: the margin of stability is told [-].
    real(wp), parameter :: buckling_share = 0.4_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
@@ -126,6 +126,7 @@ contains
       type(case_result_type), intent(inout) :: result
       type(model_type) :: lying
       type(case_result_type) :: other
+      real(wp) :: largest      ! axial force [N]
       lying = model
       lying%numerics%tuning%start_buckled = .false.
       lying%numerics%tuning%most_attempts = 1
@@ -137,9 +138,8 @@ contains
                           'range of the hook load is not known')
          return
       end if
-      result%hookload_range = [min(result%hookload, other%hookload), max(result%hookload, other%hookload)]
-      if (result%hookload_range(2) - result%hookload_range(1) < worth_telling*max(abs(result%hookload), &
-                                                                             maxval(abs(result%profile%axial)))) return
+      largest = max(abs(result%hookload), maxval(abs(result%profile%axial)))
+      if (abs(other%hookload - result%hookload) < worth_telling*largest) return
       call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria: from '// &
                        'another start, on the low side of the hole, the hook load is '// &
                        to_text(other%hookload/kilonewton, digits)//' kN')
