@@ -67,8 +67,7 @@ contains
       do e = 1, mesh%elements
          if (.not. (mesh%rotary(e) > 0.0_wp .or. all(vertical))) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-         ratio = -min(axial(e), axial(e + 1), 0.0_wp) &
-                 /max(coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e)), tiny(1.0_wp))
+         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
       end do
       if (.not. all(vertical)) call free_vertical_stretches(vertical, axial, mesh%rotary, climb)

@@ -137,7 +137,10 @@ contains
       real(wp), intent(in) :: weight     !< [N/m]
       real(wp), intent(in) :: clearance  !< > 0 [m]
       real(wp) :: load
-      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), 2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)))
+      !> Of a string without weight that nothing presses; loads are divided by it [N].
+      real(wp), parameter :: next_to_none = 1.0e-6_wp
+      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), 2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)), &
+                 next_to_none)
    end function coiling_load
 
    !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].

@@ -90,7 +90,7 @@ contains
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             strained = max(strained, abs(axial(e))/mesh%ea(e), abs(axial(e + 1))/mesh%ea(e))
             if (.not. compression > 0.0_wp) cycle
-            share = compression/max(tiny(1.0_wp), coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e)))
+            share = compression/coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
             compressed = max(compressed, share)
          end do
          depths = subdivided(mesh%md, longest)
