@@ -50,7 +50,7 @@ from watched_run import Run, bound_memory_of
 INPUT = mutations.ROOT / "input"
 SAME = 1.0e-6          # of the largest force: a survey in other units, with ten digits or more
 SAME_CONVERTED = 1.0e-5   # lengths that --convert has rounded may make an interval more
-# A run may take `--seconds`, or this long for each solution that its deck asks for [s]: one that finds no rest takes some seconds.
+# A run may take `--seconds`, or this long for each solution that its deck asks for [s]: one that finds no equilibrium takes some seconds.
 SECONDS_EACH = 5.0
 # Nothing is waited for longer: times `--seconds`, of processor time and, on a busy machine, of wall time.
 PATIENCE, WALL = 3, 15

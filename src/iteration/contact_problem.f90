@@ -40,6 +40,7 @@ module dg_contact_problem
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
       real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included (unknowns,nodes)
+      integer :: unsettled = 0                 !< gaps that would still open or close when its rounds were over
    end type contact_problem_type
 
 contains
@@ -163,6 +164,7 @@ contains
       real(wp) :: change, rho
       integer :: round, e, changes
       entered = .false.
+      changes = 0
       do round = 1, most_rounds
          problem%load = residual
          do e = 1, size(force)
@@ -186,6 +188,7 @@ contains
          call judge_closed(gaps, force, equations%step, problem, changes)
          if (changes == 0) exit
       end do
+      problem%unsettled = changes
    end subroutine solve_problem
 
    !> Opens and closes gaps by what a step makes of them; enters the forces wanted.

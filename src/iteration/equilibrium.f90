@@ -129,9 +129,9 @@ contains
          if (it%rounds < it%numerics%tuning%most_moves) then
             it%rounds = it%rounds + 1
             it%round_start = equations%iterations
-            it%rest = state
-            it%rest_force = work%normal
-            call keep_gaps(gaps, it%rest_gaps)
+            it%settled = state
+            it%settled_force = work%normal
+            call keep_gaps(gaps, it%settled_gaps)
             call keep_gaps(gaps, it%kept)
             call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
             if (it%row%moves > 0) then
@@ -147,10 +147,10 @@ contains
       end do
       if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. &
           equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
-         state = it%rest
-         work%normal = it%rest_force
-         call take_gaps_back(it%rest_gaps, gaps)
-         call take_gaps_back(it%rest_gaps, it%kept)
+         state = it%settled
+         work%normal = it%settled_force
+         call take_gaps_back(it%settled_gaps, gaps)
+         call take_gaps_back(it%settled_gaps, it%kept)
          equations%gaps_taken_back = .true.
          it%rounds = it%numerics%tuning%most_moves
          it%growth = rigid

@@ -65,8 +65,8 @@ module dg_step
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
-      real(wp), allocatable :: rest(:, :), rest_force(:)
-      type(gap_table_type) :: rest_gaps       !< before gaps moved
+      real(wp), allocatable :: settled(:, :), settled_force(:)   !< the equilibrium before gaps moved
+      type(gap_table_type) :: settled_gaps
    end type equilibrium_type
 
 contains
@@ -143,7 +143,9 @@ contains
       it%move = it%share*it%move
    end subroutine find_step
 
-   !> The step of a string that is watched.
+   !> The step of a string that is watched. Viscosity is raised while a node moves too far, and while gaps do not settle that have
+   !> walls of their own stiffness: a gap that would pull when closed and be in the wall when open has no solution in a linear
+   !> problem that is nearly indefinite, and leaves the string where it is.
    subroutine find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -155,6 +157,7 @@ contains
       real(wp), intent(out) :: reach           !< of the step
       real(wp) :: margin
       logical :: live          ! friction follows the contact forces within the step
+      logical :: settled       ! every gap is open or closed in the linear problem's solution, or walls are soft
       integer :: hold, fault
       call weigh_all(it%numerics%tuning, mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
@@ -180,7 +183,8 @@ contains
                it%problem%closed = gaps%state /= state_free
             end do
             call find_reach(it, equations, trajectory, mesh, work, reach)
-            if (reach <= it%numerics%step_limit .or. hold == tuning%most_holds) exit
+            settled = it%problem%unsettled == 0 .or. it%growth < rigid
+            if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_holds) exit
             it%viscosity = max(it%viscosity, tuning%viscosity_start)*tuning%held_more
          end do
       end associate
@@ -351,7 +355,9 @@ contains
       real(wp), intent(inout) :: state(:, :)
       real(wp) :: slide
       integer :: e
-      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
+      associate (tuning => it%numerics%tuning)
+         call move_across(tuning%turned_beyond, tuning%near_joint, it%watched, mesh, it%offset, it%share*it%across, state)
+      end associate
       state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
       do e = 1, mesh%nodes
          call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))

@@ -34,8 +34,8 @@ module dg_case_result
    !> Whether a string was solved in the plane of its hole, and why not; names in reports, without that of who did not ask.
    integer, parameter :: way_not_asked = 0, way_planar = 1, way_turns = 2, way_rotates = 3, way_buckles = 4, way_left = 5
    integer, parameter :: way_count = 5
-   character(*), parameter :: way_name(way_count) = [character(20) :: 'planar', 'the hole turns', 'the string turns', &
-      'compressed', 'no rest in the plane']
+   character(*), parameter :: way_name(way_count) = [character(27) :: 'planar', 'the hole turns', 'the string turns', &
+      'compressed', 'no equilibrium in the plane']
 
    !> What presses the wall at one place, and names in files.
    integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5, &

@@ -27,9 +27,9 @@ module dg_static_result
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
    character(*), parameter :: touched = 'side force and tilt of the bit, and bending moments between contacts, may be off by a '// &
       'tenth; shorter elements narrow that down'
-   !> What to try where no rest was found. Of nine such strings, all pushed near lock-up, half the length, 5 m or 2 m found rest
-   !> for four, 5 load steps for two, the other place of the gaps for two, one of them for five; more iterations only where they
-   !> had been used up.
+   !> What to try where no equilibrium was found. Of nine such strings, all pushed near lock-up, half the length, 5 m or 2 m found
+   !> one for four, 5 load steps for two, the other place of the gaps for two, one of them for five; more iterations only where
+   !> they had been used up.
    character(*), parameter :: other_ways = 'another element_length (half, or 5 m), gap_location or load_steps: one of these '// &
       'finds it for about half of such strings'
    !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
@@ -84,7 +84,7 @@ contains
          if (equations%iterations >= model%numerics%max_iterations) then
             result%message = 'iterations used up'//trim(text)//' try more max_iterations, or '//other_ways
          else
-            result%message = 'no rest found'//trim(text)//' try '//other_ways
+            result%message = 'no equilibrium found'//trim(text)//' try '//other_ways
          end if
       case default
          result%status = result_not_converged
@@ -99,7 +99,7 @@ contains
          call add_message(result, 'the weight of the string does not overcome friction and bit load: '// &
                           'the string would have to be pushed at surface')
       if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-         call add_message(result, 'gaps that were moved to where the string lies deepest found no rest there and stand '// &
+         call add_message(result, 'gaps that were moved to where the string lies deepest found no equilibrium there and stand '// &
                           'where they first touched: '//touched)
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
