@@ -7,7 +7,8 @@ module dg_mesh
    use dg_kinds, only: wp
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, component_type, &
-                           contact_diameter, effective_joint_length, has_bend, has_joints, room_of, torsional_stiffness
+                           contact_diameter, effective_joint_length, has_bend, has_joints, room_of, room_of_held_bit, &
+                           torsional_stiffness
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, &
                              joint_ends
@@ -120,7 +121,7 @@ contains
             if (part > 1) distance = distance - tops(part - 1)
             mesh%centralizer(e) = at_centralizer(component%centralizer, distance)
             mesh%radius(e) = 0.5_wp*merge(centralizer_diameter(component), contact_diameter(component), mesh%centralizer(e))
-            call put_in_hole(model, load_case, component, middle, e, mesh)
+            call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
             mesh%gathered(e) = 1.0_wp
             mesh%spacing(e) = 0.0_wp
@@ -133,7 +134,7 @@ contains
             else
                mesh%gathered(e) = 0.0_wp
                mesh%radius(e) = 0.5_wp*component%od
-               call put_in_hole(model, load_case, component, middle, e, mesh)
+               call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
             end if
          end associate
       end do
@@ -162,15 +163,18 @@ contains
    end subroutine bend_mesh
 
    !> What the hole at a depth [m] gives to an element whose contact radius is known.
-   pure subroutine put_in_hole(model, load_case, component, md, e, mesh)
+   pure subroutine put_in_hole(model, load_case, component, lowest, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(component_type), intent(in) :: component
+      logical, intent(in) :: lowest      !< component of the string
       real(wp), intent(in) :: md
       integer, intent(in) :: e
       type(mesh_type), intent(inout) :: mesh
       associate (hole => model%holes(hole_section_at(model%holes, md)))
          mesh%clearance(e) = room_of(0.5_wp*hole%diameter - mesh%radius(e))
+         if (lowest .and. model%boundary%bit_centred) &
+            mesh%clearance(e) = room_of_held_bit(component, 0.5_wp*hole%diameter - mesh%radius(e))
          mesh%opening(e) = mesh%clearance(e)
          mesh%drag(e) = 0.0_wp
          mesh%wall(e) = hole%wall_stiffness

@@ -10,12 +10,14 @@ module dg_component
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: contact_diameter, centralizer_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, &
-             is_worn, has_bend, is_bit, room_of
+             is_worn, has_bend, is_bit, room_of, room_of_held_bit
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
    !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
    real(wp), parameter :: least_clearance = 0.25e-3_wp
+   !> Tilt that a bit's own cut leaves room for [-]: more than the largest bend, 5 deg, tilts it.
+   real(wp), parameter :: most_tilt = 0.1_wp
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 
@@ -129,7 +131,17 @@ contains
       if (.not. room > 0.0_wp) room = least_clearance
    end function room_of
 
-   !> Whether the component is a bit, which may be as wide as its hole and touches all along its gauge.
+   !> The same of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its gauge: drilling
+   !> ahead with a tilt it makes a hole wider by tilt times gauge. So its gauge does not hold it against the wall, and it may tilt.
+   elemental function room_of_held_bit(component, half_difference) result(room)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
+      real(wp) :: room
+      room = room_of(half_difference)
+      if (is_bit(component) .and. .not. half_difference > least_clearance) room = max(room, most_tilt*component%length)
+   end function room_of_held_bit
+
+   !> Whether the component is a bit, which may be as wide as its hole.
    elemental function is_bit(component) result(is)
       type(component_type), intent(in) :: component
       logical :: is
