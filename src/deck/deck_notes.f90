@@ -6,7 +6,7 @@ module dg_deck_notes
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_error, only: error_type
-   use dg_job, only: job_type, model_mcge, model_name
+   use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
@@ -96,7 +96,8 @@ contains
          associate (item => draft%components(i))
             if (.not. has_bend(item%component)) cycle
             do k = 1, size(job%models)
-               if (job%models(k) /= model_mcge) call append_text(notes, 'group &component in line '//to_text(item%line)// &
+               if (job%models(k) == model_mcge .or. (job%models(k) == model_mixed .and. draft%numerics%mixed_elements)) cycle
+               call append_text(notes, 'group &component in line '//to_text(item%line)// &
                   ': model '//trim(model_name(job%models(k)))//' may leave the bend out: it is beams that know it')
             end do
             do k = 1, size(draft%cases)

@@ -42,6 +42,9 @@ module dg_bending_profile
    !> most `most_proofs` times.
    real(wp), parameter :: proven = 0.005_wp
    integer, parameter :: most_proofs = 3
+   !> No element at the edge of a blade is halved to less than half of this [m]: beside spans of some metres the elimination would
+   !> lose all digits.
+   real(wp), parameter :: finest = 4.0e-3_wp
    !> Number of elements on each side of halved ones that are solved again with them.
    integer, parameter :: margin = 8
    !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
@@ -166,8 +169,8 @@ contains
       end if
    end subroutine solve_anchored
 
-   !> Halves all elements, until that changes no moment by more than `proven` of the largest, or `most_proofs` times. `error` is
-   !> the last change; it is missing where no equilibrium was found.
+   !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
+   !> of the largest, or `most_proofs` times. `error` is the last change; it is missing where no equilibrium was found.
    subroutine prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -180,20 +183,26 @@ contains
       real(wp), allocatable, intent(inout) :: moments(:)
       real(wp), intent(out) :: error
       real(wp), allocatable :: finer(:), shape(:, :), before(:), differences(:)
-      logical :: found
-      integer :: round
+      logical, allocatable :: marked(:)
+      integer, allocatable :: kept(:)          ! numbers of the nodes among the finer ones
+      logical :: found, bit
+      integer :: round, n
       error = missing
+      bit = wants_bit(model, mesh)
       do round = 1, most_proofs
+         n = size(beam%md)
+         marked = .not. bit .or. beam%md(2:) - beam%md(:n - 1) > finest
          if (allocated(finer)) deallocate (finer)
-         allocate (finer, source=halved_nodes(beam%md, spread(.true., 1, size(beam%md) - 1)))
+         allocate (finer, source=halved_nodes(beam%md, marked))
+         kept = [1, (n + 1 + count(marked(:n)), n=1, size(marked))]
          allocate (shape, source=shape_at(beam%md, y, finer))
          call move_alloc(shape, y)
          call new_beam(model, mesh, gaps, work, lying, finer, beam)
-         call solve_anchored(mesh, lying, beam, y, merge(firmly, settled, wants_bit(model, mesh)), found)
+         call solve_anchored(mesh, lying, beam, y, merge(firmly, settled, bit), found)
          if (.not. found) return
          call move_alloc(moments, before)
          call recover_moments(beam, y, bent, moments, differences)
-         error = maxval(abs(moments(::2) - before))/max(maxval(moments), tiny(1.0_wp))
+         error = maxval(abs(moments(kept) - before))/max(maxval(moments), tiny(1.0_wp))
          if (error <= proven) return
       end do
    end subroutine prove
