@@ -127,11 +127,10 @@ contains
       real(wp), intent(out) :: error                            !< of moments, over the largest [-]
       real(wp), allocatable :: y(:, :), moments(:), differences(:)
       logical, allocatable :: marked(:)
-      real(wp) :: rest
-      logical :: found
+      logical :: found, bit
       integer :: round, pass
       error = missing
-      rest = merge(firmly, settled, wants_bit(model, mesh))
+      bit = wants_bit(model, mesh)
       allocate (y, source=shape_at(mesh%md, lying%y, start))
       call new_beam(model, mesh, gaps, work, lying, start, beam)
       call solve_anchored(mesh, lying, beam, y, roughly, found)
@@ -139,13 +138,14 @@ contains
       call recover_moments(beam, y, bent, moments, differences)
       do pass = 1, most_passes
          do round = 1, most_rounds
-            marked = to_be_halved(beam%md, moments, differences, merge(bit_share, 1.0_wp, wants_bit(model, mesh)))
+            marked = to_be_halved(beam%md, moments, differences, merge(bit_share, 1.0_wp, bit))
             if (.not. any(marked)) exit
             call halve(model, mesh, gaps, work, lying, marked, beam, y)
             call recover_moments(beam, y, bent, moments, differences)
          end do
          if (pass > 1 .and. round == 1) exit      ! the whole string asks for no more
-         call solve_anchored(mesh, lying, beam, y, rest, found)
+         call solve_anchored(mesh, lying, beam, y, merge(firmly, settled, bit), found)
+         if (.not. found .and. bit) call solve_anchored(mesh, lying, beam, y, settled, found)      ! a wall of 1e9 kN/m2 and more
          if (.not. found) return
          call recover_moments(beam, y, bent, moments, differences)
       end do
