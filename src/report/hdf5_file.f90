@@ -5,10 +5,10 @@
 module dg_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
-   use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, &
+   use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dcreate_f, &
                    h5dont_atexit_f, &
                    h5dwrite_f, h5eset_auto_f, h5f_acc_excl_f, h5f_libver_latest_f, h5f_libver_v18_f, h5fclose_f, &
-                   h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gclose_f, h5gcreate_f, h5kind_to_type, h5lcreate_soft_f, &
+                   h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gcreate_f, h5kind_to_type, h5lcreate_soft_f, &
                    h5oclose_f, h5oopen_f, h5open_f, h5p_crt_order_indexed_f, h5p_crt_order_tracked_f, h5p_dataset_create_f, &
                    h5p_file_access_f, h5p_group_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, h5pset_deflate_f, &
                    h5pset_libver_bounds_f, h5pset_link_creation_order_f, h5pset_shuffle_f, h5s_scalar_f, h5sclose_f, &
@@ -29,6 +29,10 @@ module dg_hdf5_file
       character(:), allocatable :: path        !< name that it is to have
       character(:), allocatable :: unfinished  !< name that it has as long as it is written
       character(:), allocatable :: failure     !< what failed first; '' while all is well
+      ! What is written to in a row is found once: to look for it costs more than an attribute.
+      integer(hid_t) :: object = -1            !< group or dataset that is open; < 0: none
+      character(:), allocatable :: object_path !< its path
+      integer(hid_t) :: text = -1              !< type of a text in UTF-8 of any length
    end type hdf5_file_type
 
    !> Puts numbers as a dataset at a path, of rank 1, or 2 with the rows of the file as second dimension here. Numbers
@@ -42,6 +46,8 @@ module dg_hdf5_file
       module procedure attribute_text, attribute_real, attribute_integer, attribute_reals, attribute_integers
    end interface write_attribute
 
+   !> Up to so many numbers a dataset is stored as it is: to compress 64 kB costs more than it saves.
+   integer, parameter :: most_plain = 8192
    !> Rows of a chunk: 128 kB of numbers.
    integer, parameter :: chunk_rows = 16384
    !> Of deflate, 1 to 9: more costs much and gains little.
@@ -74,6 +80,8 @@ contains
       call check(file, status, 'creating the file')
       if (file%failure /= '') file%id = -1
       call h5pclose_f(access, status)
+      call h5tcopy_f(h5t_string, file%text, status)
+      call h5tset_cset_f(file%text, h5t_cset_utf8_f, status)
    end subroutine create_hdf5
 
    !> Ends a file and gives it its name; on any error so far a file of that name stays as it was and nothing unfinished is
@@ -83,6 +91,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(:), allocatable :: reason
       integer :: status
+      call leave_object(file)
+      if (file%text >= 0) call h5tclose_f(file%text, status)
       if (file%id >= 0) then
          call h5fflush_f(file%id, h5f_scope_local_f, status)
          call check(file, status, 'writing to disk')
@@ -112,7 +122,7 @@ contains
       call h5pset_link_creation_order_f(properties, ior(h5p_crt_order_tracked_f, h5p_crt_order_indexed_f), status)
       call h5gcreate_f(file%id, group, id, status, gcpl_id=properties)
       call check(file, status, 'group '//group)
-      if (status == 0) call h5gclose_f(id, status)
+      if (status == 0) call stay_at(file, group, id)
       call h5pclose_f(properties, status)
    end subroutine make_group
 
@@ -169,7 +179,7 @@ contains
                         h5kind_to_type(kind(values), h5_integer_kind), address_of_long_integers(buffer, size(buffer)))
    end subroutine write_long_integers
 
-   !> A dataset from memory; chunked and compressed, unless it is empty.
+   !> A dataset from memory; chunked and compressed where it is large.
    subroutine write_buffer(file, path, dims, file_type, memory_type, address)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
@@ -182,7 +192,7 @@ contains
       if (file%failure /= '') return
       call h5screate_simple_f(size(dims), dims, space, status)
       call h5pcreate_f(h5p_dataset_create_f, properties, status)
-      if (all(dims > 0)) then
+      if (product(dims) > most_plain) then
          chunk = dims
          chunk(size(dims)) = min(dims(size(dims)), int(chunk_rows, hsize_t))
          call h5pset_chunk_f(properties, size(chunk), chunk, status)
@@ -194,8 +204,7 @@ contains
       if (status == 0) then
          if (all(dims > 0)) call h5dwrite_f(id, memory_type, address, status)
          call check(file, status, 'dataset '//path)
-         call h5dclose_f(id, status)
-         call check(file, status, 'dataset '//path)
+         call stay_at(file, path, id)
       end if
       call h5pclose_f(properties, status)
       call h5sclose_f(space, status)
@@ -207,8 +216,7 @@ contains
       character(*), intent(in) :: object, name, text
       character(kind=c_char), allocatable, target :: buffer(:)
       type(c_ptr), target :: pointer(1)
-      integer(hid_t) :: type
-      integer :: status, i
+      integer :: i
       if (file%failure /= '') return
       allocate (buffer(len(text) + 1))
       do i = 1, len(text)
@@ -216,10 +224,7 @@ contains
       end do
       buffer(len(text) + 1) = c_null_char
       pointer(1) = c_loc(buffer)
-      call h5tcopy_f(h5t_string, type, status)
-      call h5tset_cset_f(type, h5t_cset_utf8_f, status)
-      call attribute_buffer(file, object, name, [integer(hsize_t) ::], type, type, c_loc(pointer))
-      call h5tclose_f(type, status)
+      call attribute_buffer(file, object, name, [integer(hsize_t) ::], file%text, file%text, c_loc(pointer))
    end subroutine attribute_text
 
    !> Text in ASCII, of fixed length, as VTK's format asks for.
@@ -290,15 +295,18 @@ contains
       integer(hid_t) :: space, id, owner
       integer :: status
       if (file%failure /= '') return
-      call h5oopen_f(file%id, object, owner, status)
-      call check(file, status, 'attribute '//name//' of '//object)
-      if (status /= 0) return
+      if (file%object < 0 .or. file%object_path /= object) then
+         call h5oopen_f(file%id, object, owner, status)
+         call check(file, status, 'attribute '//name//' of '//object)
+         if (status /= 0) return
+         call stay_at(file, object, owner)
+      end if
       if (size(dims) == 0) then
          call h5screate_f(h5s_scalar_f, space, status)
       else
          call h5screate_simple_f(size(dims), dims, space, status)
       end if
-      call h5acreate_f(owner, name, file_type, space, id, status)
+      call h5acreate_f(file%object, name, file_type, space, id, status)
       call check(file, status, 'attribute '//name//' of '//object)
       if (status == 0) then
          if (all(dims > 0)) call h5awrite_f(id, memory_type, address, status)
@@ -306,8 +314,27 @@ contains
          call h5aclose_f(id, status)
       end if
       call h5sclose_f(space, status)
-      call h5oclose_f(owner, status)
    end subroutine attribute_buffer
+
+   !> Keeps an object open for what is written to it next; the one before is closed.
+   subroutine stay_at(file, path, object)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: path
+      integer(hid_t), intent(in) :: object
+      call leave_object(file)
+      file%object = object
+      file%object_path = path
+   end subroutine stay_at
+
+   !> Closes the object that is open.
+   subroutine leave_object(file)
+      type(hdf5_file_type), intent(inout) :: file
+      integer :: status
+      if (file%object < 0) return
+      call h5oclose_f(file%object, status)
+      call check(file, status, 'writing '//file%object_path)
+      file%object = -1
+   end subroutine leave_object
 
    !> Notes the first thing that failed.
    subroutine check(file, status, what)

@@ -97,19 +97,20 @@ contains
       integer, allocatable :: rows(:)
       real(wp), allocatable :: points(:, :), md(:)
       integer(int64), allocatable :: corners(:)
-      real(wp) :: axis(3, size(profile%md)), high(3), right(3), angle
+      real(wp) :: axis(3, size(profile%md)), high(3), right(3), cosine(sides), sine(sides)
       integer(int64) :: i
       integer :: j, k, n
       allocate (rows, source=tube_rows(profile, along%hole_diameter))
       axis = axis_of(profile)
       n = size(rows)
+      cosine = cos([(2.0_wp*pi*(j - 1)/sides, j=1, sides)])
+      sine = sin([(2.0_wp*pi*(j - 1)/sides, j=1, sides)])
       allocate (points(3, sides*n), md(sides*n), corners(2*sides*n))
       do k = 1, n
          call across(profile, rows(k), high, right)
          do j = 1, sides
-            angle = 2.0_wp*pi*(j - 1)/sides
             points(:, (k - 1)*sides + j) = axis(:, rows(k)) + &
-                                           0.5_wp*along%hole_diameter(rows(k))*(cos(angle)*high + sin(angle)*right)
+                                           0.5_wp*along%hole_diameter(rows(k))*(cosine(j)*high + sine(j)*right)
             md((k - 1)*sides + j) = profile%md(rows(k))
             corners(2*n*(j - 1) + 2*k - 1) = int(k - 1, int64)*sides + j - 1
             corners(2*n*(j - 1) + 2*k) = int(k - 1, int64)*sides + mod(j, sides)
