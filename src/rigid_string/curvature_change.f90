@@ -15,7 +15,7 @@
 module dg_curvature_change
    use dg_kinds, only: wp
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, breakpoints, piece_above, piece_type, soft_string_at
+   use dg_soft_string_loads, only: at_offset, breakpoints, layout_of, layout_type, piece_above, piece_type, soft_string_at
    implicit none
    private
    public :: change_type, curvature_changes, bending_at, reach
@@ -48,6 +48,7 @@ contains
       integer, intent(in) :: case_index
       type(change_type), allocatable, intent(out) :: changes(:)
       type(change_type), allocatable :: found(:)
+      type(layout_type) :: layout
       type(piece_type) :: above, below
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
       real(wp), dimension(3) :: position, across, bend_above, bend_below
@@ -56,10 +57,11 @@ contains
       call places(model, case_index, md)
       allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), found(size(md)))
       call soft_string_at(model, case_index, md, axial, torque, contact)
+      layout = layout_of(model, case_index)
       n = 0
       do i = 2, size(md) - 1
-         above = piece_above(model, case_index, md(i) - beside, 1.0_wp)
-         below = piece_above(model, case_index, md(i) + beside, 1.0_wp)
+         above = piece_above(model, layout, md(i) - beside, 1.0_wp)
+         below = piece_above(model, layout, md(i) + beside, 1.0_wp)
          call at_offset(above, md(i) - above%arc%md, position, across, bend_above)
          call at_offset(below, md(i) - below%arc%md, position, across, bend_below)
          associate (change => found(n + 1))

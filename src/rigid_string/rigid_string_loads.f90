@@ -15,8 +15,8 @@ module dg_rigid_string_loads
    use dg_kinds, only: wp
    use dg_curvature_change, only: bending_at, change_type
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, climbed, largest_angle, longest_step, piece_above, piece_type, runaway_force, &
-      soft_totals_type
+   use dg_soft_string_loads, only: at_offset, climbed, largest_angle, layout_of, layout_type, longest_step, piece_above, &
+                                   piece_type, runaway_force, soft_totals_type
    use dg_trajectory, only: point_on_arc
    use dg_vector, only: cross
    implicit none
@@ -43,6 +43,7 @@ contains
       real(wp), intent(out) :: bending(:)          !< resultant moment [N.m]
       real(wp), intent(out) :: shear(:)            !< resultant shear force |V| [N]
       type(soft_totals_type), intent(out) :: totals
+      type(layout_type) :: layout
       type(piece_type) :: piece
       real(wp) :: position, force, moment
       integer :: i
@@ -51,16 +52,17 @@ contains
          force = -load_case%wob
          moment = load_case%tob
       end associate
-      piece = piece_above(model, case_index, position, 1.0_wp)
+      layout = layout_of(model, case_index)
+      piece = piece_above(model, layout, position, 1.0_wp)
       do i = size(md), 1, -1
          do while (position > md(i))
             call climb(piece, changes, max(piece%top, md(i)), position, force, moment, totals)
-            if (position > md(i)) piece = piece_above(model, case_index, position, 1.0_wp)
+            if (position > md(i)) piece = piece_above(model, layout, position, 1.0_wp)
          end do
          axial(i) = force
          torque(i) = moment
          call forces_across(piece, changes, md(i), force, moment, contact(:, i), bending(i), shear(i))
-         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, 1.0_wp)
+         if (position <= piece%top .and. i > 1) piece = piece_above(model, layout, position, 1.0_wp)
       end do
    end subroutine rigid_string_at
 

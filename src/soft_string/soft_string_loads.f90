@@ -23,13 +23,13 @@ module dg_soft_string_loads
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_model, only: model_type, string_index
-   use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
+   use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md, turn_of, turn_type
    use dg_vector, only: cross
    implicit none
    private
    public :: soft_string_at, soft_totals_type, breakpoints
    ! The pieces of a string, which the stiff string shares.
-   public :: piece_type, piece_above, at_offset, climbed, longest_step, largest_angle, runaway_force
+   public :: layout_type, layout_of, piece_type, piece_above, at_offset, climbed, longest_step, largest_angle, runaway_force
    public :: coiling_load, coil_force
 
    !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
@@ -56,6 +56,14 @@ module dg_soft_string_loads
       real(wp) :: runaway_md = 0.0_wp    !< ... at this depth, above which nothing was integrated [m]
    end type soft_totals_type
 
+   !> What the pieces of a string are cut by, looked up once for all.
+   type :: layout_type
+      integer :: case_index = 0
+      integer :: string = 0                   !< its number
+      real(wp), allocatable :: tops(:)        !< of its components, from the bit up; its last one has the top of the string [m]
+      real(wp), allocatable :: fluids(:)      !< depths at which a fluid begins, ascending [m]
+   end type layout_type
+
    !> A piece of string of constant properties in one arc and one hole section.
    type :: piece_type
       type(arc_type) :: arc
@@ -69,21 +77,23 @@ module dg_soft_string_loads
       real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
+      real(wp) :: least_coiling = 0.0_wp !< coiling load of a string that nothing presses [N]
       logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
    end type piece_type
 
-   !> A place of a piece, as scalars: three-vectors and their norms took half of the time.
+   !> A place of a piece. What the load across the hole needs are scalars: three-vectors and their norms took half of the time.
    type :: place_type
+      real(wp) :: tangent(3) = 0.0_wp, normal(3) = 0.0_wp   !< of the arc
       real(wp) :: depth = 0.0_wp    !< vertical, below the arc's start [m]
-      real(wp) :: bend = 0.0_wp     !< k.k of the curvature vector k [1/m2]
-      real(wp) :: both = 0.0_wp     !< k.g with the weight across the hole g per length [N/m2]
+      real(wp) :: both = 0.0_wp     !< k.g: curvature vector k, weight across the hole g per length [N/m2]
       real(wp) :: across = 0.0_wp   !< g.g [N2/m2]
    end type place_type
 
 contains
 
    !> Axial force, torque and contact of the soft string of a load case at given depths.
-   !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
+   !> Where weight, curvature or friction jump, `contact` is the one just below the depth. Without it places within an arc are
+   !> found by turning the one below, which differs by round-off and takes a third of the time.
    !> The scales serve load increments: both absent or one is the load case itself.
    pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals, coiled, wob)
       type(model_type), intent(in) :: model
@@ -99,7 +109,9 @@ contains
       logical, intent(in), optional :: coiled          !< friction of a coiled string too; absent: no
       real(wp), intent(in), optional :: wob            !< instead of the load case's [N]
       type(soft_totals_type) :: sums
+      type(layout_type) :: layout
       type(piece_type) :: piece
+      type(place_type) :: place
       real(wp) :: friction, load, position, force, moment
       integer :: i
       friction = 1.0_wp
@@ -112,20 +124,33 @@ contains
          if (present(wob)) force = -load*wob
          moment = load*load_case%tob
       end associate
-      piece = piece_above(model, case_index, position, friction, coiled)
+      layout = layout_of(model, case_index)
+      call enter_piece(model, layout, position, friction, coiled, piece, place)
       do i = size(md), 1, -1
          do while (position > md(i))
-            call climb(piece, max(piece%top, md(i)), position, force, moment, sums)
-            if (position > md(i)) piece = piece_above(model, case_index, position, friction, coiled)
+            call climb(piece, max(piece%top, md(i)), present(contact), position, place, force, moment, sums)
+            if (position > md(i)) call enter_piece(model, layout, position, friction, coiled, piece, place)
          end do
          axial(i) = force
          torque(i) = moment
          if (present(contact)) contact(:, i) = contact_force(piece, md(i), force)
          ! The next depth up starts in the piece above.
-         if (position <= piece%top .and. i > 1) piece = piece_above(model, case_index, position, friction, coiled)
+         if (position <= piece%top .and. i > 1) call enter_piece(model, layout, position, friction, coiled, piece, place)
       end do
       if (present(totals)) totals = sums
    end subroutine soft_string_at
+
+   !> Goes on with the piece that ends at a depth [m].
+   pure subroutine enter_piece(model, layout, md, friction, coiled, piece, place)
+      type(model_type), intent(in) :: model
+      type(layout_type), intent(in) :: layout
+      real(wp), intent(in) :: md, friction      !< [m], scale of all coefficients [-]
+      logical, intent(in), optional :: coiled
+      type(piece_type), intent(out) :: piece
+      type(place_type), intent(out) :: place    !< at that depth
+      piece = piece_above(model, layout, md, friction, coiled)
+      place = place_at(piece, md - piece%arc%md)
+   end subroutine enter_piece
 
    !> Axial compression [N] beyond which a string under a known side load n per metre is taken to coil: the lower helical limit of
    !> dg_buckling_limits, 2 sqrt(2 EI n/c), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
@@ -137,11 +162,17 @@ contains
       real(wp), intent(in) :: weight     !< [N/m]
       real(wp), intent(in) :: clearance  !< > 0 [m]
       real(wp) :: load
-      !> Of a string without weight that nothing presses; loads are divided by it [N].
-      real(wp), parameter :: next_to_none = 1.0e-6_wp
-      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), 2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)), &
-                 next_to_none)
+      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), least_coiling_load(ei, weight))
    end function coiling_load
+
+   !> The same of a string that nothing presses.
+   elemental function least_coiling_load(ei, weight) result(load)
+      real(wp), intent(in) :: ei, weight   !< [N.m2, N/m]
+      real(wp) :: load
+      !> Of one without weight; loads are divided by it [N].
+      real(wp), parameter :: next_to_none = 1.0e-6_wp
+      load = max(2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)), next_to_none)
+   end function least_coiling_load
 
    !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
    elemental function coil_force(ei, compression, clearance) result(force)
@@ -155,29 +186,43 @@ contains
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
       real(wp), intent(in) :: force
-      real(wp) :: normal
-      normal = sqrt(max(force*(force*place%bend + 2.0_wp*place%both) + place%across, 0.0_wp))
+      real(wp) :: normal, limit
+      normal = sqrt(max(force*(force*piece%arc%curvature**2 + 2.0_wp*place%both) + place%across, 0.0_wp))
       if (piece%coils .and. force < 0.0_wp) then
-         if (-force > coiling_load(piece%stiffness, normal, piece%weight, piece%clearance)) then
+         limit = sinusoidal_limit(piece%stiffness, normal, piece%clearance)
+         if (-force > max(helical_low*limit, piece%least_coiling)) then
             normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
          else if (normal > 0.0_wp) then
-            normal = normal*snake_contact(snake_swing(-force/sinusoidal_limit(piece%stiffness, normal, piece%clearance)))
+            normal = normal*snake_contact(snake_swing(-force/limit))
          end if
       end if
       normal = piece%climb*normal
    end function pressed
 
-   !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
-   pure function piece_above(model, case_index, md, friction_scale, coiled) result(piece)
+   !> The layout of the string of a load case.
+   pure function layout_of(model, case_index) result(layout)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
+      type(layout_type) :: layout
+      associate (load_case => model%cases(case_index))
+         layout%case_index = case_index
+         layout%string = string_index(model%strings, load_case%string)
+         allocate (layout%fluids, source=fluid_tops(model%mud, load_case%bit_depth))
+         allocate (layout%tops, source=load_case%bit_depth - component_tops(model%strings(layout%string), &
+                                                                            load_case%bit_depth - top_md(model%trajectory)))
+      end associate
+   end function layout_of
+
+   !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
+   pure function piece_above(model, layout, md, friction_scale, coiled) result(piece)
+      type(model_type), intent(in) :: model
+      type(layout_type), intent(in) :: layout
       real(wp), intent(in) :: md
       real(wp), intent(in) :: friction_scale
       logical, intent(in), optional :: coiled   !< absent: no
       type(piece_type) :: piece
-      real(wp), allocatable :: tops(:), fluids(:)
       real(wp) :: middle
-      integer :: i, hole
+      integer :: i, k, hole
       i = arc_at(model%trajectory, md)
       if (model%trajectory%arcs(i)%md >= md .and. i > 1) i = i - 1
       piece%arc = model%trajectory%arcs(i)
@@ -185,99 +230,117 @@ contains
       hole = hole_section_at(model%holes, md)
       if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
       if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
-      associate (load_case => model%cases(case_index))
-         associate (string => model%strings(string_index(model%strings, load_case%string)))
-            allocate (fluids, source=fluid_tops(model%mud, load_case%bit_depth))
-            allocate (tops, source=load_case%bit_depth - component_tops(string, load_case%bit_depth - top_md(model%trajectory)))
-            do i = 1, size(tops) - 1
-               if (tops(i) < md) exit
-            end do
-            if (i < size(tops)) piece%top = max(piece%top, tops(i))
-            piece%top = maxval([piece%top, pack(fluids, fluids < md)])
-            middle = 0.5_wp*(piece%top + md)
-            piece%weight = buoyed_weight(string%components(i), density_at(model%mud, side_outside, middle, load_case%bit_depth), &
-                                         density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
-            piece%radius = 0.5_wp*centralizer_diameter(string%components(i))
-            piece%stiffness = bending_stiffness(string%components(i))
-            piece%stretching = axial_stiffness(string%components(i))
-            piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(string%components(i)))
-            associate (part => string%components(i))
-               call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
-                                  piece%axial, piece%rotary)
-               if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
-                                                          /part%centralizer%spacing
-            end associate
-         end associate
-         if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
-         if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
+      do i = 1, size(layout%tops) - 1
+         if (layout%tops(i) < md) exit
+      end do
+      if (i < size(layout%tops)) piece%top = max(piece%top, layout%tops(i))
+      do k = 1, size(layout%fluids)
+         if (layout%fluids(k) < md) piece%top = max(piece%top, layout%fluids(k))
+      end do
+      middle = 0.5_wp*(piece%top + md)
+      associate (load_case => model%cases(layout%case_index), part => model%strings(layout%string)%components(i))
+         piece%weight = buoyed_weight(part, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
+                                      density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
+         piece%radius = 0.5_wp*centralizer_diameter(part)
+         piece%stiffness = bending_stiffness(part)
+         piece%stretching = axial_stiffness(part)
+         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part))
+         call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
+                            piece%axial, piece%rotary)
+         if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
+                                                    /part%centralizer%spacing
       end associate
+      if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
+      if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
+      if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
 
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
    !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
-   pure subroutine climb(piece, target, position, force, moment, sums)
+   pure subroutine climb(piece, target, closely, position, place, force, moment, sums)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: target           !< [m]
-      real(wp), intent(inout) :: position      !< [m]
-      real(wp), intent(inout) :: force         !< [N]
-      real(wp), intent(inout) :: moment        !< [N.m]
+      real(wp), intent(in) :: target             !< [m]
+      logical, intent(in) :: closely             !< every place from its depth, not from the one below
+      real(wp), intent(inout) :: position        !< [m]
+      type(place_type), intent(inout) :: place   !< at `position`
+      real(wp), intent(inout) :: force           !< [N]
+      real(wp), intent(inout) :: moment          !< [N.m]
       type(soft_totals_type), intent(inout) :: sums
-      real(wp) :: step, angle, offset, normal
-      type(place_type) :: here, half_way, there
+      real(wp) :: step, angle, offset, normal, middle, n1, n2, n3, n4
+      type(place_type) :: half_way, there
+      type(turn_type) :: turn
       integer :: steps, i
-      if (sums%runaway) then
-         position = target
-         return
-      end if
+      offset = position - piece%arc%md
       step = position - target
+      position = target
+      if (sums%runaway) return
       angle = step*piece%arc%curvature
       steps = 1
       if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp)) &
          steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
-      offset = position - piece%arc%md
-      here = place_at(piece, offset)
+      turn = turn_of(piece%arc, 0.5_wp*step)
+      if (closely) place = place_at(piece, offset)
       do i = 1, steps
-         half_way = place_at(piece, offset - 0.5_wp*step)
-         there = place_at(piece, offset - step)
+         if (closely) then
+            half_way = place_at(piece, offset - 0.5_wp*step)
+            there = place_at(piece, offset - step)
+         else
+            call go_up(piece, turn, place, half_way)
+            call go_up(piece, turn, half_way, there)
+         end if
          offset = offset - step
-         block
-            real(wp) :: n1, n2, n3, n4, middle
-            middle = force + piece%weight*(here%depth - half_way%depth) + 0.5_wp*step*piece%drag
-            n1 = pressed(piece, here, force)
-            n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
-            n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
-            force = force + piece%weight*(here%depth - there%depth) + step*piece%drag
-            n4 = pressed(piece, there, force + step*piece%axial*n3)
-            normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
-         end block
+         middle = force + piece%weight*(place%depth - half_way%depth) + 0.5_wp*step*piece%drag
+         n1 = pressed(piece, place, force)
+         n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
+         n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
+         force = force + piece%weight*(place%depth - there%depth) + step*piece%drag
+         n4 = pressed(piece, there, force + step*piece%axial*n3)
+         normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
          force = force + piece%axial*normal
          moment = moment + piece%rotary*piece%radius*normal
          sums%normal_force = sums%normal_force + normal
-         sums%weight = sums%weight + piece%weight*(here%depth - there%depth)
+         sums%weight = sums%weight + piece%weight*(place%depth - there%depth)
          sums%steps = sums%steps + 1
          if (abs(force) > runaway_force .or. (piece%coils .and. -force > runaway_strain*piece%stretching)) then
             sums%runaway = .true.
             sums%runaway_md = piece%arc%md + offset
-            exit
+            return
          end if
-         here = there
+         place = there
       end do
-      position = target
    end subroutine climb
 
-   !> What the load across the hole at a place of the piece needs: its square is the sum of T^2 k.k, 2 T k.g and g.g.
+   !> A place of the piece. What the load across the hole needs: its square is the sum of T^2 k.k, 2 T k.g and g.g. The curvature
+   !> vector lies across the tangent, so that weight along it adds nothing.
    pure function place_at(piece, offset) result(place)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
       type(place_type) :: place
-      real(wp) :: position(3), tangent(3), bend(3)
-      call point_on_arc(piece%arc, offset, position, tangent, bend)
+      real(wp) :: position(3), bend(3)
+      call point_on_arc(piece%arc, offset, position, place%tangent, bend)
       place%depth = position(3)
-      place%bend = piece%arc%curvature**2
-      place%both = piece%weight*bend(3)          ! the bend lies across the tangent, so that weight along it adds nothing
-      place%across = piece%weight**2*(tangent(1)**2 + tangent(2)**2)
+      place%normal = piece%arc%normal
+      if (piece%arc%curvature > 0.0_wp) place%normal = bend/piece%arc%curvature
+      place%both = piece%weight*bend(3)
+      place%across = piece%weight**2*(place%tangent(1)**2 + place%tangent(2)**2)
    end function place_at
+
+   !> The place a step up the hole from another one, as place_at has it but for round-off.
+   pure subroutine go_up(piece, turn, below, place)
+      type(piece_type), intent(in) :: piece
+      type(turn_type), intent(in) :: turn
+      type(place_type), intent(in) :: below
+      type(place_type), intent(out) :: place
+      integer :: i
+      do i = 1, 3
+         place%tangent(i) = turn%cosine*below%tangent(i) - turn%sine*below%normal(i)
+         place%normal(i) = turn%cosine*below%normal(i) + turn%sine*below%tangent(i)
+      end do
+      place%depth = below%depth - (turn%along*below%tangent(3) + turn%inward*below%normal(3))
+      place%both = piece%weight*piece%arc%curvature*place%normal(3)
+      place%across = piece%weight**2*(place%tangent(1)**2 + place%tangent(2)**2)
+   end subroutine go_up
 
    !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
    pure subroutine at_offset(piece, offset, position, across, bend)

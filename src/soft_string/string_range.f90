@@ -3,7 +3,7 @@ module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: piece_above, piece_type
+   use dg_soft_string_loads, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
    use dg_trajectory, only: point_on_arc
    implicit none
@@ -22,15 +22,17 @@ contains
       real(wp), intent(in) :: md(:)       !< [m]
       real(wp), intent(in) :: axial(:)    !< tension > 0 [N]
       character(:), allocatable, intent(out) :: warning
+      type(layout_type) :: layout
       type(piece_type) :: piece
       real(wp) :: share, worst, worst_md
       integer :: i
+      layout = layout_of(model, case_index)
       warning = ''
       worst = 1.0_wp
       worst_md = 0.0_wp
       do i = 2, size(md)
          if (axial(i) >= 0.0_wp) cycle
-         piece = piece_above(model, case_index, md(i), 1.0_wp)
+         piece = piece_above(model, layout, md(i), 1.0_wp)
          share = share_of_helical(piece, md(i), -axial(i))
          if (share <= worst) cycle
          worst = share

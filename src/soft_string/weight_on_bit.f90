@@ -1,6 +1,7 @@
 !> How much weight reaches the bit, by the soft string: a search with beams would cost a hundred solutions.
 module dg_weight_on_bit
    use dg_kinds, only: wp
+   use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_model, only: model_type
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
@@ -8,8 +9,11 @@ module dg_weight_on_bit
    private
    public :: most_weight_on_bit
 
-   !> Halvings of the bracket: to 1e-10 of it. Doublings until it is one: from 1 kN to more than any string weighs.
-   integer, parameter :: halvings = 34, doublings = 30
+   !> To this part of the bracket [-].
+   real(wp), parameter :: tolerance = 1.0e-11_wp
+   !> Doublings until something is a bracket: from 1 kN, or from the hook load without weight on bit, which friction leaves less of,
+   !> to more than any string weighs.
+   integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
 
 contains
@@ -21,38 +25,42 @@ contains
       integer, intent(in) :: case_index
       logical, intent(in) :: coiled, pushed
       real(wp) :: wob
-      real(wp) :: high, middle
+      type(bracket_type) :: bracket
+      real(wp) :: left, value, high, narrowness
       integer :: i
       wob = 0.0_wp
-      if (.not. arrives(model, case_index, 0.0_wp, coiled, pushed)) return
-      high = first_guess
+      left = left_of(model, case_index, 0.0_wp, coiled, pushed)
+      if (left < 0.0_wp) return
+      high = max(left, first_guess)
       do i = 1, doublings
-         if (.not. arrives(model, case_index, high, coiled, pushed)) exit
+         value = left_of(model, case_index, high, coiled, pushed)
+         if (value < 0.0_wp) exit
          wob = high
+         left = value
          high = 2.0_wp*high
       end do
       if (i > doublings) return
-      do i = 1, halvings
-         middle = 0.5_wp*(wob + high)
-         if (arrives(model, case_index, middle, coiled, pushed)) then
-            wob = middle
-         else
-            high = middle
-         end if
+      bracket = new_bracket(wob, left, high, value)
+      narrowness = tolerance*high
+      do while (.not. is_narrow(bracket, narrowness))
+         wob = next_try(bracket, narrowness)
+         call narrow(bracket, wob, left_of(model, case_index, wob, coiled, pushed))
       end do
+      wob = bracket%low
    end function most_weight_on_bit
 
-   !> Whether a weight [N] reaches the bit.
-   pure function arrives(model, case_index, wob, coiled, pushed) result(yes)
+   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` only the sign counts.
+   pure function left_of(model, case_index, wob, coiled, pushed) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: wob
       logical, intent(in) :: coiled, pushed
-      logical :: yes
+      real(wp) :: left
       type(soft_totals_type) :: totals
-      real(wp) :: axial(1), torque(1), contact(3, 1)
-      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, contact, totals=totals, coiled=coiled, &
-                          wob=wob)
-      yes = .not. totals%runaway .and. (pushed .or. axial(1) >= 0.0_wp)
-   end function arrives
+      real(wp) :: axial(1), torque(1)
+      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, coiled=coiled, wob=wob)
+      left = axial(1)
+      if (pushed) left = 1.0_wp
+      if (totals%runaway) left = min(left, -1.0_wp)
+   end function left_of
 end module dg_weight_on_bit

@@ -2,6 +2,7 @@
 module dg_whole_string
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
+   use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
@@ -68,8 +69,10 @@ module dg_whole_string
    real(wp), parameter :: no_force = 1.0e-9_wp
    !> Half the distance between what counts as above and below a row [m].
    real(wp), parameter :: hair = 1.0e-6_wp
-   !> Halvings in the search of a weight on bit: to 1e-9 of the bracket.
-   integer, parameter :: halvings = 30
+   !> To what part of the bracket a weight on bit is searched [-].
+   real(wp), parameter :: tolerance = 1.0e-11_wp
+   !> Margin of a string that nothing can make yield [N].
+   real(wp), parameter :: endless = 1.0e15_wp
 
 contains
 
@@ -248,67 +251,68 @@ contains
       end do
    end subroutine add_margins
 
-   !> Weights on bit at which the string begins to buckle, and at which nothing hangs from the hook: by halving, because
-   !> more weight on bit lowers the axial force everywhere.
+   !> Weights on bit at which the string begins to buckle, and at which nothing hangs from the hook: roots, because more weight on
+   !> bit lowers the axial force everywhere.
    pure subroutine add_weights_on_bit(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(whole_string_type), intent(inout) :: whole
-      real(wp) :: low, high, middle, margin
-      integer :: k, n, i
+      type(bracket_type) :: bracket
+      real(wp) :: high, at_none, at_high, narrowness, wob
+      integer :: k, n
       k = result%case_index
       if (any(model%cases(k)%operation == [operation_trip_out, operation_backream])) return
       n = size(result%profile%md)
-      associate (md => result%profile%md)
-         if (.not. is_missing(along%sinusoidal(n))) then
-            low = 0.0_wp
-            high = along%sinusoidal(n)   ! here the bit end itself buckles
-            call least_margin(model, k, md, along%sinusoidal, 0.0_wp, margin)
-            if (margin < 0.0_wp) high = 0.0_wp
-            do i = 1, halvings
-               if (high <= 0.0_wp) exit
-               middle = 0.5_wp*(low + high)
-               call least_margin(model, k, md, along%sinusoidal, middle, margin)
-               if (margin < 0.0_wp) then
-                  high = middle
-               else
-                  low = middle
-               end if
+      if (.not. is_missing(along%sinusoidal(n))) then
+         high = along%sinusoidal(n)   ! here the bit end itself buckles
+         at_none = least_margin(model, k, result%profile%md, along%sinusoidal, 0.0_wp)
+         if (at_none < 0.0_wp) high = 0.0_wp
+         at_high = 0.0_wp
+         if (high > 0.0_wp) at_high = least_margin(model, k, result%profile%md, along%sinusoidal, high)
+         if (at_high < 0.0_wp) then
+            bracket = new_bracket(0.0_wp, at_none, high, at_high)
+            narrowness = tolerance*high
+            do while (.not. is_narrow(bracket, narrowness))
+               wob = next_try(bracket, narrowness)
+               call narrow(bracket, wob, least_margin(model, k, result%profile%md, along%sinusoidal, wob))
             end do
-            whole%wob_buckling = given(high)
+            high = bracket%high
          end if
-         whole%wob_no_hookload = given(most_weight_on_bit(model, k, coiled=.false., pushed=.false.))
-         whole%wob_lockup = given(most_weight_on_bit(model, k, coiled=.true., pushed=.false.))
-         high = whole%wob_lockup%value
-         if (.not. is_squeezed(model, result, along, high)) return
-         low = 0.0_wp
-         do i = 1, halvings
-            middle = 0.5_wp*(low + high)
-            if (is_squeezed(model, result, along, middle)) then
-               high = middle
-            else
-               low = middle
-            end if
-         end do
-         whole%wob_yield = given(high)
-      end associate
+         whole%wob_buckling = given(high)
+      end if
+      whole%wob_no_hookload = given(most_weight_on_bit(model, k, coiled=.false., pushed=.false.))
+      whole%wob_lockup = given(most_weight_on_bit(model, k, coiled=.true., pushed=.false.))
+      high = whole%wob_lockup%value
+      at_high = margin_to_yield(model, result, along, high)
+      if (at_high >= 0.0_wp) return
+      at_none = margin_to_yield(model, result, along, 0.0_wp)
+      whole%wob_yield = given(0.0_wp)
+      if (at_none < 0.0_wp) return
+      bracket = new_bracket(0.0_wp, at_none, high, at_high)
+      narrowness = tolerance*high
+      do while (.not. is_narrow(bracket, narrowness))
+         wob = next_try(bracket, narrowness)
+         call narrow(bracket, wob, margin_to_yield(model, result, along, wob))
+      end do
+      whole%wob_yield = given(bracket%high)
    end subroutine add_weights_on_bit
 
-   !> Whether a weight on bit makes a compressed part yield. Its moment is the one that was found, where a string beyond its helical
-   !> limit coils with c F/2 more (Lubinski, Althouse & Logan 1962); where it was found buckled already, EI times the
-   !> hole's curvature takes the place of what was found.
-   pure function is_squeezed(model, result, along, wob) result(yes)
+   !> Compression that may be added before a compressed part yields under a weight on bit [N], < 0 where one does; no end of it
+   !> where none is compressed. Its moment is the one that was found, where a string beyond its helical limit coils with c F/2 more
+   !> (Lubinski, Althouse & Logan 1962); where it was found buckled already, EI times the hole's curvature takes the place of what
+   !> was found.
+   pure function margin_to_yield(model, result, along, wob) result(margin)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       real(wp), intent(in) :: wob                !< [N]
-      logical :: yes
+      real(wp) :: margin
       real(wp), dimension(size(result%profile%md)) :: axial, torque
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, moment
       integer :: i, side
-      yes = .true.
+      margin = endless
       bit = model%cases(result%case_index)%bit_depth
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, coiled=.true., wob=wob)
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
@@ -322,25 +326,24 @@ contains
                   if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
                   if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
                      0.25_wp*(along%hole_diameter(i) - contact_diameter(part))*axial(i)
-                  if (-axial(i) > tension_capacity(worn_od(part), part%id, torque(i), moment, &
-                                                      along%inside_pressure(i) - along%pressure(i), part%yield)) return
+                  margin = min(margin, axial(i) + tension_capacity(worn_od(part), part%id, torque(i), moment, &
+                                                      along%inside_pressure(i) - along%pressure(i), part%yield))
                end associate
             end do
          end do
       end associate
-      yes = .false.
-   end function is_squeezed
+   end function margin_to_yield
 
-   !> Least of axial force plus allowed compression over some depths, for a weight on bit.
-   pure subroutine least_margin(model, case_index, md, allowed, wob, margin)
+   !> Least of axial force plus allowed compression over some depths, for a weight on bit [N].
+   pure function least_margin(model, case_index, md, allowed, wob) result(margin)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)              !< [m]
       real(wp), intent(in) :: allowed(:)         !< compression, may be missing [N]
       real(wp), intent(in) :: wob                !< [N]
-      real(wp), intent(out) :: margin            !< [N]
-      real(wp) :: axial(size(md)), torque(size(md)), contact(3, size(md))
-      call soft_string_at(model, case_index, md, axial, torque, contact, wob=wob)
+      real(wp) :: margin
+      real(wp) :: axial(size(md)), torque(size(md))
+      call soft_string_at(model, case_index, md, axial, torque, wob=wob)
       margin = minval(axial + max(allowed, 0.0_wp), mask=.not. is_missing(allowed))
-   end subroutine least_margin
+   end function least_margin
 end module dg_whole_string

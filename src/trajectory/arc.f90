@@ -9,6 +9,7 @@ module dg_arc
    implicit none
    private
    public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   public :: turn_type, turn_of
 
    type :: arc_type
       real(wp) :: md = 0.0_wp            !< measured depth at its start [m]
@@ -21,6 +22,13 @@ module dg_arc
       real(wp) :: lateral_2(3) = 0.0_wp  !< tangent x lateral_1
       real(wp) :: chord(3) = 0.0_wp      !< from its start to its end [m]
    end type arc_type
+
+   !> A step along an arc towards its start, for those who go along it in equal ones: tangent t and normal n become
+   !> cosine t - sine n and cosine n + sine t.
+   type :: turn_type
+      real(wp) :: sine = 0.0_wp, cosine = 1.0_wp   !< of the angle turned
+      real(wp) :: along = 0.0_wp, inward = 0.0_wp  !< chord, from its end to its begin; by tangent and normal there [m]
+   end type turn_type
 
    !> Angle [rad], curvature [1/m] or ratio [-] under which sin(x)/x and atan(x)/x are one to the last bit and
    !> a quotient of two such numbers might underflow. Above it the plain quotients are accurate to round-off.
@@ -46,6 +54,24 @@ contains
       tangent = full_cosine*arc%tangent + full_sine*arc%normal
       curvature = arc%curvature*(full_cosine*arc%normal - full_sine*arc%tangent)
    end subroutine point_on_arc
+
+   !> The step of some length of an arc, whose angle is 0.02 or less: sine and cosine of its half are a few terms of their series,
+   !> and what is left out is under 0.01^8/8! < 3e-21.
+   pure function turn_of(arc, length) result(turn)
+      type(arc_type), intent(in) :: arc
+      real(wp), intent(in) :: length   !< > 0 [m]
+      type(turn_type) :: turn
+      real(wp) :: half, square, ratio, sine, cosine
+      half = 0.5_wp*arc%curvature*length
+      square = half*half
+      ratio = 1.0_wp - square/6.0_wp*(1.0_wp - square/20.0_wp*(1.0_wp - square/42.0_wp))     ! sine over angle
+      sine = half*ratio
+      cosine = 1.0_wp - 0.5_wp*square*(1.0_wp - square/12.0_wp*(1.0_wp - square/30.0_wp))
+      turn%sine = 2.0_wp*sine*cosine
+      turn%cosine = 1.0_wp - 2.0_wp*sine*sine
+      turn%along = length*ratio*cosine
+      turn%inward = -length*ratio*sine
+   end function turn_of
 
    !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly. Where it is asked for, the
    !> point too, as by point_on_arc.

@@ -4,7 +4,7 @@ module dg_trajectory
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_error, only: error_type, raise, status_bad_input
-   use dg_arc, only: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   use dg_arc, only: arc_type, point_on_arc, frame_on_arc, foot_on_arc, turn_of, turn_type
    use dg_minimum_curvature, only: chain_arcs, dogleg_between
    use dg_spline_path, only: resample_spline
    use dg_survey, only: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle
@@ -13,7 +13,7 @@ module dg_trajectory
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
    public :: cut_trajectory, arc_at, closest_point, position_at, frame_at, true_vertical_depth, measured_depth_at, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
-   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc, turn_type, turn_of
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
 
    integer, parameter :: interpolation_minimum_curvature = 1

@@ -9,6 +9,7 @@ contains
    function load_tests() result(suite)
       use funit, only: TestSuite
       use dg_test_asserts, only: asserts_suite
+      use dg_test_bracket, only: bracket_suite
       use dg_test_catalogue, only: catalogue_suite
       use dg_test_component, only: component_suite
       use dg_test_deck_model, only: deck_model_suite
@@ -68,6 +69,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
+      call suite%addTest(bracket_suite())
       call suite%addTest(catalogue_suite())
       call suite%addTest(component_suite())
       call suite%addTest(deck_model_suite())
