@@ -4,7 +4,7 @@ module dg_linear_solver
    use dg_kinds, only: wp
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
-   use dg_block_solver, only: block_back, block_factor, block_solve, block_solver_type, new_block_solver
+   use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_small_block_solver, only: new_small_block_solver, small_block_back, small_block_factor, small_block_remainder, &
                                     small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
@@ -59,28 +59,20 @@ contains
    end subroutine new_linear_solver
 
    !> Newton's step: solves matrix step = -residual(unknowns of a node,nodes). info = 0: done; > 0: singular.
-   !> `factored`: solver%block has the matrix's factors already, by block_positive_definite.
-   subroutine solve_linear(solver, matrix, residual, step, info, factored)
+   subroutine solve_linear(solver, matrix, residual, step, info)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: residual(:, :)
       real(wp), intent(out) :: step(:, :)
       integer, intent(out) :: info
-      logical, intent(in), optional :: factored   !< absent: no
-      logical :: good, known
-      known = .false.
-      if (present(factored)) known = factored
+      logical :: good
       step = -residual
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
             call small_block_factor(solver%small, matrix, info, step)
             if (info == 0) call small_block_back(solver%small, matrix, step)
-         else if (known) then
-            info = 0
-            call block_solve(solver%block, matrix, step)
          else if (solver%kind == solver_block) then
-            call block_factor(solver%block, matrix, info, step)
-            if (info == 0) call block_back(solver%block, matrix, step)
+            call block_solve(solver%block, matrix, step, info)
          else
             call solve_symmetric(solver, matrix, residual, step, good)
             if (good) then
@@ -129,7 +121,8 @@ contains
       if (.not. good) step = -residual
    end subroutine solve_symmetric
 
-   !> One step of iterative refinement with the factors that there are; good: it was enough.
+   !> One step of iterative refinement; good: it was enough. Elimination by blocks of six is done again, which is cheaper than to
+   !> keep its factors: few solutions are refined.
    subroutine refine(solver, matrix, residual, step, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
@@ -137,12 +130,13 @@ contains
       real(wp), intent(inout) :: step(:, :)
       logical, intent(out) :: good
       real(wp), allocatable :: correction(:, :)
+      integer :: info
       solver%refinements = solver%refinements + 1
       allocate (correction, source=-residual - block_product(matrix, step))
       if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
          call small_block_solve(solver%small, matrix, correction)
       else if (solver%kind == solver_block) then
-         call block_solve(solver%block, matrix, correction)
+         call block_solve(solver%block, matrix, correction, info)
       else
          call sparse_solve(solver%sparse, correction)
       end if
