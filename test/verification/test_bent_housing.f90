@@ -286,8 +286,8 @@ contains
    end subroutine test_three_points
 
    !> A motor as it is: in the hole as it is force and tilt are the independent string's. In a hole of the curvature found that
-   !> string's bit has no side force, to a five-hundredth of what it has in the straight hole; where it cuts sideways, tilt and cut of
-   !> its side force cancel to as much.
+   !> string's bit has no side force, to a five-hundredth of what it has in the straight hole; where it cuts sideways, tilt and cut
+   !> of its side force cancel to as much.
    subroutine test_no_side_force()
       real(wp), parameter :: cuts(2) = [0.0_wp, 0.005_wp], none(2) = [0.002_wp, 0.002_wp]    ! seen: 0.03 %, 0.06 %
       type(independent_well_type) :: well
@@ -329,7 +329,8 @@ contains
    end subroutine test_no_side_force
 
    !> A bit as wide as its hole, held at its lower end, does not hold the string by its gauge: the curvature is that of a bit that
-   !> touches nowhere else, and hangs little on the wall. Held along its gauge it was 11 deg/30 m at the usual wall, 3 at a stiff one.
+   !> touches nowhere else, and hangs little on the wall. Held along its gauge it was, in the sample deck, 11 deg/30 m
+   !> at the usual wall, 3 at a stiff one.
    subroutine test_full_gauge()
       real(wp), parameter :: walls(2) = [1.0e8_wp, 1.0e12_wp], alike = 1.0e-3_wp, wall_counts = 0.03_wp
       type(independent_well_type) :: well
