@@ -132,7 +132,8 @@ contains
    end function room_of
 
    !> The same of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its gauge:
-   !> drilling ahead with a tilt it makes a hole wider by tilt times gauge. So its gauge does not hold it against the wall, and it may tilt.
+   !> drilling ahead with a tilt it makes a hole wider by tilt times gauge. So its gauge does not hold it against the wall, and
+   !> it may tilt.
    elemental function room_of_held_bit(component, half_difference) result(room)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
