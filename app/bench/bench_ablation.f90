@@ -16,7 +16,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 36
+   integer, parameter :: numbers = 35
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -160,12 +160,11 @@ contains
       case (27); call change('near', tuning%near, 0.0_wp, changed)
       case (28); call change('keep_lengths', tuning%keep_lengths, changed)
       case (29); call change('turned_beyond', tuning%turned_beyond, never, changed)
-      case (30); call change('near_joint', tuning%near_joint, 1, changed)
-      case (31); call change('uphill', tuning%uphill, 0.6_wp, changed)
-      case (32); call change('most_searches', tuning%most_searches, 0, changed)
-      case (33); call change('shortest', tuning%shortest, 0.0_wp, changed)
-      case (34); call change('longest', tuning%longest, 0.35_wp, changed)
-      case (35); call change('refused', tuning%refused, never, changed)
+      case (30); call change('uphill', tuning%uphill, 0.6_wp, changed)
+      case (31); call change('most_searches', tuning%most_searches, 0, changed)
+      case (32); call change('shortest', tuning%shortest, 0.0_wp, changed)
+      case (33); call change('longest', tuning%longest, 0.35_wp, changed)
+      case (34); call change('refused', tuning%refused, never, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

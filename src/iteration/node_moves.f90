@@ -41,11 +41,10 @@ contains
 
    !> Moves the nodes across the hole. Where that is wanted (`turning`), what moves a node across its offset from the hole axis is
    !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
-   !> lines a string on a round wall could only creep. Tool joints hold the pipe between them at their own clearance: it turns with
-   !> them, or is bent by the micrometres by which arc and straight line differ.
-   pure subroutine move_across(beyond, near, turning, mesh, offset, across, state)
-      real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over the least clearance near them [-]
-      integer, intent(in) :: near                !< elements on each side that are
+   !> lines a string on a round wall could only creep. A tool joint's both ends turn: a joint between an
+   !> end on an arc and one on a straight line is bent by the micrometres by which these differ.
+   pure subroutine move_across(beyond, turning, mesh, offset, across, state)
+      real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over the lesser clearance next to them [-]
       logical, intent(in) :: turning
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: offset(:, :)       !< of the nodes at `state` (2,nodes) [m]
@@ -58,7 +57,7 @@ contains
          slope = state(dof_slope_1:dof_slope_2, n)
          square = 0.0_wp
          if (turning) square = sum(offset(:, n)**2)
-         if (square > (beyond*minval(mesh%clearance(max(1, n - near):min(n + near - 1, mesh%elements))))**2) then
+         if (square > (beyond*minval(mesh%clearance(max(1, n - 1):min(n, mesh%elements))))**2) then
             turn = (offset(1, n)*move(2) - offset(2, n)*move(1))/square
             along = dot_product(move, offset(:, n))/square
             move = turned((1.0_wp + along)*offset(:, n), turn) - offset(:, n)

@@ -355,9 +355,7 @@ contains
       real(wp), intent(inout) :: state(:, :)
       real(wp) :: slide
       integer :: e
-      associate (tuning => it%numerics%tuning)
-         call move_across(tuning%turned_beyond, tuning%near_joint, it%watched, mesh, it%offset, it%share*it%across, state)
-      end associate
+      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
       state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
       do e = 1, mesh%nodes
          call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))

@@ -97,10 +97,8 @@ module dg_tuning
       ! ---- the step (dg_step, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.
-      !> Nodes so far off the axis, over the least clearance near them, are turned about it [-].
+      !> Nodes so far off the axis, over the lesser clearance next to them, are turned about it [-].
       real(wp) :: turned_beyond = 0.3_wp
-      !> Elements on each side of a node that are near: most joints have fewer between them.
-      integer :: near_joint = 6
       !> A slope at a step's end over that at its start from which the step is shortened [-].
       real(wp) :: uphill = 0.3_wp
       !> Times that it is shortened.
