@@ -40,11 +40,10 @@ PLAIN_DECK_NAME = "plain"
 
 #: What a fake gnuplot knows: the names of the pictures that it was asked for, in $names.
 FAKE = """#!/bin/sh
-for last; do :; done
-case $last in
-  all.gp) names=$(sed "s/^load '//; s/.gp'$//" all.gp) ;;
-  *) names=${last%.gp} ;;
-esac
+names=
+for argument; do
+  case $argument in *.gp) names="$names ${argument%.gp}" ;; esac
+done
 whole() { printf '<?xml version="1.0"?>\\n<svg>drawn\\n</svg>\\n\\n' > "$1.svg.unfinished"; }
 """
 FAKES = {
@@ -217,19 +216,19 @@ def all_of(marker):
 
 
 def ended_by(program, number, body):
-    """One signal while a gnuplot hangs: the run ends at once with its pictures so far, gnuplot and its children, too."""
+    """One signal while two gnuplots hang: the run ends at once with its pictures so far, they and their children, too."""
     place, faults = Place(program), []
     seconds = f"12345{place.home.name.encode().hex()[-8:].translate(str.maketrans('abcdef', '012345'))}"
-    place.use_gnuplot(f"set -- $names; whole $1; : > ../begun\n{body.format(seconds=seconds)}\n")
+    place.use_gnuplot(f"set -- $names; whole $1; : > ../begun_$1\n{body.format(seconds=seconds)}\n")
     process = place.start()
     until = time.monotonic() + TIME_LIMIT
-    while not (place.out / "begun").exists() and time.monotonic() < until:
+    while len(list(place.out.glob("begun_*"))) < 2 and time.monotonic() < until:
         time.sleep(0.02)
     begin = time.monotonic()
     process.send_signal(number)
     status = place.end_of(process)
     took = time.monotonic() - begin
-    if status != 1 or f"ended by {number.name}: 1 of 9 pictures" not in place.told:
+    if status != 1 or f"ended by {number.name}: 2 of 9 pictures" not in place.told:
         faults.append(f"exit status {status}: {place.told[:300]}")
     if took > TIME_LIMIT / 2:
         faults.append(f"ends after {took:.0f} s")
@@ -245,9 +244,7 @@ def ended_by(program, number, body):
 def leaves_children(program):
     """A wrapper that ends well, but leaves a child that would write into a picture later."""
     place = Place(program)
-    place.use_gnuplot(f"set -- $names \"$@\"; true={shutil.which('gnuplot')}\n"
-                      "( sleep 1; echo more >> hookload.svg ) &\n"
-                      "exec \"$true\" -d -e \"unfinished = '.unfinished'\" all.gp\n")
+    place.use_gnuplot(f"( sleep 1; echo more >> hookload.svg ) &\nexec {shutil.which('gnuplot')} \"$@\"\n")
     status = place.run()
     time.sleep(1.5)
     return place, ([f"exit status {status}: {place.told[:300]}"] if status else []) + faults_of_pictures(place)

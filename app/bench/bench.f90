@@ -1,5 +1,6 @@
-!> Prints what solutions cost: whole cases, growth with size, memory, phases of an iteration, linear solvers; orders of
-!> convergence; what the stiffness of the wall changes; and what the fidelity auto is worth on the sample decks.
+!> Prints what solutions cost: whole cases, what the program takes beside them, growth with size, memory, phases of an iteration,
+!> linear solvers; orders of convergence; what the stiffness of the wall changes; and what the fidelity auto is worth on the sample
+!> decks.
 !> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
@@ -13,6 +14,7 @@ program bench
    use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
    use dg_bench_plane, only: print_plane
+   use dg_bench_program, only: print_program
    use dg_bench_sizes, only: print_sizes
    use dg_bench_solvers, only: print_solvers
    use dg_bench_tools, only: machine_name, median, now
@@ -29,7 +31,7 @@ program bench
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
    implicit none
-   character(*), parameter :: deck = 'input/gp1.nml'
+   character(*), parameter :: deck = 'input/gp1.nml', sweep_deck = 'input/sweep_gp1.nml'
    !> All wells of input/; decks for studies, sweeps and calibration are GP1 again.
    character(*), parameter :: decks(9) = [character(30) :: 'input/gp1.nml', 'input/johancsik_well_3.nml', &
       'input/extended_reach_10km.nml', 'input/short_radius_lateral.nml', 'input/casing_run.nml', 'input/tubing_string.nml', &
@@ -81,6 +83,7 @@ contains
       if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
       write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
       call print_cases(model)
+      call print_program(deck, sweep_deck, runs)
       call print_moments(model)
       call print_sizes(model, turning, lengths, runs)
       call print_phases(model, turning, lengths, runs)

@@ -1,5 +1,7 @@
-!> Has gnuplot draw the scripts of pictures. A picture is drawn under another name and gets its own once it is whole.
+!> Has gnuplots draw the scripts of pictures, two at a time. A picture is drawn under another name and gets its own once it is
+!> whole.
 module dg_picture_drawing
+   use, intrinsic :: iso_fortran_env, only: int64
    use dg_child_process, only: child_type, end_child, start_child, wait_for_child
    use dg_error, only: error_type, raise, status_failure
    use dg_file_system, only: delete_file, rename_file, unfinished_suffix
@@ -21,50 +23,76 @@ module dg_picture_drawing
    !> What a whole picture ends in.
    character(*), parameter :: last_mark = '</svg>'
 
-   ! How a gnuplot ended.
-   integer, parameter :: ended_well = 0, ended_badly = 1, silent = 2, interrupted = 3, not_started = 4
+   !> Gnuplots at a time: more gain nothing, and the machine may be others' too.
+   integer, parameter :: at_a_time = 2
+   !> Most pictures of one gnuplot: a command line has room for their names.
+   integer, parameter :: most_of_one = 50
+   !> For how long one gnuplot is waited for before the other is looked at [s].
+   real(wp), parameter :: glance = 0.01_wp
+
+   !> A gnuplot and the pictures that it draws, one after the other.
+   type :: drawing_type
+      type(child_type) :: child
+      integer :: first = 1, last = 0          !< numbers of its pictures
+      integer :: begun = 0                    !< of them, when it was last asked
+      integer(int64) :: asked = 0             !< when that was
+   end type drawing_type
 
 contains
 
-   !> Draws `<name>.svg` by `<name>.gp` for all names in the folder: all by one gnuplot with the script `whole`; where that fails
-   !> each by one of its own, so that one that cannot be drawn takes no other along. Pictures of an earlier run go first, so that
-   !> what is there is of this one. `error` where not all are drawn, or where the program was asked to end.
-   subroutine draw_pictures(gnuplot, folder, names, whole, patience, drawn, error)
+   !> Draws `<name>.svg` by `<name>.gp` for all names in the folder: shares of them by a gnuplot each; where one fails each of its
+   !> pictures by one of its own, so that one that cannot be drawn takes no other along. Pictures of an earlier run go first, so
+   !> that what is there is of this one. `error` where not all are drawn, or where the program was asked to end.
+   subroutine draw_pictures(gnuplot, folder, names, patience, drawn, error)
       character(*), intent(in) :: gnuplot          !< the program, from the root of the file system on; '': none, nothing is drawn
       character(*), intent(in) :: folder
       type(text_type), intent(in) :: names(:)
-      character(*), intent(in) :: whole            !< script that draws all, without ending
       real(wp), intent(in) :: patience             !< usual_patience [s]; tests have less
       logical, intent(out) :: drawn(:)             !< as many
       type(error_type), allocatable, intent(out) :: error
+      type(drawing_type) :: drawings(at_a_time)
       character(:), allocatable :: done
-      integer :: i, outcome, bad
+      integer :: shares(2, 2*size(names) + at_a_time)   ! first and last picture of what is to be drawn
+      integer :: i, k, next, known, bad, hung
       drawn = .false.
       do i = 1, size(names)
-         call delete_file(final_name(i))
-         call delete_file(unfinished_name(i))
+         call delete_file(picture_path(folder, names(i)%text))
+         call delete_file(unfinished_path(folder, names(i)%text))
       end do
       call delete_file(folder//'/'//complaint_file)
       if (gnuplot == '') return
-      call run_gnuplot(gnuplot, folder, whole, names, patience, outcome, error)
-      if (outcome == ended_badly) then
-         do i = 1, size(names)
-            call delete_file(unfinished_name(i))       ! a script that failed may have left one that looks whole
+      call share_out(size(names), shares, known)
+      next = 1
+      hung = 0
+      do
+         do k = 1, at_a_time
+            associate (drawing => drawings(k))
+               if (.not. drawing%child%running) then
+                  if (next > known .or. is_interrupted()) cycle
+                  drawing%first = shares(1, next)
+                  drawing%last = shares(2, next)
+                  next = next + 1
+                  call start_gnuplot(gnuplot, folder, names(drawing%first:drawing%last), drawing, error)
+                  if (allocated(error)) exit
+               end if
+               call wait_for_child(drawing%child, glance)
+               if (drawing%child%running) then
+                  if (is_silent(drawing, folder, names, patience)) hung = k
+               else
+                  call end_drawing(drawing, folder, names, drawn, shares, known)
+               end if
+            end associate
          end do
-         do i = 1, size(names)
-            call run_gnuplot(gnuplot, folder, names(i)%text, names(i:i), patience, outcome, error)
-            if (outcome == ended_well) then
-               call take(i)
-            else
-               call delete_file(unfinished_name(i))
-               if (outcome /= ended_badly) exit
-            end if
+         if (allocated(error) .or. hung > 0 .or. is_interrupted()) exit
+         if (next > known .and. .not. any(drawings%child%running)) exit
+      end do
+      do k = 1, at_a_time
+         if (.not. drawings(k)%child%running) cycle
+         call end_child(drawings(k)%child)
+         do i = drawings(k)%first, drawings(k)%last
+            call take_picture(folder, names(i)%text, drawn(i))
          end do
-      else
-         do i = 1, size(names)
-            call take(i)
-         end do
-      end if
+      end do
       if (allocated(error)) return
       done = to_text(count(drawn))//' of '//to_text(size(drawn))//' pictures in '//folder//' are drawn'
       bad = findloc(drawn, .false., dim=1)
@@ -73,82 +101,117 @@ contains
          call raise(error, status_failure, 'ended by '//interruption_name()//': '//done)
       else if (bad == 0) then
          call delete_file(folder//'/'//complaint_file)
-      else if (outcome == silent) then
+      else if (hung > 0) then
+         i = findloc(drawn(drawings(hung)%first:drawings(hung)%last), .false., dim=1)
+         if (i > 0) bad = drawings(hung)%first + i - 1
          call raise(error, status_failure, gnuplot//' drew nothing for '//to_text(patience)//' s and was ended: '//done// &
                     '; does it draw '//names(bad)%text//'.gp there when you run it yourself?')
       else
          call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not; '//complaint_file// &
                     ' there tells why')
       end if
-
-   contains
-
-      function final_name(i) result(path)
-         integer, intent(in) :: i
-         character(:), allocatable :: path
-         path = folder//'/'//names(i)%text//'.svg'
-      end function final_name
-
-      function unfinished_name(i) result(path)
-         integer, intent(in) :: i
-         character(:), allocatable :: path
-         path = final_name(i)//unfinished_suffix
-      end function unfinished_name
-
-      !> Gives a picture its own name if it is whole.
-      subroutine take(i)
-         integer, intent(in) :: i
-         type(error_type), allocatable :: failure
-         if (is_whole(unfinished_name(i))) then
-            call rename_file(unfinished_name(i), final_name(i), failure)
-            drawn(i) = .not. allocated(failure)
-         end if
-         if (.not. drawn(i)) call delete_file(unfinished_name(i))
-      end subroutine take
    end subroutine draw_pictures
 
-   !> Runs gnuplot on a script until it ends, the program is asked to end, or no other picture is begun for too long.
-   subroutine run_gnuplot(gnuplot, folder, script, names, patience, outcome, error)
+   !> Shares of n pictures, as long as they may be, but one for each gnuplot at least.
+   pure subroutine share_out(n, shares, count)
+      integer, intent(in) :: n
+      integer, intent(out) :: shares(:, :)     !< first and last picture of each
+      integer, intent(out) :: count
+      integer :: k
+      count = min(n, at_a_time*((n + at_a_time*most_of_one - 1)/(at_a_time*most_of_one)))
+      shares = 0
+      do k = 1, count
+         shares(:, k) = [1 + int(int(n, int64)*(k - 1)/count), int(int(n, int64)*k/count)]
+      end do
+   end subroutine share_out
+
+   !> Starts a gnuplot on some pictures.
+   subroutine start_gnuplot(gnuplot, folder, names, drawing, error)
       character(*), intent(in) :: gnuplot, folder
-      character(*), intent(in) :: script                !< without ending
-      type(text_type), intent(in) :: names(:)           !< pictures that it draws
-      real(wp), intent(in) :: patience
-      integer, intent(out) :: outcome                   !< ended_well, ...
+      type(text_type), intent(in) :: names(:)           !< of its pictures
+      type(drawing_type), intent(inout) :: drawing
       type(error_type), allocatable, intent(out) :: error
-      type(child_type) :: child
       type(text_type), allocatable :: arguments(:)
-      integer :: begun, before, i
-      logical :: is
+      integer :: i
       call append_text(arguments, '-d')                 ! without the user's own settings
       call append_text(arguments, '-e')
       call append_text(arguments, ending_variable//' = '//spelled(unfinished_suffix))
-      call append_text(arguments, script//'.gp')
-      call start_child(child, gnuplot, arguments, folder, complaint_file, hidden_variables, error)
-      outcome = not_started
-      if (allocated(error)) return
-      begun = 0
-      do
-         call wait_for_child(child, patience)
-         if (.not. child%running .or. is_interrupted()) exit
-         before = begun
-         begun = 0
-         do i = 1, size(names)
-            inquire (file=folder//'/'//names(i)%text//'.svg'//unfinished_suffix, exist=is)
-            if (is) begun = begun + 1
-         end do
-         if (begun == before) exit
+      do i = 1, size(names)
+         call append_text(arguments, names(i)%text//'.gp')
       end do
-      if (is_interrupted()) then
-         outcome = interrupted
-      else if (child%running) then
-         outcome = silent
-      else if (child%exit_status == 0) then
-         outcome = ended_well
-      else
-         outcome = ended_badly
+      call start_child(drawing%child, gnuplot, arguments, folder, complaint_file, hidden_variables, error)
+      drawing%begun = 0
+      call system_clock(drawing%asked)
+   end subroutine start_gnuplot
+
+   !> Whether a gnuplot has begun no other picture for too long.
+   function is_silent(drawing, folder, names, patience) result(silent)
+      type(drawing_type), intent(inout) :: drawing
+      character(*), intent(in) :: folder
+      type(text_type), intent(in) :: names(:)           !< of all pictures
+      real(wp), intent(in) :: patience
+      logical :: silent
+      integer(int64) :: now, rate
+      integer :: before, i
+      logical :: is
+      silent = .false.
+      call system_clock(now, rate)
+      if (real(now - drawing%asked, wp) < patience*real(rate, wp)) return
+      drawing%asked = now
+      before = drawing%begun
+      drawing%begun = 0
+      do i = drawing%first, drawing%last
+         inquire (file=unfinished_path(folder, names(i)%text), exist=is)
+         if (is) drawing%begun = drawing%begun + 1
+      end do
+      silent = drawing%begun == before
+   end function is_silent
+
+   !> After a gnuplot has ended: takes its pictures. Where it failed none of them counts, and each is to be drawn alone, unless it
+   !> was.
+   subroutine end_drawing(drawing, folder, names, drawn, shares, known)
+      type(drawing_type), intent(inout) :: drawing
+      character(*), intent(in) :: folder
+      type(text_type), intent(in) :: names(:)
+      logical, intent(inout) :: drawn(:)
+      integer, intent(inout) :: shares(:, :)
+      integer, intent(inout) :: known                   !< number of shares
+      integer :: i
+      do i = drawing%first, drawing%last
+         if (drawing%child%exit_status == 0) then
+            call take_picture(folder, names(i)%text, drawn(i))
+            cycle
+         end if
+         call delete_file(unfinished_path(folder, names(i)%text))       ! it may look whole
+         if (drawing%first == drawing%last) cycle
+         known = known + 1
+         shares(:, known) = i
+      end do
+   end subroutine end_drawing
+
+   !> Gives a picture its own name if it is whole.
+   subroutine take_picture(folder, name, drawn)
+      character(*), intent(in) :: folder, name
+      logical, intent(inout) :: drawn
+      type(error_type), allocatable :: failure
+      if (is_whole(unfinished_path(folder, name))) then
+         call rename_file(unfinished_path(folder, name), picture_path(folder, name), failure)
+         drawn = .not. allocated(failure)
       end if
-      call end_child(child)
-   end subroutine run_gnuplot
+      if (.not. drawn) call delete_file(unfinished_path(folder, name))
+   end subroutine take_picture
+
+   pure function picture_path(folder, name) result(path)
+      character(*), intent(in) :: folder, name
+      character(:), allocatable :: path
+      path = folder//'/'//name//'.svg'
+   end function picture_path
+
+   pure function unfinished_path(folder, name) result(path)
+      character(*), intent(in) :: folder, name
+      character(:), allocatable :: path
+      path = picture_path(folder, name)//unfinished_suffix
+   end function unfinished_path
 
    !> Whether a file is a whole picture.
    function is_whole(path) result(whole)

@@ -25,7 +25,7 @@ module dg_picture_files
    private
    public :: picture_type, picture_list_type, write_pictures, folder_in
 
-   !> Script that draws all.
+   !> Script that draws all, for whoever wants them again.
    character(*), parameter :: whole_script = 'all'
 
    type :: picture_type
@@ -194,7 +194,7 @@ contains
       if (allocated(error)) return
       gnuplot = find_program('gnuplot')
       list%no_gnuplot = gnuplot == ''
-      call draw_pictures(gnuplot, folder_in(job), names, whole_script, usual_patience, drawn, error)
+      call draw_pictures(gnuplot, folder_in(job), names, usual_patience, drawn, error)
       list%pictures%drawn = drawn
    end subroutine draw
 

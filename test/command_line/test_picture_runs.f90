@@ -57,9 +57,9 @@ contains
       type(error_type), allocatable :: error
       run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
       script(1)%text = '#!/bin/sh'
-      script(2)%text = 'for last; do :; done'
-      script(3)%text = 'case $last in all.gp|path_u.gp) echo "<svg>" > path_u.svg.unfinished; exit 1 ;; esac'
-      script(4)%text = 'echo "<svg></svg>" > ${last%.gp}.svg.unfinished'
+      script(2)%text = 'for a; do case $a in path_u.gp) echo "<svg>" > path_u.svg.unfinished; exit 1 ;; esac; done'
+      script(3)%text = 'for a; do case $a in *.gp) n=${a%.gp}'
+      script(4)%text = 'echo "<svg></svg>" > $n.svg.unfinished ;; esac; done'
       call write_text_file(scratch//'/gnuplot', script, error)
       call execute_command_line('chmod +x '//scratch//'/gnuplot')
       run = run_program(deck_path//' --output '//results_path, environment='PATH="'//scratch//':$PATH"')

@@ -44,6 +44,7 @@ contains
       call suite%addTest(TestMethod('whole_pictures_only', test_whole_only))
       call suite%addTest(TestMethod('hangs', test_hangs))
       call suite%addTest(TestMethod('slow', test_slow))
+      call suite%addTest(TestMethod('two_at_a_time', test_two_at_a_time))
    end function picture_drawing_suite
 
    !> Control bytes become blanks, what is no UTF-8 becomes '?', byte by byte; all else stays.
@@ -152,15 +153,14 @@ contains
    subroutine test_whole_only()
       type(error_type), allocatable :: error
       logical :: drawn(3)
-      call draw('case $last in all.gp|b.gp) whole b; exit 1;; c.gp) echo "<svg>" > c.svg.unfinished;; a.gp) whole a;; esac', &
-                long, drawn, error)
+      call draw('for n in $names; do case $n in a) whole a;; b) whole b; exit 1;; c) cut c;; esac; done', long, drawn, error)
       call assertTrue(all(drawn .eqv. [.true., .false., .false.]))
       call assertTrue(allocated(error))
       if (allocated(error)) call assertTrue(index(error%message, '1 of 3 pictures') > 0 .and. &
                                             index(error%message, ', b is not; gnuplot.log') > 0, message=error%message)
       call assertTrue(is_file('a.svg') .and. .not. (is_file('b.svg') .or. is_file('c.svg')))
       call assertFalse(is_file('b.svg.unfinished') .or. is_file('c.svg.unfinished'))
-      call draw('for n in a b c; do whole $n; done', long, drawn, error)
+      call draw('for n in $names; do whole $n; done', long, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error))
       call assertFalse(is_file('gnuplot.log'))
    end subroutine test_whole_only
@@ -169,13 +169,13 @@ contains
    subroutine test_hangs()
       type(error_type), allocatable :: error
       logical :: drawn(3)
-      call draw('whole a; echo "<svg>" > b.svg.unfinished; sleep 1000', 0.3_wp, drawn, error)
+      call draw('for n in $names; do case $n in a) whole a;; *) cut $n; sleep 1000;; esac; done', 0.3_wp, drawn, error)
       call assertTrue(all(drawn .eqv. [.true., .false., .false.]))
       call assertTrue(allocated(error))
-      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 0.3 s and was ended: 1 of 3') > 0, &
-                                            message=error%message)
+      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 0.3 s and was ended: 1 of 3') > 0 &
+                                            .and. index(error%message, ' b.gp ') > 0, message=error%message)
       call assertFalse(is_file('b.svg') .or. is_file('b.svg.unfinished'))
-      call draw('for n in a b c; do whole $n; done; sleep 1000', 0.3_wp, drawn, error)
+      call draw('for n in $names; do whole $n; done; sleep 1000', 0.3_wp, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error), message='it hangs when all is done')
    end subroutine test_hangs
 
@@ -183,26 +183,53 @@ contains
    subroutine test_slow()
       type(error_type), allocatable :: error
       logical :: drawn(3)
-      call draw('for n in a b c; do sleep 0.7; whole $n; done', 1.5_wp, drawn, error)
+      call draw('for n in $names; do sleep 1; whole $n; done', 1.5_wp, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error))
    end subroutine test_slow
 
-   !> Draws three pictures by a gnuplot that is a shell script of one line; `whole NAME` there makes a picture.
+   !> At most two gnuplots run at a time, each with a share of the pictures, and they do run at the same time.
+   subroutine test_two_at_a_time()
+      type(error_type), allocatable :: error
+      character(:), allocatable :: failure
+      type(text_type), allocatable :: lines(:)
+      logical :: drawn(120)
+      integer :: i, together
+      call delete_file(folder//'/seen')
+      call draw('echo $names | wc -w > share.$$; sleep 0.3; cat share.* | wc -l >> seen; for n in $names; do whole $n; done; '// &
+                'rm share.$$', long, drawn, error)
+      call assertTrue(all(drawn) .and. .not. allocated(error))
+      call read_lines(folder//'/seen', lines, failure)
+      call assertEqual(4, size(lines), message='no more than 50 pictures a share')
+      together = 0
+      do i = 1, size(lines)
+         if (lines(i)%text == '2') together = together + 1
+         call assertTrue(lines(i)%text == '1' .or. lines(i)%text == '2', message=lines(i)%text)
+      end do
+      call assertTrue(together > 0)
+   end subroutine test_two_at_a_time
+
+   !> Draws pictures a, b, c, or more of them by number, by a gnuplot that is a shell script of one line, which has their names in
+   !> $names; `whole NAME` there makes a picture, `cut NAME` half of one.
    subroutine draw(line, patience, drawn, error)
       character(*), intent(in) :: line
       real(wp), intent(in) :: patience
       logical, intent(out) :: drawn(:)
       type(error_type), allocatable, intent(out) :: error
-      type(text_type) :: script(4)
+      type(text_type) :: script(4), names(size(drawn))
+      integer :: i
+      do i = 1, size(names)
+         names(i)%text = to_text(i)
+         if (size(names) <= 3) names(i)%text = achar(iachar('a') + i - 1)
+      end do
       script(1)%text = '#!/bin/sh'
-      script(2)%text = 'for last; do :; done'
-      script(3)%text = 'whole() { echo "<svg></svg>" > $1.svg.unfinished; }'
+      script(2)%text = 'names=; for a; do case $a in *.gp) names="$names ${a%.gp}";; esac; done'
+      script(3)%text = 'whole() { echo "<svg></svg>" > $1.svg.unfinished; }; cut() { echo "<svg>" > $1.svg.unfinished; }'
       script(4)%text = line
       call make_folder(folder, error)
       if (.not. allocated(error)) call write_text_file(folder//'/gnuplot', script, error)
       if (allocated(error)) return
       call execute_command_line('chmod +x '//folder//'/gnuplot')
-      call draw_pictures('./gnuplot', folder, [text_type('a'), text_type('b'), text_type('c')], 'all', patience, drawn, error)
+      call draw_pictures('./gnuplot', folder, names, patience, drawn, error)
    end subroutine draw
 
    !> Runs a line by a shell, for a time or until it ends.

@@ -1,0 +1,215 @@
+!> What the program takes beside its solutions: reading, limits, files, pictures, page.
+module dg_bench_program
+   use, intrinsic :: iso_fortran_env, only: int64, output_unit
+   use dg_bench_tools, only: median
+   use dg_case_result, only: case_result_type
+   use dg_child_process, only: child_type, end_child, find_program, start_child, wait_for_child
+   use dg_error, only: error_type
+   use dg_fault_list, only: fault_list_type
+   use dg_file_lines, only: read_lines
+   use dg_file_system, only: delete_file, write_text_file
+   use dg_folder, only: make_folder
+   use dg_job, only: job_type, model_mcge
+   use dg_kinds, only: wp
+   use dg_model, only: copy_without_cases, model_type
+   use dg_read_deck, only: read_deck
+   use dg_soft_string, only: solve_soft_string
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: print_program
+
+   character(*), parameter :: folder = 'build/bench_program'
+   !> A run that takes longer than that is none [s].
+   real(wp), parameter :: patience = 600.0_wp
+
+contains
+
+   !> Ratios of wall times, one thread, each of one run of the program and the solutions in it; medians. The deck is run without
+   !> and with pictures, the sweep quietly.
+   subroutine print_program(deck, sweep_deck, runs)
+      character(*), intent(in) :: deck, sweep_deck   !< in input/, with the survey in the file beside them that they name
+      integer, intent(in) :: runs
+      type(error_type), allocatable :: error
+      character(:), allocatable :: program
+      real(wp) :: bare(runs), drawn(runs), swept
+      integer :: i
+      write (output_unit, '(/,a)') 'Program over solutions, one thread, wall times of one run'
+      program = program_beside()
+      call make_folder(folder, error)
+      if (program == '' .or. allocated(error)) then
+         write (output_unit, '(a)') 'no drillgap beside this program'
+         return
+      end if
+      call write_without_pictures(deck)
+      do i = 1, runs
+         bare(i) = ratio_of_run(program, folder//'/bare.nml')
+         drawn(i) = ratio_of_run(program, deck)
+      end do
+      swept = ratio_of_sweep(program, sweep_deck)
+      write (output_unit, '(a,f6.2)') deck//' without pictures ', median(bare)
+      write (output_unit, '(a,f6.2)') deck//' with pictures    ', median(drawn)
+      write (output_unit, '(a,f6.2)') sweep_deck//' --quiet    ', swept
+   end subroutine print_program
+
+   !> The program that was built with this one; '' where there is none.
+   function program_beside() result(path)
+      character(:), allocatable :: path
+      character(4096) :: own
+      logical :: is
+      integer :: last
+      call get_command_argument(0, own)
+      last = index(own, '/', back=.true.)
+      if (last == 0) then
+         path = find_program('drillgap')
+         return
+      end if
+      path = own(:last)//'drillgap'
+      inquire (file=path, exist=is)
+      if (.not. is) path = ''
+   end function program_beside
+
+   !> The deck with `plots = .false.`, one folder deeper than the root as the deck is, twice.
+   subroutine write_without_pictures(deck)
+      character(*), intent(in) :: deck
+      type(text_type), allocatable :: lines(:), changed(:)
+      type(error_type), allocatable :: error
+      character(:), allocatable :: failure
+      integer :: i, quote
+      call read_lines(deck, lines, failure)
+      do i = 1, size(lines)
+         quote = index(lines(i)%text, "'")
+         if (index(lines(i)%text, 'survey_file') > 0 .and. quote > 0) lines(i)%text = lines(i)%text(:quote)//'../../input/'// &
+            lines(i)%text(quote + 1:)
+         call append_text(changed, lines(i)%text)
+         if (index(lines(i)%text, '&job') == 1) call append_text(changed, '  plots = .false.')
+      end do
+      call write_text_file(folder//'/bare.nml', changed, error)
+   end subroutine write_without_pictures
+
+   !> Wall time of a run over the sum of its solutions' [-]; 0 where it fails.
+   function ratio_of_run(program, deck) result(ratio)
+      character(*), intent(in) :: program, deck
+      real(wp) :: ratio
+      real(wp) :: seconds, solutions
+      call time_run(program, deck, seconds)
+      solutions = solution_seconds(folder//'/out/summary.csv')
+      ratio = 0.0_wp
+      if (solutions > 0.0_wp) ratio = seconds/solutions
+   end function ratio_of_run
+
+   !> Runs a deck quietly on one thread; wall time [s].
+   subroutine time_run(program, deck, seconds)
+      character(*), intent(in) :: program, deck
+      real(wp), intent(out) :: seconds
+      type(child_type) :: child
+      type(text_type), allocatable :: arguments(:)
+      type(error_type), allocatable :: error
+      integer(int64) :: start
+      call append_text(arguments, deck)
+      call append_text(arguments, '--quiet')
+      call append_text(arguments, '--threads')
+      call append_text(arguments, '1')
+      call append_text(arguments, '--output')
+      call append_text(arguments, folder//'/out')
+      call delete_file(folder//'/out/summary.csv')
+      call system_clock(start)
+      call start_child(child, program, arguments, '.', folder//'/told', [character(1) ::], error)
+      if (.not. allocated(error)) call wait_for_child(child, patience)
+      call end_child(child)
+      seconds = since(start)
+   end subroutine time_run
+
+   function since(start) result(seconds)
+      integer(int64), intent(in) :: start
+      real(wp) :: seconds
+      integer(int64) :: finish, rate
+      call system_clock(finish, rate)
+      seconds = real(finish - start, wp)/real(rate, wp)
+   end function since
+
+   !> Sum of the column `seconds` of a summary [s]; 0 without one.
+   function solution_seconds(path) result(seconds)
+      character(*), intent(in) :: path
+      real(wp) :: seconds
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: failure, field
+      real(wp) :: value
+      integer :: i, k, place, status
+      seconds = 0.0_wp
+      call read_lines(path, lines, failure)
+      if (size(lines) == 0) return
+      place = index(','//lines(1)%text//',', ',seconds,')
+      if (place == 0) return
+      place = count([(lines(1)%text(k:k) == ',', k=1, place - 1)])    ! commas before it
+      do i = 2, size(lines)
+         field = field_of(lines(i)%text, place)
+         read (field, *, iostat=status) value
+         if (status == 0) seconds = seconds + value
+      end do
+   end function solution_seconds
+
+   !> What stands behind so many commas.
+   pure function field_of(line, commas) result(field)
+      character(*), intent(in) :: line
+      integer, intent(in) :: commas
+      character(:), allocatable :: field
+      integer :: k, seen, first
+      seen = 0
+      first = 1
+      do k = 1, len(line)
+         if (line(k:k) /= ',') cycle
+         if (seen == commas) exit
+         seen = seen + 1
+         first = k + 1
+      end do
+      field = line(first:k - 1)
+   end function field_of
+
+   !> Wall time of a deck's run over that of the solutions of its sweeps alone, done here, and of its load cases [-].
+   function ratio_of_sweep(program, deck) result(ratio)
+      character(*), intent(in) :: program, deck
+      real(wp) :: ratio
+      type(model_type) :: model
+      type(job_type) :: job
+      type(text_type), allocatable :: notes(:)
+      type(fault_list_type) :: faults
+      real(wp) :: seconds, solutions
+      integer(int64) :: start
+      integer :: i
+      ratio = 0.0_wp
+      allocate (notes(0))
+      call read_deck(deck, model, job, notes, faults)
+      if (faults%count > 0) return
+      call time_run(program, deck, seconds)
+      solutions = solution_seconds(folder//'/out/summary.csv')
+      call system_clock(start)
+      do i = 1, size(job%sweeps)
+         call solve_sweep(model, job%sweeps(i))
+      end do
+      ratio = seconds/(solutions + since(start))
+   end function ratio_of_sweep
+
+   subroutine solve_sweep(model, sweep)
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(model_type) :: mine
+      type(point_type) :: point
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      integer :: i
+      call copy_without_cases(model, mine)
+      do i = 1, point_count(sweep)
+         point = point_at(sweep, i)
+         call point_case(sweep, point, mine%cases(1))
+         call point_holes(sweep, point, mine%holes)
+         if (sweep%models(point%model) == model_mcge) then
+            call solve_static_analysis(mine, 1, result, error, totals_only=.true.)
+         else
+            call solve_soft_string(mine, 1, result, error, totals_only=.true.)
+         end if
+      end do
+   end subroutine solve_sweep
+end module dg_bench_program
