@@ -136,9 +136,9 @@ contains
       type(calibration_result_type), intent(out) :: result
       type(string_function_type) :: function
       real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
-      real(wp), dimension(size(calibration%data)) :: measured, deviation
+      real(wp), dimension(size(calibration%data)) :: measured, deviation, depth
       logical :: is_hookload(size(calibration%data))
-      integer :: kinds(size(calibration%data))
+      integer, dimension(size(calibration%data)) :: kinds, of_case, group
       integer, allocatable :: of_kind(:)   !< of every measured value
       integer(int64) :: start, finish
       call system_clock(start)
@@ -164,7 +164,11 @@ contains
       call fit_by_kinds(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, kinds, &
                         deviation, result%fit, result%halvings)
       of_kind = calibration%data%kind       ! a section would be copied to be passed
-      call judge_fit(result, measured, deviation, kinds, of_kind)
+      of_case = calibration%cases(calibration%data%case)
+      depth = model%cases(of_case)%bit_depth
+      ! hook loads of an operation, and torques
+      group = 2*model%cases(of_case)%operation + of_kind
+      call judge_fit(result, measured, deviation, kinds, of_kind, depth, group)
       if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
          calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
       if (result%fit%status == fit_done .and. predicts(calibration)) &

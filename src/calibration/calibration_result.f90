@@ -1,6 +1,7 @@
 !> What a calibration with one model found. SI units.
 module dg_calibration_result
    use dg_kinds, only: wp
+   use dg_depth_correlation, only: find_succession, scatter_along, succession_type, widen_intervals
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_fit_by_kinds, only: free_unknowns
    use dg_least_squares, only: fit_done, fit_type
@@ -29,6 +30,7 @@ module dg_calibration_result
       !> the intervals go by [-]; missing where no value is spare.
       real(wp) :: deviations(2) = missing, scatters(2) = missing
       real(wp) :: freedoms(2) = 0.0_wp            !< values of each kind that are spare for its deviation
+      type(succession_type) :: succession         !< of errors along the depth; deviations and intervals are those with it
       type(prediction_type) :: prediction         !< of load cases that the fit has not seen; not allocated: none asked for
       character(:), allocatable :: message        !< why there is no fit; '' else
       integer :: halvings = 0                     !< of the factors, until the fit could begin
@@ -39,11 +41,13 @@ module dg_calibration_result
 contains
 
    !> Statistics of what was fitted; of nothing where the function had no values.
-   subroutine judge_fit(result, measured, deviation, kinds, of_what)
+   subroutine judge_fit(result, measured, deviation, kinds, of_what, depth, group)
       type(calibration_result_type), intent(inout) :: result
       real(wp), intent(in) :: measured(:), deviation(:)
       integer, intent(in) :: kinds(:)     !< number of each datum's variance; 0 where its deviation is known
       integer, intent(in) :: of_what(:)   !< hookload_datum or torque_datum
+      real(wp), intent(in) :: depth(:)    !< of each datum [m]
+      integer, intent(in) :: group(:)     !< data whose errors may be alike along the depth
       integer :: columns(count(free_unknowns(result%fit))), k
       associate (fit => result%fit, residual => (result%fit%values - measured)/deviation)
          call find_statistics(fit%jacobian, residual, free_unknowns(fit), kinds, result%statistics)
@@ -52,11 +56,37 @@ contains
          do k = 1, size(result%scatters)
             result%scatters(k) = scatter_of(fit%jacobian(:, columns), residual, of_what == k)
             if (.not. any(of_what == k) .or. is_missing(result%scatters(k))) cycle
-            result%deviations(k) = result%scatters(k)*maxval(deviation, mask=of_what == k)
             if (result%scatters(k) > 0.0_wp) result%freedoms(k) = sum(residual**2, mask=of_what == k)/result%scatters(k)**2
+         end do
+         call find_succession(fit%jacobian(:, columns), residual, depth, group, result%succession)
+         if (result%succession%correlation > 0.0_wp) call judge_anew(residual, kinds, of_what, columns, result)
+         do k = 1, size(result%scatters)
+            if (any(of_what == k) .and. .not. is_missing(result%scatters(k))) &
+               result%deviations(k) = result%scatters(k)*maxval(deviation, mask=of_what == k)
          end do
       end associate
    end subroutine judge_fit
+
+   !> Deviations and intervals of errors that are alike along the depth.
+   pure subroutine judge_anew(residual, kinds, of_what, columns, result)
+      real(wp), intent(in) :: residual(:)
+      integer, intent(in) :: kinds(:), of_what(:)
+      integer, intent(in) :: columns(:)   !< unknowns found
+      type(calibration_result_type), intent(inout) :: result
+      real(wp) :: growth(size(residual)), before, scatter, freedom
+      integer :: k
+      growth = 1.0_wp
+      do k = 1, size(result%scatters)
+         before = result%scatters(k)
+         if (.not. any(of_what == k) .or. is_missing(before) .or. .not. before > 0.0_wp) cycle
+         call scatter_along(result%succession, residual, of_what == k, result%scatters(k), result%freedoms(k))
+         where (of_what == k .and. kinds > 0) growth = result%scatters(k)/before
+      end do
+      freedom = result%statistics%freedom
+      scatter = 0.0_wp
+      call scatter_along(result%succession, residual, spread(.true., 1, size(residual)), scatter, freedom)
+      call widen_intervals(result%succession, growth, any(kinds > 0), freedom, columns, result%statistics)
+   end subroutine judge_anew
 
    !> What a found value is worth.
    pure function verdict_of(result, unknown) result(verdict)

@@ -12,7 +12,7 @@ module dg_variance_components
    use dg_missing, only: missing
    implicit none
    private
-   public :: estimate_factors, adjust_covariance, scatter_of
+   public :: estimate_factors, adjust_covariance, scatter_of, invert_normal
 
    !> Least variance of a kind over the largest, both over what the deviations began with [-]: a kind with hardly more
    !> values than it has unknowns for itself may fit exactly, by chance.
@@ -72,7 +72,7 @@ contains
       integer :: i
       logical :: regular
       scatter = missing
-      call invert(normal_matrix(jacobian, spread(1.0_wp, 1, size(residual))), inverse, regular)
+      call invert_normal(jacobian, inverse, regular)
       if (.not. regular) return
       spare = count(among) - sum([(dot_product(jacobian(i, :), matmul(inverse, jacobian(i, :))), i=1, size(residual))], mask=among)
       if (spare > some_spare) scatter = sqrt(sum(residual**2, mask=among)/spare)
@@ -116,6 +116,14 @@ contains
       end do
       covariance = covariance + 2.0_wp*matmul(covariance, matmul(added, covariance))
    end subroutine adjust_covariance
+
+   !> Inverse of the normal matrix of a Jacobian, which is the covariance of its unknowns where errors are independent.
+   pure subroutine invert_normal(jacobian, inverse, regular)
+      real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns found), over the deviations
+      real(wp), intent(out) :: inverse(:, :)
+      logical, intent(out) :: regular
+      call invert(normal_matrix(jacobian, spread(1.0_wp, 1, size(jacobian, 1))), inverse, regular)
+   end subroutine invert_normal
 
    !> Inverse of the information on one or more variances; where two cannot be told apart, that of each by itself.
    pure subroutine invert_variances(told, w)

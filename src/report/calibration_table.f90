@@ -15,7 +15,6 @@ module dg_calibration_table
    use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_prediction_table, only: append_predictions, quantity_words
-   use dg_residual_order, only: find_succession
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -46,7 +45,7 @@ contains
       call append_factors(lines, units, model, calibration, result)
       call append_data(lines, units, model, calibration, result)
       call append_warnings(lines, units, model, calibration, result)
-      call append_succession(lines, model, calibration, result)
+      call append_succession(lines, calibration, result)
       if (allocated(result%prediction%values)) call append_predictions(lines, units, model, calibration, result)
       if (calibration%apply) call append_applied(lines, units, model, calibration, result)
       if (calibration%apply) call append_learnt(lines, calibration, result, size(model%holes))
@@ -216,30 +215,18 @@ contains
          'what was measured')
    end subroutine append_warnings
 
-   !> Says where residuals of an operation follow each other along the depth.
-   subroutine append_succession(lines, model, calibration, result)
+   !> Says where residuals of an operation follow each other along the depth, and what it does to the intervals.
+   subroutine append_succession(lines, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      real(wp), dimension(size(calibration%data)) :: depth, residual
-      integer :: group(size(calibration%data)), d
-      real(wp) :: correlation
-      logical :: follows
-      do d = 1, size(calibration%data)
-         associate (datum => calibration%data(d), &
-                    case => model%cases(calibration%cases(calibration%data(d)%case)))
-            depth(d) = case%bit_depth
-            group(d) = 2*case%operation + datum%kind
-            residual(d) = (result%fit%values(d) - datum%measured)/datum%deviation
-         end associate
-      end do
-      call find_succession(depth, group, residual, correlation, follows)
-      if (.not. follows) return
-      call append_text(lines, 'Warning: residuals follow each other along the depth (correlation '//to_text(correlation, 2)// &
-                       ' from one depth to the next): something')
-      call append_text(lines, '         is left that is no scatter of the gauge, and intervals are too narrow, most of all '// &
-                       'those of predictions')
+      if (.not. result%succession%follows) return
+      call append_text(lines, 'Warning: residuals follow each other along the depth (correlation '// &
+                       to_text(result%succession%observed, 2)//' from one depth to the next): something')
+      call append_text(lines, '         is left that is no scatter of the gauge. Intervals allow for it: errors as alike as '// &
+                       'that leave '//to_text(sum(result%freedoms), 2)//' of')
+      call append_text(lines, '         '//to_text(size(calibration%data))//' values spare. They hold below what was measured '// &
+                       'as far as it goes on as above')
    end subroutine append_succession
 
    !> What the rest of the run uses, one line a hole section.

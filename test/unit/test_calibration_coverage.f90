@@ -137,7 +137,8 @@ contains
       character(*), intent(in) :: what
       real(wp), intent(out), optional :: width(:)   !< mean half width of the intervals
       type(calibration_result_type) :: result
-      real(wp), dimension(size(campaign%what)) :: exact, measured, deviation
+      real(wp), dimension(size(campaign%what)) :: exact, measured, deviation, depth
+      integer :: group(size(campaign%what))
       real(wp), allocatable :: values(:, :), truth(:), scale(:), widths(:), shares(:)
       logical, allocatable :: solved(:, :)
       integer :: kinds(size(exact)), set, k
@@ -150,6 +151,8 @@ contains
       allocate (values(size(exact), 1), solved(size(exact), 1))
       call campaign%evaluate(reshape(truth, [size(truth), 1]), values, solved)
       exact = values(:, 1)
+      depth = campaign%model%cases%bit_depth
+      group = 2*campaign%model%cases%operation + campaign%what
       kinds = campaign%what - minval(campaign%what) + 1
       if (known(hookload)) kinds = max(campaign%what - 1, 0)
       allocate (widths(size(truth)), shares(size(truth)), source=0.0_wp)
@@ -164,7 +167,7 @@ contains
                            merge(0.0_wp, -1.0_wp, scale <= 1.0_wp)*scale, scale, scale, measured, kinds, deviation, &
                            result%fit, result%halvings)
          call assertEqual(fit_done, result%fit%status, message=what)
-         call judge_fit(result, measured, deviation, kinds, campaign%what)
+         call judge_fit(result, measured, deviation, kinds, campaign%what, depth, group)
          call assertFalse(any(is_missing(result%statistics%half_width)), message=what//': has intervals')
          where (abs(result%fit%unknowns - truth) <= result%statistics%half_width) shares = shares + 1.0_wp/campaigns
          widths = widths + result%statistics%half_width/campaigns
