@@ -174,7 +174,6 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
-                  friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
                   bent_text(units, part))
                call add_strength(lines, units, part, job%design)
                if (part%centralizer%present) call append_text(lines, '    '//centralizer_text(units, part%centralizer))
