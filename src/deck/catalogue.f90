@@ -225,7 +225,7 @@ contains
          case (column_source); entry%source = fields(i)%text
          case (column_connection)
             if (.not. any(connection_name == fields(i)%text)) call add_fault(faults, path, line, 'catalogue: connection = '// &
-               quoted(fields(i)%text)//' is unknown; '//suggestion(fields(i)%text, connection_name))
+               quoted(fields(i)%text)//' is unknown; legal: '//joined(connection_name, ', '))
             entry%connection = fields(i)%text
          case (column_ignored)
          case default

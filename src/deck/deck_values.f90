@@ -250,7 +250,7 @@ contains
                if (lower_case(item%text) == trim(later(i))) message = name//' = '//quoted(item%text)// &
                   ' is not available in this version; available: '//joined(choices, ', ')
             end do
-            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//suggestion(item%text, choices)
+            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
             return
          end if
       else if (rule%required .and. item%text == '') then
@@ -328,4 +328,11 @@ contains
       end select
    end function needed_text
 
+   !> What to write instead of an unknown word: a near one, and all that are legal, since a name with digits is near to many.
+   pure function advice_of(word, choices) result(advice)
+      character(*), intent(in) :: word, choices(:)
+      character(:), allocatable :: advice
+      advice = suggestion(word, choices)
+      if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
+   end function advice_of
 end module dg_deck_values
