@@ -60,7 +60,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run; what rigid and mixed are worth: below'), &
+         meaning='models to run; input/README.md tells what rigid and mixed are worth'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
