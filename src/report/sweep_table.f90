@@ -123,7 +123,8 @@ contains
       integer, intent(in) :: n
       character(n*cell_width) :: head
       if (n > 1) then
-         head = left_aligned('  '//label, len(head))
+         ! one behind it is left free
+         head = left_aligned(repeat(' ', min(2, max(0, len(head) - 1 - len(label))))//label, len(head))
       else
          head = right_aligned(label(:index(label//' ', ' ') - 1), cell_width - 1)
       end if
