@@ -42,12 +42,12 @@ contains
       call append_text(lines, rule)
       do i = 1, size(results)
          associate (found => results(i))
-            row = left_aligned(model%cases(found%case_index)%name, name_width)//cell(found%toolface, degree, 1)// &
+            row = left_aligned(model%cases(found%case_index)%name, name_width)//cell(turned(found%toolface), degree, 1)// &
                   cell(found%side_force(1), force, 2)//cell(found%side_force(2), force, 2)// &
                   cell(found%tilt(1), degree, 3)//cell(found%tilt(2), degree, 3)
             if (found%found) then
                row = row//cell(found%curvature(1), curvature, 2)//cell(turn_rate(found, found%curvature), curvature, 2)// &
-                     cell(norm2(found%curvature), curvature, 2)//cell(dogleg_clock(found%curvature), degree, 1)
+                     cell(norm2(found%curvature), curvature, 2)//cell(turned(dogleg_clock(found%curvature)), degree, 1)
             else
                row = row//'  no curvature'
             end if
@@ -56,6 +56,14 @@ contains
       end do
       call append_text(lines, rule)
    contains
+      !> A clock angle that one decimal shows below 360.
+      pure function turned(angle) result(shown)
+         real(wp), intent(in) :: angle      !< [rad]
+         real(wp) :: shown
+         shown = angle
+         if (.not. is_missing(angle)) shown = modulo(anint(10.0_wp*angle/degree), 3600.0_wp)*0.1_wp*degree
+      end function turned
+
       function cells(one, two, three, four) result(text)
          character(*), intent(in) :: one, two, three, four
          character(4*width) :: text

@@ -16,6 +16,8 @@ module dg_survey
    !> Sine of the inclination under which a hole has no high side [-]. Well above the round-off of a tangent
    !> (1e-16), far below what any survey tool resolves (1e-3).
    real(wp), parameter :: vertical_sine = 1.0e-9_wp
+   !> What a clock angle is short of a full turn by round-off; ten digits show it as one [rad].
+   real(wp), parameter :: no_angle = 1.0e-9_wp
    !> Excess of an inclination over pi that is only the round-off of a conversion from degrees [rad].
    real(wp), parameter :: angle_round_off = 1.0e-12_wp
 
@@ -99,7 +101,8 @@ contains
    end function high_side
 
    !> Where a vector across the hole points: angle from the high side (north where vertical), clockwise
-   !> looking down the hole [rad], 0 <= angle < 2 pi; 0 for a vector without length.
+   !> looking down the hole [rad], 0 <= angle < 2 pi; 0 for a vector without length, and for one that round-off lets
+   !> point just before the high side.
    pure function clock_angle(tangent, vector) result(angle)
       real(wp), intent(in) :: tangent(3)
       real(wp), intent(in) :: vector(3)
@@ -110,6 +113,7 @@ contains
       y = dot_product(vector, cross(tangent, up))
       angle = 0.0_wp
       if (hypot(x, y) > tiny(x)) angle = positive_angle(atan2(y, x))
+      if (2.0_wp*pi - angle < no_angle) angle = 0.0_wp
    end function clock_angle
 
    !> An angle of -pi to pi as one of 0 to 2 pi [rad]; a tiny negative one becomes 0, never 2 pi.
