@@ -14,6 +14,7 @@ module dg_sweep_record
    use dg_system_reason, only: reason_of_failed_write
    use dg_task_record, only: read_record, record_head, record_line, record_type
    use dg_text, only: text_type, to_text
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: keeper_type, record_path, open_record, take_parts, keep, write_record, close_record
@@ -63,7 +64,7 @@ contains
       call system_clock(keeper%last)
       inquire (file=keeper%path, exist=keeper%there)
       if (.not. keeper%there) return
-      call take_file(keeper%path, keeper%part, keeper%parts, settings, points, failure)
+      call take_file(job%units, keeper%path, keeper%part, keeper%parts, settings, points, failure)
       if (failure /= '') then
          call raise(error, status_bad_input, what//' '//name//': cannot go on with '//keeper%path//': '//failure// &
                     '; restore the deck, or remove that file to begin anew')
@@ -89,7 +90,7 @@ contains
          failure = 'it is missing'
          remedy = 'run'
          if (there) remedy = 'remove it and run'
-         if (there) call take_file(path, part, job%merge, settings, points, failure)
+         if (there) call take_file(job%units, path, part, job%merge, settings, points, failure)
          if (failure == '') then
             missing = count(.not. is_solved(points(part::job%merge)))
             if (missing > 0) remedy = 'go on with'
@@ -102,7 +103,8 @@ contains
    end subroutine take_parts
 
    !> Takes the results of one file.
-   subroutine take_file(path, part, parts, settings, points, failure)
+   subroutine take_file(units, path, part, parts, settings, points, failure)
+      type(unit_system_type), intent(in) :: units      !< of the deck, for messages
       character(*), intent(in) :: path
       integer, intent(in) :: part, parts
       type(text_type), intent(in) :: settings(:)
@@ -115,7 +117,7 @@ contains
       if (failure /= '') return
       call read_record(lines, record, failure)
       if (failure /= '') return
-      call take_record(record, part, parts, settings, points, failure)
+      call take_record(record, part, parts, settings, points, failure, units)
    end subroutine take_file
 
    !> Notes that a point is solved and puts what waits to disk when some time has gone by. A file that cannot be written is noted in

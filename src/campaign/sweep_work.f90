@@ -6,6 +6,7 @@ module dg_sweep_work
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_task_record, only: difference_of, part_text, record_type
    use dg_text, only: text_type, to_text
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: in_part, result_text, take_result, take_record
@@ -88,16 +89,17 @@ contains
 
    !> Puts the results of a record to those that are there. `failure` is '' or says why the record is not one of part `part`
    !> of `parts` of the work with these settings; then `points` stay as they were.
-   pure subroutine take_record(record, part, parts, settings, points, failure)
+   pure subroutine take_record(record, part, parts, settings, points, failure, units)
       type(record_type), intent(in) :: record
       integer, intent(in) :: part, parts
       type(text_type), intent(in) :: settings(:)
       type(sweep_result_type), intent(inout) :: points(:)
       character(:), allocatable, intent(out) :: failure
+      type(unit_system_type), intent(in), optional :: units    !< in which `failure` tells numbers; else SI
       type(sweep_result_type) :: found(size(record%numbers))
       logical :: sound
       integer :: i
-      failure = difference_of(record%settings, settings)
+      failure = difference_of(record%settings, settings, units)
       if (failure /= '') then
          failure = 'it is of another deck: '//failure
          return

@@ -11,6 +11,8 @@
 !>     NUMBER TEXT ;                (one line a piece; without its end mark a line was cut short and does not count)
 module dg_task_record
    use dg_text, only: quoted, text_type, to_text
+   use dg_told_setting, only: told
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: record_type, record_head, record_line, read_record, difference_of, part_text
@@ -159,8 +161,9 @@ contains
    end subroutine take_number
 
    !> The first setting in which two lists differ, in words: '' where they are the same.
-   pure function difference_of(then, now) result(words)
+   pure function difference_of(then, now, units) result(words)
       type(text_type), intent(in) :: then(:), now(:)
+      type(unit_system_type), intent(in), optional :: units   !< to tell numbers in; else SI
       character(:), allocatable :: words
       integer :: i, cut
       words = ''
@@ -170,8 +173,7 @@ contains
          if (cut > 0 .and. index(now(i)%text, then(i)%text(:max(cut, 1) + len(equals) - 1)) == 1) then
             words = then(i)%text(:cut - 1)//' has changed'
             if (max(len(then(i)%text), len(now(i)%text)) - cut <= longest_shown) &
-               words = then(i)%text(:cut - 1)//' was '//then(i)%text(cut + len(equals):)//' and is '// &
-                       now(i)%text(cut + len(equals):)
+               words = told(then(i)%text(:cut - 1), then(i)%text(cut + len(equals):), now(i)%text(cut + len(equals):), units)
          else
             words = quoted(then(i)%text)//' is now '//quoted(now(i)%text)
          end if

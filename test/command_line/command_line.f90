@@ -20,6 +20,7 @@ contains
       use dg_test_study_runs, only: study_runs_suite
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
+      use dg_test_changed_keys, only: changed_keys_suite
       use dg_test_path_runs, only: path_runs_suite
       use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
@@ -39,6 +40,7 @@ contains
       call suite%addTest(interruption_suite())
       call suite%addTest(study_runs_suite())
       call suite%addTest(sweep_runs_suite())
+      call suite%addTest(changed_keys_suite())
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
       call suite%addTest(path_runs_suite())

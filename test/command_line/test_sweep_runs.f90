@@ -254,7 +254,7 @@ contains
       run = run_program(again)
       call assertEqual(2, run%status)
       call assertEqual('drillgap: sweep b: cannot go on with '//partial//': it is of another deck: hole 2, diameter was '// &
-                       '0.2159 and is 0.216; restore the deck, or remove that file to begin anew'//newline, run%diagnostics)
+                       '215.9 mm and is 216 mm; restore the deck, or remove that file to begin anew'//newline, run%diagnostics)
       inquire (file=partial, exist=there)
       call assertTrue(there, message='the record stays')
       inquire (file=results_path//'/summary.csv', exist=there)
