@@ -68,7 +68,7 @@ contains
             associate (sweep => job%sweeps(i))
                do k = 1, size(sweep%models)
                   name = free_name('sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k))))
-                  call sweep_script(name, job%units, sweep, sweep%models(k), model%rig%given, lines)
+                  call sweep_script(name, job%units, sweep, sweep%models(k), model%rig, lines)
                   call add(name, 'Hook load and torque against bit depth, sweep '//sweep%name//', model '// &
                            trim(model_name(sweep%models(k))), 0)
                end do
@@ -95,7 +95,7 @@ contains
             associate (range => job%uncertainties(i)%range)
                do k = 1, size(range%models)
                   name = free_name('uncertainty_'//range%name//'_'//trim(model_name(range%models(k))))
-                  call uncertainty_script(name, job%units, range, range%models(k), model%rig%given, lines)
+                  call uncertainty_script(name, job%units, range, range%models(k), model%rig, lines)
                   call add(name, 'What uncertain data make of hook load and torque', 0)
                end do
             end associate

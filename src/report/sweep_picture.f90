@@ -2,11 +2,12 @@
 !> colour, a friction factor a dash; what was measured is laid over it.
 module dg_sweep_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: draw_broomstick, start_broomstick
+   use dg_broomstick_panels, only: add_limits, draw_broomstick, start_broomstick
    use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
+   use dg_rig, only: rig_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
@@ -22,14 +23,14 @@ module dg_sweep_picture
 contains
 
    !> One model's curves.
-   subroutine sweep_script(name, units, sweep, model, indicated, lines)
+   subroutine sweep_script(name, units, sweep, model, rig, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model          !< number of the model
-      logical, intent(in) :: indicated      !< hook loads as the rig shows them
+      type(rig_type), intent(in) :: rig     !< where it is given hook loads are as it shows them
       type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: key(:)
+      type(series_type), allocatable :: key(:), hookload(:), torque(:)
       integer :: i, k
       call start_broomstick(lines, name)
       call append_text(lines, 'pick(operation, is_friction, value) = stringcolumn(''model'') eq '''//trim(model_name(model))// &
@@ -45,9 +46,12 @@ contains
          call add_series(key, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
                          friction_label(sweep, k))
       end do
+      hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), 'measured_hookload', .false.)
+      torque = curves('torque', 'measured_torque', .true.)
+      call add_limits(key, hookload, torque, units, rig, sweep, results_file('sweep_'//sweep%name), &
+                      column_header(column_named(sweep_columns, 'bit_depth'), units))
       call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, maxval(sweep%depths), &
-                           curves(trim(merge('weight_indicator', 'hookload        ', indicated)), 'measured_hookload', .false.), &
-                           curves('torque', 'measured_torque', .true.), indicated)
+                           hookload, torque, rig%given)
 
    contains
 

@@ -2,11 +2,12 @@
 !> the middle line, a tenth beyond each of the outer ones.
 module dg_uncertainty_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: draw_broomstick, start_broomstick
+   use dg_broomstick_panels, only: add_limits, draw_broomstick, start_broomstick
    use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, results_file, series_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
+   use dg_rig, only: rig_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty_file, only: uncertainty_columns
@@ -20,14 +21,14 @@ module dg_uncertainty_picture
 contains
 
    !> One model's curves.
-   subroutine uncertainty_script(name, units, range, model, indicated, lines)
+   subroutine uncertainty_script(name, units, range, model, rig, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: range !< operations and depths
       integer, intent(in) :: model          !< number of the model
-      logical, intent(in) :: indicated      !< hook loads as the rig shows them
+      type(rig_type), intent(in) :: rig     !< where it is given hook loads are as it shows them
       type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: key(:)
+      type(series_type), allocatable :: key(:), hookload(:), torque(:)
       integer :: i
       call start_broomstick(lines, name)
       call append_text(lines, "pick(operation, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
@@ -36,9 +37,12 @@ contains
          call add_series(key, 'NaN', look(i, 2, 1), trim(operation_label(range%operations(i)))//', P50')
          call add_series(key, 'NaN', look(i, 1, 1), 'P10 and P90')
       end do
+      hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), .false.)
+      torque = curves('torque', .true.)
+      call add_limits(key, hookload, torque, units, rig, range, results_file('uncertainty_'//range%name), &
+                      column_header(column_named(uncertainty_columns, 'bit_depth'), units))
       call draw_broomstick(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), key, units, &
-                           maxval(range%depths), curves(trim(merge('weight_indicator', 'hookload        ', indicated)), .false.), &
-                           curves('torque', .true.), indicated)
+                           maxval(range%depths), hookload, torque, rig%given)
 
    contains
 

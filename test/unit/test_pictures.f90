@@ -10,16 +10,18 @@ module dg_test_pictures
    use dg_hookload_picture, only: hookload_script
    use dg_html_text, only: append_inline_svg, append_table, html_safe, page_type
    use dg_job, only: job_type, model_soft
-   use dg_load_case, only: given, operation_rotary_drilling, operation_trip_out, optional_real
+   use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
+      optional_real
    use dg_limits_file, only: limits_columns
    use dg_model, only: model_type
+   use dg_rig, only: rig_type
    use dg_study_picture, only: study_script
    use dg_study_plan, only: study_plan_type
    use dg_sweep, only: sweep_type
    use dg_sweep_picture, only: sweep_script
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
-   use dg_units, only: field_units
+   use dg_units, only: field_units, unit_system_type
    implicit none
    private
    public :: pictures_suite
@@ -143,13 +145,20 @@ contains
    subroutine test_sweep()
       type(text_type), allocatable :: lines(:)
       type(sweep_type) :: sweep
+      type(rig_type) :: rig
+      type(unit_system_type) :: units
+      real(wp) :: field_force, field_moment
+      integer :: i
+      units = field_units()
+      field_force = units%force
+      field_moment = units%moment
       sweep%name = 'broom'
       sweep%operations = [operation_trip_out, operation_rotary_drilling]
       sweep%frictions = given([0.1_wp, 0.25_wp])
       sweep%depths = [100.0_wp, 2000.0_wp]
       allocate (sweep%measured(1))
       sweep%measured(1)%operation = operation_trip_out
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, .false., lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
       call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
@@ -158,8 +167,23 @@ contains
       call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
       call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
       sweep%frictions = [optional_real()]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, .false., lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
       call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
+      call assertFalse(has_text(lines, 'limit of the rig'))
+      ! sheaves that do not rub: one line at what the rig may carry; one of torque
+      rig = rig_type(given=.true., block_weight=50.0_wp*field_force, max_hookload=given(400.0_wp*field_force), &
+                     max_torque=given(30.0_wp*field_moment))
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call assertTrue(has_text(lines, "'../sweep_broom.csv' using (400):(column('bit_depth_ft'))"), message='hook load')
+      call assertTrue(has_text(lines, "'../sweep_broom.csv' using (30):(column('bit_depth_ft'))"), message='torque')
+      call assertTrue(has_text(lines, 'limit of the rig'), message='legend')
+      ! sheaves that rub: the indicator shows less or more than the load as blocks move
+      rig%lines = 8
+      rig%sheave_efficiency = 0.98_wp
+      sweep%operations = [operation_trip_out, operation_trip_in]
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call assertFalse(has_text(lines, 'using (400):'))
+      call assertEqual(2, count([(index(lines(i)%text, 'using (3') + index(lines(i)%text, 'using (4') > 0, i=1, size(lines))]))
    end subroutine test_sweep
 
    !> One picture a case, of the models of the study, without torque where nothing turns.
