@@ -225,8 +225,8 @@ contains
                        to_text(result%succession%observed, 2)//' from one depth to the next): something')
       call append_text(lines, '         is left that is no scatter of the gauge. Intervals allow for it: errors as alike as '// &
                        'that leave '//to_text(sum(result%freedoms), 2)//' of')
-      call append_text(lines, '         '//to_text(size(calibration%data))//' values spare. They hold below what was measured '// &
-                       'as far as it goes on as above')
+      call append_text(lines, '         '//to_text(size(calibration%data))//' values spare. Below the depths measured they '// &
+                       'hold where it goes on as above')
    end subroutine append_succession
 
    !> What the rest of the run uses, one line a hole section.
