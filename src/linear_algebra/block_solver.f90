@@ -5,7 +5,7 @@
 !> and its mate of the other go side by side through every operation, two numbers that lie next to each other: a processor takes
 !> them in one instruction, and waits half as often for a result.
 !>
-!> An eighth of the work of a band LU, at a price: no row is exchanged between nodes, so that a nearly singular block may let
+!> A seventh of the time of a band LU, at a price: no row is exchanged between nodes, so that a nearly singular block may let
 !> numbers grow. The caller checks the solution against the matrix itself, refines it where that asks for it, and takes the band
 !> solver where that does not help. For a symmetric matrix the signs of the pivots tell whether it is positive definite.
 module dg_block_solver
