@@ -46,9 +46,10 @@ contains
       if (is_interrupted()) return
       call once_each(results)
       do i = 1, size(results)
-         if (results(i)%found) cycle
-         lost = lost + 1
-         call tell('steering, case '//quoted(model%cases(results(i)%case_index)%name)//': no curvature; '//results(i)%message)
+         if (results(i)%found .and. len(results(i)%message) == 0) cycle
+         if (.not. results(i)%found) lost = lost + 1
+         call tell('steering, case '//quoted(model%cases(results(i)%case_index)%name)// &
+                   trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
       end do
       call write_steering(job%output_dir//'/steering.csv', job, model, results, error)
       if (allocated(error)) return

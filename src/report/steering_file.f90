@@ -36,7 +36,7 @@ module dg_steering_file
       column_type('dogleg_clock', quantity_angle, 'to which the hole bends, from the high side clockwise looking down the hole'), &
       column_type('status', quantity_text, 'converged, or not_converged: then there is no curvature'), &
       column_type('solutions', quantity_none, 'of the string that it took'), &
-      column_type('message', quantity_text, 'why there is none')]
+      column_type('message', quantity_text, 'why there is none, or why it may be off')]
 
 contains
 

@@ -38,6 +38,9 @@ module dg_equilibrium_curvature
    real(wp), parameter :: least_inclination = 2.0_wp*degree
    !> Largest turn of the hole along the part that is solved [rad]; where it curves more less of the string is solved.
    real(wp), parameter :: most_turn = 100.0_wp*degree
+   !> Said of a curvature for which no beam on short elements was found, as between stabilisers and walls of 1e10 kN/m2.
+   character(*), parameter :: rough_message = 'no beam on short elements was found: side force, tilt and curvature may be off '// &
+      'by a fifth; a softer wall (gk_max, mud_sheath) has one'
    !> Distance of stations [m].
    real(wp), parameter :: station = 30.0_wp
 
@@ -50,6 +53,7 @@ module dg_equilibrium_curvature
       type(optional_real) :: side_cutting                      !< s [-]
       real(wp) :: wob = 0.0_wp                                 !< W [N]
       integer :: solutions = 0
+      logical :: rough = .false.                               !< a solution has the side force of the analysis' own elements
       character(:), allocatable :: message                     !< why a solution failed
    end type probe_type
 
@@ -92,6 +96,7 @@ contains
       result%solutions = probe%solutions
       if (result%found) then
          result%curvature = k + step
+         if (probe%rough) result%message = rough_message
       else if (sound) then
          result%message = 'no curvature found in which the bit wants to go nowhere else'
       else
@@ -172,6 +177,7 @@ contains
             if (.not. sound) probe%message = solved%message
          end if
          if (sound) then
+            probe%rough = probe%rough .or. is_missing(solved%moment_error)
             force = force + solved%bit_side_force*direction(solved%bit_side_clock)/size(probe%toolfaces)
             slope = slope + tan(solved%bit_tilt)*direction(solved%bit_tilt_clock)/size(probe%toolfaces)
          end if
