@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
 """Checks report.html and the pictures of a run: each picture is sound XML, the page refers to nothing outside itself, and a
-real browser without a screen shows it: tables and pictures there, nothing beyond its right edge.
+real browser without a screen shows it: tables and pictures there, nothing beyond its right edge. Printed on A4 and Letter it
+has every column heading of every table and every line of deck and tables whole, and no heading apart from what it stands over.
 
-Usage: check_report.py RESULTS_FOLDER SCREENSHOT   (needs chromium, and Python with matplotlib)
+Usage: check_report.py RESULTS_FOLDER SCREENSHOT   (needs chromium, and Python with matplotlib and pypdf)
 """
+import html
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import unicodedata
 import xml.etree.ElementTree as xml
 
 from matplotlib.image import imread
+from pypdf import PdfReader
 
 WIDTH, HEIGHT = 1240, 6000          # px: room for the tables and the first pictures
 MARGIN = 4                          # px at the right edge that must stay empty
 CURVE_COLOURS = {"first curve": (0, 114, 178), "second curve": (213, 94, 0)}
 FEWEST_PIXELS = 500                 # of each: a curve across one panel has more
+PAPERS = {"A4": (842, 595), "Letter": (792, 612)}    # pt, lying broad
+LEAST_LETTER = 0.3                  # width of a letter over its height, at least
 
 
 def faults_of_files(folder):
@@ -45,12 +51,16 @@ def faults_of_files(folder):
     return faults
 
 
+def browser(page, *options):
+    with tempfile.TemporaryDirectory() as home:
+        return subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={home}", *options,
+                               page.resolve().as_uri()], capture_output=True, text=True, timeout=240, check=False)
+
+
 def faults_of_screen(folder, screenshot):
     screenshot.unlink(missing_ok=True)
-    with tempfile.TemporaryDirectory() as home:
-        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={home}",
-                              "--hide-scrollbars", f"--window-size={WIDTH},{HEIGHT}", f"--screenshot={screenshot.resolve()}",
-                              (folder / "report.html").resolve().as_uri()], capture_output=True, text=True, timeout=240, check=False)
+    run = browser(folder / "report.html", "--hide-scrollbars", f"--window-size={WIDTH},{HEIGHT}",
+                  f"--screenshot={screenshot.resolve()}")
     if run.returncode != 0 or not screenshot.exists():
         return ["the browser made no screenshot: " + run.stderr[-500:]]
     shot = (imread(screenshot)[:, :, :3] * 255).round().astype(int)
@@ -67,9 +77,69 @@ def faults_of_screen(folder, screenshot):
     return faults
 
 
+def squeezed(text):
+    """Without tags, blanks, ligatures: a browser breaks lines and joins letters where it likes."""
+    return unicodedata.normalize("NFKC", re.sub(r"\s+", "", html.unescape(re.sub(r"<[^>]*>", "", text))))
+
+
+def sheets_of(pdf, faults):
+    """Text of each sheet without blanks. What begins or ends beyond the sheet is a fault."""
+    sheets = []
+    for sheet in PdfReader(pdf).pages:
+        parts = []
+        width = float(sheet.mediabox.width)
+
+        def keep(text, outer, inner, _font, size):
+            if not text.strip():
+                return
+            parts.append(text)
+            left = inner[4] * outer[0] + inner[5] * outer[2] + outer[4]
+            right = left + len(text.strip()) * LEAST_LETTER * size * abs(inner[0] * outer[0])
+            if left < 0 or right > width:
+                faults.append(f"beyond the sheet: {text.strip()!r}")
+
+        sheet.extract_text(visitor_text=keep)
+        sheets.append(squeezed(html.escape("".join(parts))))
+    return sheets
+
+
+def faults_of_paper(folder, paper):
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    faults = []
+    with tempfile.TemporaryDirectory() as scratch:
+        copy, pdf = pathlib.Path(scratch) / "page.html", pathlib.Path(scratch) / "page.pdf"
+        if page.count("@page{size:landscape") != 1:
+            return ["the page does not say how paper lies"]
+        copy.write_text(page.replace("@page{size:landscape", f"@page{{size:{paper} landscape"), encoding="utf-8")
+        run = browser(copy, "--no-pdf-header-footer", f"--print-to-pdf={pdf}")
+        if run.returncode != 0 or not pdf.exists():
+            return ["the browser printed nothing: " + run.stderr[-500:]]
+        size = PdfReader(pdf).pages[0].mediabox
+        if (round(size.width), round(size.height)) != PAPERS[paper]:
+            faults.append(f"sheets of {size}")
+        sheets = sheets_of(pdf, faults)
+    whole = "".join(sheets)
+    tables = re.findall(r"<thead>(.*?)</thead>", page, re.S)
+    lines = [squeezed(line) for text in re.findall(r"<pre>(.*?)</pre>", page, re.S) for line in text.splitlines()]
+    faults += [f"a table lacks columns: {squeezed(head)}" for head in tables if squeezed(head) not in whole]
+    faults += [f"no such line: {line}" for line in lines if line not in whole]
+    title = squeezed(re.search(r"<title>(.*?)</title>", page, re.S).group(1))
+    headings = [squeezed(text) for text in re.findall(r"<h[123]>(.*?)</h[123]>", page, re.S)]
+    for number, sheet in enumerate(sheets, 1):
+        foot = f"{number}/{len(sheets)}"
+        if title not in sheet or foot not in sheet:
+            faults.append(f"sheet {number} lacks title or number")
+        if sheet.replace(foot, "").endswith(tuple(headings)):
+            faults.append(f"sheet {number} ends with a heading")
+    print(f"{paper}: {len(sheets)} sheets, {len(tables)} tables, {len(lines)} lines")
+    return [f"{paper}: {fault}" for fault in faults]
+
+
 def main():
     folder, screenshot = map(pathlib.Path, sys.argv[1:])
     faults = faults_of_files(folder) + faults_of_screen(folder, screenshot)
+    for paper in PAPERS:
+        faults += faults_of_paper(folder, paper)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

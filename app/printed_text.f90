@@ -1,6 +1,8 @@
-!> What a run prints, kept for its page: tables that are printed and of which report.html has no other form.
+!> What a run keeps for its page: tables that are printed and of which report.html has no other form, and what became of its
+!> solutions.
 module dg_printed_text
    use dg_printable, only: printable
+   use dg_run_outcome, only: outcome_type
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, text_type
    implicit none
@@ -9,6 +11,7 @@ module dg_printed_text
 
    type :: printed_text_type
       type(text_type), allocatable :: lines(:)   !< in order
+      type(outcome_type) :: outcome
    end type printed_text_type
 
 contains

@@ -7,6 +7,7 @@ module dg_run_calibrations
    use dg_calibration_file, only: write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
+   use dg_case_result, only: result_not_converged
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_fit_by_kinds, only: fit_by_kinds
@@ -20,6 +21,7 @@ module dg_run_calibrations
    use dg_prediction, only: predict
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_progress, only: seconds_between
+   use dg_run_outcome, only: add_part, note_lost
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
    use dg_text, only: quoted, text_type, to_text
@@ -52,7 +54,7 @@ contains
       type(text_type), allocatable :: lines(:)
       type(text_type), allocatable :: others(:)
       type(error_type), allocatable :: failure
-      integer :: i, j, n, n_lost
+      integer :: i, j, n, n_lost, before
       logical :: divided, applied
       calibrated = model
       divided = job%parts > 0 .or. job%merge > 0
@@ -66,6 +68,7 @@ contains
       n = 0
       do i = 1, size(job%calibrations)
          if (divided .and. .not. job%calibrations(i)%apply) cycle
+         before = lost
          do j = 1, size(job%calibrations(i)%models)
             call calibrate(model, job%calibrations(i), j, job%threads, results(n + 1))
             if (is_interrupted()) exit
@@ -73,6 +76,8 @@ contains
             owner(n) = i
             if (results(n)%fit%status /= fit_done) then
                lost = lost + 1
+               call note_lost(printed%outcome, 'calibration '//job%calibrations(i)%name, results(n)%model, &
+                              result_not_converged, results(n)%message)
                call tell('calibration '//quoted(job%calibrations(i)%name)//', model '// &
                          trim(model_name(results(n)%model))//': no fit; '//results(n)%message)
             end if
@@ -89,6 +94,8 @@ contains
             call print_and_keep(printed, lines)
             deallocate (lines)
          end do
+         call add_part(printed%outcome, 'calibration '//job%calibrations(i)%name, size(job%calibrations(i)%models), 0, &
+                       lost - before)
       end do
       n_lost = lost
       if (.not. divided) then

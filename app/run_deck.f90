@@ -24,6 +24,7 @@ module dg_run_deck
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
+   use dg_run_outcome, only: note_cases
    use dg_run_steering, only: run_steering
    use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
@@ -189,6 +190,7 @@ contains
       type(text_type), allocatable :: lines(:)
       integer :: i, lost
       call solve_all(job, model, results, alongs, wholes, status)
+      call note_cases(printed%outcome, model, results)
       call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
       call note_failure(error, status)
       call write_limits(in_folder(job, 'limits.csv'), job, model, results, wholes, error)

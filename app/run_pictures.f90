@@ -22,7 +22,7 @@ contains
    !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same. A run that is
    !> asked to end writes no page.
    subroutine run_pictures(printed, job, model, results, alongs, wholes, error)
-      type(printed_text_type), intent(in) :: printed        !< tables that the page takes as they were printed
+      type(printed_text_type), intent(in) :: printed        !< what the page takes as it was printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -42,7 +42,8 @@ contains
       call echo_lines(job, model, echo)
       allocate (tables(0))
       if (allocated(printed%lines)) tables = printed%lines
-      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, tables, pictures, echo, page_error)
+      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, tables, printed%outcome, pictures, echo, &
+                             page_error)
       if (allocated(page_error) .and. .not. allocated(error)) call move_alloc(page_error, error)
    end subroutine run_pictures
 end module dg_run_pictures

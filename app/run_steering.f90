@@ -1,5 +1,6 @@
 !> Runs what a &steering asks: each load case at each toolface.
 module dg_run_steering
+   use dg_case_result, only: result_not_converged
    use dg_diagnostic, only: tell
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_error, only: error_type
@@ -9,6 +10,7 @@ module dg_run_steering
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, printed_text_type
+   use dg_run_outcome, only: add_part, note_lost
    use dg_steering_file, only: write_steering
    use dg_steering_result, only: steering_result_type
    use dg_steering_table, only: steering_table
@@ -47,10 +49,15 @@ contains
       call once_each(results)
       do i = 1, size(results)
          if (results(i)%found .and. len(results(i)%message) == 0) cycle
-         if (.not. results(i)%found) lost = lost + 1
+         if (.not. results(i)%found) then
+            lost = lost + 1
+            call note_lost(printed%outcome, 'steering', 0, result_not_converged, results(i)%message, &
+                           model%cases(results(i)%case_index))
+         end if
          call tell('steering, case '//quoted(model%cases(results(i)%case_index)%name)// &
                    trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
       end do
+      call add_part(printed%outcome, 'steering', size(results), 0, lost)
       call write_steering(job%output_dir//'/steering.csv', job, model, results, error)
       if (allocated(error)) return
       allocate (lines, source=steering_table(job, model, results))

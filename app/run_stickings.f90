@@ -1,7 +1,7 @@
 !> Runs what a deck asks of strings that are held: resistances at a known depth, free points from stretch.
 module dg_run_stickings
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, result_converged, result_not_converged
    use dg_diagnostic, only: tell
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
@@ -13,6 +13,7 @@ module dg_run_stickings
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
+   use dg_run_outcome, only: add_part, note_lost
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
       sticking_result_type
@@ -68,11 +69,14 @@ contains
                   if (is_interrupted()) return
                   if (results(n)%status /= sticking_no_solution) cycle
                   lost = lost + 1
+                  call note_lost(printed%outcome, 'calibration '//sticking%name, sticking%models(j), result_not_converged, &
+                                 results(n)%message, model%cases(sticking%cases(k)))
                   call tell('calibration '//quoted(sticking%name)//', case '// &
                             quoted(model%cases(sticking%cases(k))%name)//', model '//trim(model_name(sticking%models(j)))// &
                             ': no solution; '//results(n)%message)
                end do
             end do
+            call add_part(printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
             allocate (lines, source=sticking_table(job%units, model, sticking, results(:n)))
             call print_and_keep(printed, lines)
             deallocate (lines)

@@ -15,6 +15,7 @@ module dg_run_sweeps
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_rig, only: indicated_load
+   use dg_run_outcome, only: note_sweep
    use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
    use dg_sweep_file, only: write_sweep
@@ -96,6 +97,7 @@ contains
                to_text(size(run%points))//' points, in '//run%keeper%path)
             return
          end if
+         call note_sweep(printed%outcome, sweep, run%points)
          call add_indicator(model, sweep, run%points)
          call add_margins(job, model, sweep, run%points)
          call write_sweep(job%output_dir//'/sweep_'//sweep%name//'.csv', job, sweep, run%points, error)

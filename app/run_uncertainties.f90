@@ -13,6 +13,7 @@ module dg_run_uncertainties
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_rig, only: indicated_load
+   use dg_run_outcome, only: note_uncertainty
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_sampled_model, only: draw_model
    use dg_solve_case, only: solve_case
@@ -98,6 +99,7 @@ contains
                   ' solutions, in '//run%keeper%path)
                return
             end if
+            call note_uncertainty(printed%outcome, uncertainty, run%pieces)
             allocate (statistics(point_count(uncertainty%range)))
             do i = 1, size(statistics)
                call add_indicator(model, uncertainty, i, run%pieces)

@@ -5,6 +5,8 @@ module dg_html_report
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
+   use dg_html_outcome, only: append_outcome
+   use dg_html_style, only: append_style
    use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
@@ -12,6 +14,7 @@ module dg_html_report
    use dg_picture_files, only: folder_in, picture_list_type, picture_type
    use dg_column, only: field_list_type
    use dg_results_h5, only: time_stamp
+   use dg_run_outcome, only: outcome_type
    use dg_summary_file, only: summary_columns, summary_fields
    use dg_text, only: append_text, text_type, to_text
    use dg_version, only: program_name, program_version
@@ -20,48 +23,35 @@ module dg_html_report
    private
    public :: write_html_report
 
-   !> Columns of summary.csv and limits.csv that the page shows; the files have all.
-   character(*), parameter :: summary_shown(15) = [character(16) :: 'section', 'case', 'operation', 'bit_depth', 'wob', &
-      'hookload', 'weight_indicator', 'measured', 'error', 'reference', 'reference_error', 'friction', 'torque', 'normal_force', &
-      'status']
+   !> Columns of summary.csv and limits.csv that the page shows; the files have all. What was asked for comes first, for a phone
+   !> shows the first few only.
+   character(*), parameter :: summary_shown(15) = [character(16) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
+      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'status', 'operation', 'bit_depth', 'wob', 'section']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
    character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin']
 
-   !> Plain, narrow enough for paper, no colour that means anything alone.
-   character(*), parameter :: style(*) = [character(120) :: &
-      'body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;color:#222;max-width:1180px;margin:0 auto;padding:1em 1.5em}', &
-      'h1{font-size:1.6em;margin:.3em 0}h2{font-size:1.25em;margin-top:2em;border-bottom:1px solid #bbb}', &
-      'h3{font-size:1.05em;margin-top:1.6em}', &
-      'table{border-collapse:collapse;font-size:.82em;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}', &
-      'th,td{padding:.22em .6em;text-align:right;border-bottom:1px solid #ddd}td.text,th.text{text-align:left}', &
-      'td.text{white-space:nowrap}', &
-      'th{vertical-align:bottom;border-bottom:2px solid #888;font-weight:600;line-height:1.2}small{font-weight:400}', &
-      'tr.bad td{color:#a33;text-decoration:line-through}', &
-      '.note{border-left:4px solid #0072B2;padding:.3em .8em;background:#f3f7fa}.warn{border-color:#D55E00;background:#fdf4ee}', &
-      'pre{font-size:.78em;background:#f6f6f6;padding:.8em;overflow-x:auto;line-height:1.35}svg{width:100%;height:auto}', &
-      'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
-      'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}']
-
 contains
 
-   !> Writes the page to `path`. `tables` are those of calibrations, sweeps, studies and comparisons as they were printed; `echo`
-   !> is the deck as the program understood it, line by line.
-   subroutine write_html_report(path, job, model, results, wholes, tables, pictures, echo, error)
+   !> Writes the page to `path`. `tables` are those of calibrations, sweeps, studies and comparisons as they were printed,
+   !> `outcome` what became of all solutions; `echo` is the deck as the program understood it, line by line.
+   subroutine write_html_report(path, job, model, results, wholes, tables, outcome, pictures, echo, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(text_type), intent(in) :: tables(:)
+      type(outcome_type), intent(in) :: outcome
       type(picture_list_type), intent(in) :: pictures
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
       type(page_type) :: lines
       integer :: i
-      call start_page(job, results, lines)
+      call start_page(job, lines)
+      call append_outcome(lines, job%units, outcome)
       if (allocated(model%path_notes)) then
          do i = 1, size(model%path_notes)
             call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
@@ -87,34 +77,23 @@ contains
       call write_text_file(path, lines%lines(:lines%count), error)
    end subroutine write_html_report
 
-   !> Head of the page: title, when and with what it was made, how many cases were solved.
-   subroutine start_page(job, results, lines)
+   !> Head of the page: title, when and with what it was made.
+   subroutine start_page(job, lines)
       type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: results(:)
       type(page_type), intent(out) :: lines
-      character(:), allocatable :: title
-      integer :: i, solved
+      character(:), allocatable :: title, stamp
       title = job%title
       if (title == '') title = job%deck_path
-      solved = count(results%status == result_converged)
       call add_line(lines, '<!DOCTYPE html>')
       call add_line(lines, '<html lang="en"><head><meta charset="utf-8">')
       call add_line(lines, '<meta name="viewport" content="width=device-width, initial-scale=1">')
-      call add_line(lines, '<title>'//html_safe(title)//'</title><style>')
-      do i = 1, size(style)
-         call add_line(lines, trim(style(i)))
-      end do
-      call add_line(lines, '</style></head><body>')
+      call add_line(lines, '<title>'//html_safe(title)//'</title>')
+      stamp = time_stamp()
+      call append_style(lines, title, program_name//' '//program_version//', '//stamp)
+      call add_line(lines, '</head><body>')
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
-      call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(time_stamp())// &
+      call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(stamp)// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
-      if (size(results) == 0) return
-      if (solved == size(results)) then
-         call add_line(lines, '<p class="note">All '//to_text(size(results))//' solutions converged.</p>')
-      else
-         call add_line(lines, '<p class="note warn">'//to_text(solved)//' of '//to_text(size(results))// &
-                          ' solutions converged. Numbers struck through are none.</p>')
-      end if
    end subroutine start_page
 
    !> What results have to say of themselves.

@@ -9,11 +9,13 @@ module dg_html_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg, spaced
+   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg, spaced, css_string
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
+   !> A text longer than this is a sentence, which may be broken.
+   integer, parameter :: longest_name = 40
 
    !> Lines of a page as it grows: by doubling, for pictures have tens of thousands.
    type :: page_type
@@ -22,6 +24,7 @@ module dg_html_text
    end type page_type
 
    integer, parameter :: first_capacity = 1024
+   integer, parameter :: last_ascii = 127
 
 contains
 
@@ -66,6 +69,31 @@ contains
       end do
       safe = room(:filled)
    end function html_safe
+
+   !> A text as a string of CSS, which may stand in HTML: what is no letter, digit, blank or byte beyond ASCII goes by its number.
+   pure function css_string(text) result(string)
+      character(*), intent(in) :: text
+      character(:), allocatable :: string
+      character(len(text)) :: plain
+      character(7) :: number
+      integer :: i
+      plain = plain_utf8(text)
+      string = '"'
+      do i = 1, len(text)
+         select case (plain(i:i))
+         case ('a':'z', 'A':'Z', '0':'9', ' ', ',', '.', ':', '-', '+', '(', ')')
+            string = string//plain(i:i)
+         case default
+            if (iachar(plain(i:i)) > last_ascii) then
+               string = string//plain(i:i)
+            else
+               write (number, '(a,z6.6)') '\', iachar(plain(i:i))
+               string = string//number
+            end if
+         end select
+      end do
+      string = string//'"'
+   end function css_string
 
    !> A table of the columns of those names that have any value; each with its unit below, its meaning where the mouse rests.
    pure subroutine append_table(page, columns, shown, units, rows, marked)
@@ -115,7 +143,8 @@ contains
       if (.not. has_value(field)) return
       select case (field%kind)
       case (field_text)
-         cell = '<td class="text">'//html_safe(field%text)//'</td>'
+         cell = '<td class="text'//trim(merge(' long', '     ', len(field%text) > longest_name))//'">'//html_safe(field%text)// &
+                '</td>'
       case (field_integer)
          cell = '<td>'//to_text(field%integer_value)//'</td>'
       case (field_real)

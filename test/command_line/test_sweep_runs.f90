@@ -4,7 +4,8 @@ module dg_test_sweep_runs
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
-   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, run_program, run_type
+   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
+      run_program, run_type
    use dg_result_rows, only: field, lines_of
    use dg_text, only: append_text, text_type, to_text
    implicit none
@@ -338,14 +339,14 @@ contains
       end subroutine refuse
    end subroutine test_refused_parts
 
-   !> Points without solution are marked, counted and told once, with exit status 3.
+   !> Points without solution are marked, counted and told once, with exit status 3; the page says the same.
    subroutine test_no_solution()
       type(run_type) :: run
       type(text_type), allocatable :: sweep(:)
-      character(:), allocatable :: deck
+      character(:), allocatable :: deck, page
       integer :: i, lost
       deck = good_deck()
-      deck = deck(:index(deck, '&load_case') - 1)//"&solver max_iterations = 2 /"//newline// &
+      deck = replaced(deck(:index(deck, '&load_case') - 1), ', plots = .false.', '')//"&solver max_iterations = 2 /"//newline// &
              "&sweep name = 'b', model = 'mcge', operations = 'up', bit_depth_step = 300, frictions = 0.3 /"//newline
       run = run_deck_text(deck)
       call assertEqual(3, run%status)
@@ -361,6 +362,24 @@ contains
       call assertTrue(index(run%diagnostics, 'sweep ''b'': '//to_text(lost)//' of 3 points did not converge; the first: mcge, '// &
                             'trip_out, friction 0.3, bit at') > 0, message=run%diagnostics)
       call assertTrue(index(run%output, '! no solution') > 0, message=run%output)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, to_text(lost)//' of 3 solutions did not converge (exit status 3)') > 0)
+      call assertEqual(lost, rows_of(page, &
+                                     '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">trip_out</td>'))
+   contains
+      !> Rows of the page that begin with these cells.
+      function rows_of(text, cells) result(number)
+         character(*), intent(in) :: text, cells
+         integer :: number, at, next
+         number = 0
+         at = 1
+         do
+            next = index(text(at:), cells)
+            if (next == 0) exit
+            number = number + 1
+            at = at + next
+         end do
+      end function rows_of
    end subroutine test_no_solution
 
    subroutine test_bad_groups()

@@ -8,7 +8,7 @@ module dg_test_pictures
    use dg_column, only: field_list_type, put, put_none
    use dg_gnuplot_script, only: spelled, x_range
    use dg_hookload_picture, only: hookload_script
-   use dg_html_text, only: append_inline_svg, append_table, html_safe, page_type
+   use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe, page_type
    use dg_job, only: job_type, model_soft
    use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
       optional_real
@@ -74,6 +74,8 @@ contains
       call assertEqual('?z', html_safe(char(252)//'z'))
       call assertEqual('?', html_safe(char(195)))
       call assertEqual('??', html_safe(char(188)//char(188)))
+      call assertEqual('"a \000022\00005C\00003C"', css_string('a "\<'))
+      call assertEqual('"'//char(195)//char(188)//'"', css_string(char(195)//char(188)))
    end subroutine test_html_text
 
    !> Columns without any value are left out; what is there is in the deck's units.

@@ -22,6 +22,7 @@ contains
       use dg_test_report_cells, only: report_cells_suite
       use dg_test_report_files, only: report_files_suite
       use dg_test_report_table, only: report_table_suite
+      use dg_test_run_outcome, only: run_outcome_suite
       use dg_test_survey_file, only: survey_file_suite
       use dg_test_units, only: units_suite
       use dg_test_closest_point, only: closest_point_suite
@@ -83,6 +84,7 @@ contains
       call suite%addTest(report_cells_suite())
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
+      call suite%addTest(run_outcome_suite())
       call suite%addTest(survey_file_suite())
       call suite%addTest(ten_digits_suite())
       call suite%addTest(units_suite())

@@ -1,0 +1,126 @@
+!> What a page says of solutions that are none: counts of all parts in its headline, a row for each that failed.
+module dg_test_run_outcome
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_case_result, only: result_converged, result_locked_up, result_not_converged
+   use dg_html_outcome, only: append_outcome
+   use dg_html_text, only: page_type
+   use dg_job, only: model_soft
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_trip_in, operation_trip_out
+   use dg_run_outcome, only: add_part, locked_count, lost_count, note_lost, note_sweep, note_uncertainty, outcome_type, &
+                             solution_count
+   use dg_sweep, only: sweep_type
+   use dg_sweep_result, only: sweep_result_type
+   use dg_uncertainty, only: uncertainty_type
+   use dg_units, only: si_units
+   implicit none
+   private
+   public :: run_outcome_suite
+
+contains
+
+   function run_outcome_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('run_outcome')
+      call suite%addTest(TestMethod('all_converged', test_all_converged))
+      call suite%addTest(TestMethod('sweep', test_sweep))
+      call suite%addTest(TestMethod('uncertainty', test_uncertainty))
+      call suite%addTest(TestMethod('too_many_rows', test_too_many))
+   end function run_outcome_suite
+
+   !> Two operations at four depths.
+   function sample_sweep() result(sweep)
+      type(sweep_type) :: sweep
+      sweep%name = 'b'
+      sweep%string = ''
+      sweep%models = [model_soft]
+      sweep%operations = [operation_trip_out, operation_trip_in]
+      sweep%frictions = [given(0.25_wp)]
+      sweep%depths = [1000.0_wp, 1100.0_wp, 1200.0_wp, 1300.0_wp]
+   end function sample_sweep
+
+   function points_of(status) result(points)
+      integer, intent(in) :: status(:)
+      type(sweep_result_type) :: points(size(status))
+      points%status = status
+   end function points_of
+
+   !> One part needs no table.
+   subroutine test_all_converged()
+      type(outcome_type) :: outcome
+      type(page_type) :: page
+      call append_outcome(page, si_units(), outcome)
+      call assertEqual(0, page%count, message='nothing was asked for')
+      call add_part(outcome, 'load cases', 8, 0, 0)
+      call append_outcome(page, si_units(), outcome)
+      call assertEqual(1, page%count)
+      call assertEqual('<p class="note">All 8 solutions converged.</p>', page%lines(1)%text)
+   end subroutine test_all_converged
+
+   !> Points that failed have a row each; neighbouring depths that lock up have one, which ends with their curve.
+   subroutine test_sweep()
+      type(outcome_type) :: outcome
+      type(page_type) :: page
+      type(sweep_result_type) :: points(8)
+      call add_part(outcome, 'load cases', 8, 0, 0)
+      points = points_of([result_converged, result_not_converged, result_converged, result_locked_up, &
+                          result_locked_up, result_locked_up, result_not_converged, result_locked_up])
+      points(2)%message = 'too <few>'
+      call note_sweep(outcome, sample_sweep(), points)
+      call assertEqual(16, solution_count(outcome))
+      call assertEqual(2, lost_count(outcome))
+      call assertEqual(4, locked_count(outcome))
+      call assertEqual(5, size(outcome%lost))
+      call append_outcome(page, si_units(), outcome)
+      call assertTrue(index(page%lines(1)%text, '2 of 16 solutions did not converge (exit status 3), 4 locked up') > 0, &
+                      message=page%lines(1)%text)
+      call assertEqual('<tr><td class="text">sweep b</td><td>8</td><td>2</td><td>4</td><td>2</td></tr>', page%lines(4)%text)
+      call assertEqual('<h2>Without solution</h2>', page%lines(6)%text)
+      call assertEqual('<tr><td class="text">sweep b</td><td class="text">soft</td><td class="text">trip_out</td>'// &
+                       '<td>1100.00</td><td>&ndash;</td><td>0.25</td><td>1</td><td class="text">not_converged</td>'// &
+                       '<td class="text">too &lt;few&gt;</td></tr>', page%lines(8)%text)
+      call assertTrue(index(page%lines(9)%text, '>trip_in</td><td>1200.00</td><td>&ndash;<') > 0, message=page%lines(9)%text)
+      call assertTrue(index(page%lines(10)%text, '>trip_out</td><td>1300.00</td><td>&ndash;<') > 0, message=page%lines(10)%text)
+      call assertTrue(index(page%lines(11)%text, '>trip_in</td><td>1000.00</td><td>1100.00</td><td>0.25</td><td>2</td>') > 0, &
+                      message=page%lines(11)%text)
+      call assertTrue(index(page%lines(12)%text, '>trip_in</td><td>1300.00</td><td>&ndash;<') > 0, message=page%lines(12)%text)
+   end subroutine test_sweep
+
+   !> A row a point, with the first sample that failed there.
+   subroutine test_uncertainty()
+      type(outcome_type) :: outcome
+      type(page_type) :: page
+      type(uncertainty_type) :: uncertainty
+      type(sweep_result_type) :: pieces(24)
+      uncertainty%range = sample_sweep()
+      uncertainty%samples = 3
+      pieces%status = result_converged
+      pieces([5, 6, 24])%status = result_not_converged
+      pieces(1)%status = result_locked_up
+      call note_uncertainty(outcome, uncertainty, pieces)
+      call assertEqual(24, solution_count(outcome))
+      call assertEqual(3, lost_count(outcome))
+      call assertEqual(1, locked_count(outcome))
+      call assertEqual(2, size(outcome%lost))
+      call append_outcome(page, si_units(), outcome)
+      call assertTrue(index(page%lines(4)%text, '<td>1100.00</td><td>0.25</td><td>2</td><td class="text">not_converged</td>'// &
+                            '<td class="text"> (sample 2)</td>') > 0, message=page%lines(4)%text)
+      call assertTrue(index(page%lines(5)%text, '<td>1300.00</td><td>0.25</td><td>1</td>') > 0, message=page%lines(5)%text)
+   end subroutine test_uncertainty
+
+   !> What is too much for a page is counted.
+   subroutine test_too_many()
+      type(outcome_type) :: outcome
+      type(page_type) :: page
+      integer :: i
+      call add_part(outcome, 'calibration c', 400, 0, 400)
+      do i = 1, 400
+         call note_lost(outcome, 'calibration c', model_soft, result_not_converged, 'no fit')
+      end do
+      call assertEqual(400, size(outcome%lost) + outcome%unlisted)
+      call assertTrue(outcome%unlisted > 0)
+      call append_outcome(page, si_units(), outcome)
+      call assertTrue(index(page%lines(1)%text, '>400 of 400 solutions did not converge') > 0, message=page%lines(1)%text)
+      call assertFalse(index(page%lines(page%count)%text, 'rows more') == 0, message=page%lines(page%count)%text)
+   end subroutine test_too_many
+end module dg_test_run_outcome
