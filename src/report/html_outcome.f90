@@ -8,29 +8,29 @@ module dg_html_outcome
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_outcome
+   public :: append_outcome, append_lost
 
 contains
 
-   !> One sentence for all parts of a run; the parts where there are several; a row for each solution that is none.
+   !> One sentence for all parts of a run; the parts where there are several.
    pure subroutine append_outcome(lines, units, outcome)
       type(page_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
       type(field_list_type), allocatable :: rows(:)
-      integer :: i, all, lost, locked
-      all = solution_count(outcome)
-      if (all == 0) return
+      integer :: i, total, lost, locked
+      total = solution_count(outcome)
+      if (total == 0) return
       lost = lost_count(outcome)
       locked = locked_count(outcome)
       if (lost > 0) then
-         call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//to_text(all)//' solutions did not converge (exit '// &
-                       'status '//to_text(status_not_converged)//')'//locked_text()//'. Numbers struck through are none.</p>')
+         call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//to_text(total)//' solutions did not converge '// &
+                       '(exit status '//to_text(status_not_converged)//')'//locked_text()//'. Numbers struck through are none.</p>')
       else if (locked > 0) then
-         call add_line(lines, '<p class="note warn">'//to_text(all - locked)//' of '//to_text(all)//' solutions converged'// &
+         call add_line(lines, '<p class="note warn">'//to_text(total - locked)//' of '//to_text(total)//' solutions converged'// &
                        locked_text()//'. Numbers struck through are none.</p>')
       else
-         call add_line(lines, '<p class="note">All '//to_text(all)//' solutions converged.</p>')
+         call add_line(lines, '<p class="note">All '//to_text(total)//' solutions converged.</p>')
       end if
       if (size(outcome%parts) > 1) then
          allocate (rows(size(outcome%parts)))
@@ -38,13 +38,7 @@ contains
             call part_fields(outcome%parts(i), rows(i))
          end do
          call append_table(lines, part_columns, part_columns%name, units, rows, spread(.false., 1, size(rows)))
-         deallocate (rows)
       end if
-      if (.not. allocated(outcome%lost)) return
-      call add_line(lines, '<h2>Without solution</h2>')
-      call append_table(lines, lost_columns, lost_columns%name, units, outcome%lost, spread(.false., 1, size(outcome%lost)))
-      if (outcome%unlisted > 0) call add_line(lines, '<p>and '//to_text(outcome%unlisted)//' rows more: see the files of '// &
-                                              'results.</p>')
    contains
       pure function locked_text() result(text)
          character(:), allocatable :: text
@@ -52,4 +46,16 @@ contains
          if (locked > 0) text = ', '//to_text(locked)//' locked up: no push brings the string down there'
       end function locked_text
    end subroutine append_outcome
+
+   !> A row for each solution that is none.
+   pure subroutine append_lost(lines, units, outcome)
+      type(page_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(outcome_type), intent(in) :: outcome
+      if (.not. allocated(outcome%lost)) return
+      call add_line(lines, '<h2>Without solution</h2>')
+      call append_table(lines, lost_columns, lost_columns%name, units, outcome%lost, spread(.false., 1, size(outcome%lost)))
+      if (outcome%unlisted > 0) call add_line(lines, '<p>and '//to_text(outcome%unlisted)//' rows more: see the files of '// &
+                                              'results.</p>')
+   end subroutine append_lost
 end module dg_html_outcome

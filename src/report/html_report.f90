@@ -5,7 +5,7 @@ module dg_html_report
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
-   use dg_html_outcome, only: append_outcome
+   use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_style, only: append_style
    use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
@@ -62,6 +62,7 @@ contains
          call append_results(lines, job, model, results)
          call append_limits(lines, job, model, results, wholes)
       end if
+      call append_lost(lines, job%units, outcome)
       if (size(tables) > 0) then
          call add_line(lines, '<h2>Calibrations, sweeps, studies, comparisons</h2>')
          call append_preformatted(lines, tables)

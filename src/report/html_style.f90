@@ -22,14 +22,14 @@ module dg_html_style
 
    !> A phone: the first column stays while the others scroll.
    character(*), parameter :: narrow(*) = [character(128) :: &
-      '@media screen and (max-width:700px){body{padding:.6em;overflow-wrap:anywhere}td.long{min-width:12em}', &
+      '@media screen and (max-width:700px){body{padding:.6em}h1,h2,h3,p,li{overflow-wrap:anywhere}td.long{min-width:12em}', &
       'th:first-child,td:first-child{position:sticky;left:0;background:#fff}', &
       'td.text:first-child{white-space:normal;min-width:5em;max-width:9em}}']
 
    !> Paper lies broad, so that all columns have room; what is longer is wrapped, for paper does not scroll. A heading stays with
    !> what it stands over. 135 mm leave room for two headings and a caption on A4 and Letter.
    character(*), parameter :: paper(*) = [character(128) :: &
-      '@media print{body{max-width:none;padding:0;font-size:9.5pt}h1,h2,h3{break-after:avoid}h2{margin-top:1.4em}', &
+      '@media print{body{max-width:none;padding:0;font-size:9.5pt}h1,h2,h3,h2+p,h2+p+p{break-after:avoid}h2{margin-top:1.4em}', &
       'p,li{orphans:3;widows:3}.wide{overflow:visible}table{font-size:8pt;max-width:100%}th,td{padding:.2em .4em}', &
       'thead{display:table-header-group}tr{break-inside:avoid}td.text{white-space:normal;overflow-wrap:break-word}', &
       'td.long{min-width:0}td.text:first-child{overflow-wrap:anywhere;min-width:10em}', &

@@ -2,7 +2,7 @@
 module dg_test_run_outcome
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
-   use dg_html_outcome, only: append_outcome
+   use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_text, only: page_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
@@ -72,6 +72,7 @@ contains
       call assertEqual(4, locked_count(outcome))
       call assertEqual(5, size(outcome%lost))
       call append_outcome(page, si_units(), outcome)
+      call append_lost(page, si_units(), outcome)
       call assertTrue(index(page%lines(1)%text, '2 of 16 solutions did not converge (exit status 3), 4 locked up') > 0, &
                       message=page%lines(1)%text)
       call assertEqual('<tr><td class="text">sweep b</td><td>8</td><td>2</td><td>4</td><td>2</td></tr>', page%lines(4)%text)
@@ -103,6 +104,7 @@ contains
       call assertEqual(1, locked_count(outcome))
       call assertEqual(2, size(outcome%lost))
       call append_outcome(page, si_units(), outcome)
+      call append_lost(page, si_units(), outcome)
       call assertTrue(index(page%lines(4)%text, '<td>1100.00</td><td>0.25</td><td>2</td><td class="text">not_converged</td>'// &
                             '<td class="text"> (sample 2)</td>') > 0, message=page%lines(4)%text)
       call assertTrue(index(page%lines(5)%text, '<td>1300.00</td><td>0.25</td><td>1</td>') > 0, message=page%lines(5)%text)
@@ -120,6 +122,7 @@ contains
       call assertEqual(400, size(outcome%lost) + outcome%unlisted)
       call assertTrue(outcome%unlisted > 0)
       call append_outcome(page, si_units(), outcome)
+      call append_lost(page, si_units(), outcome)
       call assertTrue(index(page%lines(1)%text, '>400 of 400 solutions did not converge') > 0, message=page%lines(1)%text)
       call assertFalse(index(page%lines(page%count)%text, 'rows more') == 0, message=page%lines(page%count)%text)
    end subroutine test_too_many
