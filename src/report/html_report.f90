@@ -117,7 +117,7 @@ contains
       if (any_yet) then
          call add_line(lines, '</ul>')
       else if (size(results) > 0) then
-         call add_line(lines, '<p>No warnings.</p>')
+         call add_line(lines, '<p>No warnings of load cases.</p>')
       end if
    end subroutine append_warnings
 
