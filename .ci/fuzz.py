@@ -748,7 +748,7 @@ def case_collision(lab, rng):
 def case_options(lab, rng):
     deck, files = drawn(rng, "si", "field", "sweep_gp1")
     deck.set(deck.one("job"), "models", "'soft'")
-    words = ["--check", "--quiet", "--threads", "0", "1", "-1", "99999", "abc", "--part", "1/1", "0/0", "3/2", "1/99999999999", "/", "--merge", "2", "0",
+    words = ["--check", "--quiet", "--threads", "0", "1", "-1", "99999", "abc", "--part", "1/1", "0/0", "3/2", "1/99999999999", "1,3-4/4", "3,,7/9", "9-7/40", "1-2-3/4", "/", "--merge", "2", "0",
              "--help", "--version", "--", "", "-", "--outputs", "--output", "--output=", "--part=1/2", "--list-catalogue", "\xff", "x" * 5000, "--threads=2"]
     more = [rng.choice(words) for _ in range(rng.choice([1, 1, 2, 2, 3]))]
     more = [w for i, w in enumerate(more) if not (w.startswith("--output") and w != "--outputs" or i and more[i - 1] == "--output")]

@@ -1,6 +1,7 @@
 !> The command line.
 module dg_arguments
    use dg_error, only: error_type, raise, status_bad_input
+   use dg_part_list, only: is_count, read_part_list
    use dg_text, only: append_text, quoted, suggestion, text_type
    use dg_version, only: program_name
    implicit none
@@ -12,8 +13,8 @@ module dg_arguments
       character(:), allocatable :: output_dir !< '': as the deck says
       integer :: threads = 0                  !< 0: as many as there are cores
       logical :: threads_given = .false.      !< else as the deck says
-      integer :: part = 1                     !< of sweeps and uncertainties, of ...
-      integer :: parts = 0                    !< ... so many; 0: undivided
+      integer, allocatable :: chosen(:)       !< parts of sweeps and uncertainties, one after another; 1 of an undivided run
+      integer :: parts = 0                    !< of so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
       character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
       logical :: check = .false.
@@ -40,6 +41,7 @@ contains
       arguments%deck = ''
       arguments%output_dir = ''
       arguments%action = ''
+      arguments%chosen = [1]
       value = ''
       only_decks = .false.
       i = 0
@@ -109,28 +111,14 @@ contains
 
    contains
 
-      !> Reads i/n.
+      !> Reads i/n or a list of parts.
       subroutine read_part(text)
          character(*), intent(in) :: text
-         integer :: slash
-         logical :: sound
-         slash = index(text, '/')
-         sound = slash > 1 .and. slash < len(text)
-         if (sound) sound = is_count(text(:slash - 1)) .and. is_count(text(slash + 1:))
-         if (sound) then
-            read (text(:slash - 1), *) arguments%part
-            read (text(slash + 1:), *) arguments%parts
-            sound = arguments%part <= arguments%parts
-         end if
-         if (.not. sound) call refuse('--part '//text//' is no part; give i/n with i from 1 to n, as in --part 2/4')
+         character(:), allocatable :: failure
+         call read_part_list(text, arguments%chosen, arguments%parts, failure)
+         if (failure /= '') call refuse('--part '//text//' is no part: '//failure//'; give i/n with i from 1 to n, as in '// &
+                                        '--part 2/4, or several, each once, as in --part 3,7-9/40')
       end subroutine read_part
-
-      !> Whether a text is a whole number of 1 to 9999.
-      pure function is_count(text) result(is)
-         character(*), intent(in) :: text
-         logical :: is
-         is = len(text) >= 1 .and. len(text) <= longest_count .and. verify(text, '0123456789') == 0 .and. verify(text, '0') > 0
-      end function is_count
 
       subroutine refuse(message)
          character(*), intent(in) :: message
@@ -165,7 +153,8 @@ contains
       call append_text(lines, '  --check        read and validate the deck, print what would be run, solve nothing')
       call append_text(lines, '  --output DIR   folder of results instead of the deck''s output_dir')
       call append_text(lines, '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores')
-      call append_text(lines, '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them')
+      call append_text(lines, '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them;')
+      call append_text(lines, '                 several one after another as in --part 3,7-9/40')
       call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
       call append_text(lines, '  --quiet        no notes, no progress')
       call append_text(lines, '  --help         this text')

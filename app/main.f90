@@ -62,6 +62,7 @@ contains
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
       type(error_type), allocatable :: error
+      integer :: i
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults)
@@ -73,7 +74,6 @@ contains
       if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
       job%quiet = arguments%quiet
       if (arguments%threads_given) job%threads = arguments%threads
-      job%part = arguments%part
       job%parts = arguments%parts
       job%merge = arguments%merge
       if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
@@ -81,7 +81,11 @@ contains
          status = status_bad_input
          return
       end if
-      call check_inputs(job, model, error)
+      do i = 1, size(arguments%chosen)
+         job%part = arguments%chosen(i)
+         call check_inputs(job, model, error)
+         if (allocated(error)) exit
+      end do
       if (allocated(error)) then
          call tell(error%message)
          status = error%status
@@ -93,7 +97,7 @@ contains
          return
       end if
       if (.not. job%quiet) call print_notes(notes)
-      call run_deck(job, model, status)
+      call run_deck(job, model, arguments%chosen, status)
    end subroutine work
 
    !> What is legal in the deck but hardly meant.

@@ -5,7 +5,7 @@ module dg_run_deck
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
+   use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_folder_lock, only: folder_lock_type, lock_folder, release_folder
    use dg_history_file, only: write_history
@@ -17,6 +17,8 @@ module dg_run_deck
    use dg_model, only: model_type
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_paraview
+   use dg_part_faults, only: faults_text, part_faults_type, start_faults
+   use dg_part_list, only: part_list_text
    use dg_printed_text, only: print_line, print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
@@ -50,9 +52,41 @@ module dg_run_deck
 
 contains
 
-   !> Takes the output folder for this run alone and does all that the deck asks for. `status` is the exit status: the gravest
-   !> of what happened.
-   subroutine run_deck(job, given, status)
+   !> Does all that the deck asks for, of a divided run the chosen parts one after another. One that fails does not keep the next
+   !> from being run. `status` is the exit status: the gravest of what happened.
+   subroutine run_deck(asked, given, chosen, status)
+      type(job_type), intent(in) :: asked          !< as deck and command line have it
+      type(model_type), intent(in) :: given        !< as the deck has it
+      integer, intent(in) :: chosen(:)             !< parts; 1 of an undivided run
+      integer, intent(out) :: status
+      type(job_type) :: job                        !< with one part after another
+      type(error_type), allocatable :: error
+      logical :: failed(size(chosen))
+      integer :: i, outcome
+      status = status_ok
+      job = asked
+      call check_memory(job, given, error)
+      if (.not. allocated(error)) call make_folder(job%output_dir, error)
+      call watch_for_signals()
+      call note_failure(error, status)
+      if (allocated(error)) return
+      failed = .true.
+      do i = 1, size(chosen)
+         if (i > 1 .and. is_interrupted()) then
+            call note_ending('part '//to_text(chosen(i)), status)
+            exit
+         end if
+         job%part = chosen(i)
+         call run_alone(job, given, outcome)
+         status = graver(status, outcome)
+         failed(i) = outcome == status_failure .or. outcome == status_bad_input
+      end do
+      if (size(chosen) > 1 .and. any(failed)) &
+         call tell('not finished: --part '//part_list_text(pack(chosen, failed))//'/'//to_text(job%parts))
+   end subroutine run_deck
+
+   !> Takes the output folder for this run, or part of one, alone.
+   subroutine run_alone(job, given, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: given        !< as the deck has it
       integer, intent(out) :: status
@@ -60,18 +94,13 @@ contains
       character(:), allocatable :: note
       type(error_type), allocatable :: error
       status = status_ok
-      call check_memory(job, given, error)
-      if (.not. allocated(error)) call make_folder(job%output_dir, error)
-      call watch_for_signals()
-      if (.not. allocated(error)) call lock_folder(job%output_dir, job%part, job%parts, lock, note, error)
-      if (allocated(error)) then
-         call note_failure(error, status)
-         return
-      end if
+      call lock_folder(job%output_dir, job%part, job%parts, lock, note, error)
+      call note_failure(error, status)
+      if (allocated(error)) return
       if (note /= '' .and. .not. job%quiet) call tell(note)
       call run_in_folder(job, given, status)
       call release_folder(lock)
-   end subroutine run_deck
+   end subroutine run_alone
 
    !> What the path has that the deck's stations have not: every number below goes by it, so even --quiet prints it.
    subroutine print_path(model)
@@ -97,6 +126,7 @@ contains
       type(along_string_type), allocatable :: alongs(:)
       type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
+      type(part_faults_type) :: faults             !< of parts that are to be joined
       integer :: i, lost, rows
       logical :: calibrated_first
 
@@ -110,8 +140,10 @@ contains
          if (.not. allocated(error)) call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
          if (lost > 0) status = status_not_converged
       end if
-      if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, error)
-      if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, error)
+      call start_faults(faults, job%merge)
+      if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, faults, error)
+      if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, faults, error)
+      if (.not. allocated(error) .and. faults_text(faults) /= '') call raise(error, status_bad_input, faults_text(faults))
       ! what is refused so far leaves the results of an earlier run as they are
       if (.not. (allocated(error) .or. calibrated_first)) call begin_files(job, model, error)
       if (allocated(error)) then

@@ -12,6 +12,7 @@ module dg_run_sweeps
    use dg_missing, only: is_missing, missing
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_model_text, only: sweep_lines
+   use dg_part_faults, only: part_faults_type
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_rig, only: indicated_load
@@ -40,12 +41,13 @@ module dg_run_sweeps
 
 contains
 
-   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined. An error
-   !> (bad input) where that does not fit the deck.
-   subroutine prepare_sweeps(job, model, runs, error)
+   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined, with
+   !> their faults. An error (bad input) where a record does not fit the deck.
+   subroutine prepare_sweeps(job, model, runs, faults, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(sweep_run_type), allocatable, intent(out) :: runs(:)
+      type(part_faults_type), intent(inout) :: faults    !< of parts that are to be joined
       type(error_type), allocatable, intent(out) :: error
       integer :: i
       allocate (runs(size(job%sweeps)))
@@ -53,7 +55,7 @@ contains
          associate (sweep => job%sweeps(i), run => runs(i))
             allocate (run%points(point_count(sweep)))
             if (job%merge > 0) then
-               call take_parts(job, 'sweep', sweep%name, sweep_lines(model, sweep), run%points, error)
+               call take_parts(job, 'sweep', sweep%name, sweep_lines(model, sweep), run%points, faults)
             else
                call open_record(job, 'sweep', sweep%name, sweep_lines(model, sweep), run%points, run%keeper, error)
             end if

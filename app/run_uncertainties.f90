@@ -10,6 +10,7 @@ module dg_run_uncertainties
    use dg_load_case, only: operation_name
    use dg_model, only: model_type
    use dg_model_text, only: uncertainty_lines
+   use dg_part_faults, only: part_faults_type
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, seconds_between, show_progress, start_progress
    use dg_rig, only: indicated_load
@@ -40,11 +41,13 @@ module dg_run_uncertainties
 
 contains
 
-   !> Looks for what earlier runs have left. An error (bad input) where that does not fit the deck.
-   subroutine prepare_uncertainties(job, model, runs, error)
+   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined, with their
+   !> faults. An error (bad input) where a record does not fit the deck.
+   subroutine prepare_uncertainties(job, model, runs, faults, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(uncertainty_run_type), allocatable, intent(out) :: runs(:)
+      type(part_faults_type), intent(inout) :: faults    !< of parts that are to be joined
       type(error_type), allocatable, intent(out) :: error
       integer :: i
       allocate (runs(size(job%uncertainties)))
@@ -52,7 +55,7 @@ contains
          associate (uncertainty => job%uncertainties(i), run => runs(i))
             allocate (run%pieces(piece_count(uncertainty)))
             if (job%merge > 0) then
-               call take_parts(job, what, uncertainty%range%name, uncertainty_lines(model, uncertainty), run%pieces, error)
+               call take_parts(job, what, uncertainty%range%name, uncertainty_lines(model, uncertainty), run%pieces, faults)
             else
                call open_record(job, what, uncertainty%range%name, uncertainty_lines(model, uncertainty), run%pieces, &
                                 run%keeper, error)

@@ -7,6 +7,7 @@ module dg_sweep_record
    use dg_file_lines, only: read_lines
    use dg_file_system, only: delete_file, write_text_file
    use dg_job, only: job_type
+   use dg_part_faults, only: note_part, part_broken, part_faults_type, part_missing, part_unfinished, part_whole
    use dg_progress, only: seconds_between
    use dg_result_name, only: record_file
    use dg_sweep_result, only: is_solved, sweep_result_type
@@ -73,33 +74,34 @@ contains
       call write_record(keeper, points, error)   ! without a line that was cut short
    end subroutine open_record
 
-   !> Joins the results of all parts. What is missing, of another deck, or there twice is refused by name (bad input).
-   subroutine take_parts(job, what, name, settings, points, error)
+   !> Joins the results of all parts. Those that are missing, broken, of another deck or not finished are noted.
+   subroutine take_parts(job, what, name, settings, points, faults)
       type(job_type), intent(in) :: job
       character(*), intent(in) :: what, name
       type(text_type), intent(in) :: settings(:)
       type(sweep_result_type), intent(inout) :: points(:)
-      type(error_type), allocatable, intent(out) :: error
-      character(:), allocatable :: path, failure, faults, remedy
-      integer :: part, missing
+      type(part_faults_type), intent(inout) :: faults
+      character(:), allocatable :: path, failure
+      integer :: part, missing, state
       logical :: there
-      faults = ''
       do part = 1, job%merge
          path = record_path(job, what, name, part, job%merge)
          inquire (file=path, exist=there)
          failure = 'it is missing'
-         remedy = 'run'
-         if (there) remedy = 'remove it and run'
-         if (there) call take_file(job%units, path, part, job%merge, settings, points, failure)
-         if (failure == '') then
+         state = part_missing
+         if (there) then
+            call take_file(job%units, path, part, job%merge, settings, points, failure)
             missing = count(.not. is_solved(points(part::job%merge)))
-            if (missing > 0) remedy = 'go on with'
-            if (missing > 0) failure = 'it lacks '//to_text(missing)//' of its points'
+            state = part_whole
+            if (failure /= '') then
+               state = part_broken
+            else if (missing > 0) then
+               state = part_unfinished
+               failure = 'it lacks '//to_text(missing)//' of its points'
+            end if
          end if
-         if (failure /= '') faults = faults//new_line('a')//'  '//path//': '//failure//'; '//remedy//' --part '// &
-            to_text(part)//'/'//to_text(job%merge)
+         call note_part(faults, part, state, path, failure)
       end do
-      if (faults /= '') call raise(error, status_bad_input, what//' '//name//': its parts do not make a whole'//faults)
    end subroutine take_parts
 
    !> Takes the results of one file.

@@ -59,6 +59,7 @@ contains
       use dg_test_joint_bending, only: joint_bending_suite
       use dg_test_paraview, only: paraview_suite
       use dg_test_study, only: study_suite
+      use dg_test_part_list, only: part_list_suite
       use dg_test_sweep, only: sweep_suite
       use dg_test_calibration, only: calibration_suite
       use dg_test_calibration_coverage, only: calibration_coverage_suite
@@ -122,6 +123,7 @@ contains
       call suite%addTest(paraview_suite())
       call suite%addTest(study_suite())
       call suite%addTest(sweep_suite())
+      call suite%addTest(part_list_suite())
       call suite%addTest(calibration_suite())
       call suite%addTest(calibration_coverage_suite())
       call suite%addTest(prediction_suite())
