@@ -3,12 +3,12 @@
 module dg_sweep_table
    use dg_kinds, only: wp
    use dg_comparison, only: as_measured
-   use dg_case_result, only: result_converged
+   use dg_case_result, only: result_converged, result_not_converged
    use dg_job, only: model_name
    use dg_load_case, only: given, operation_label, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_sweep, only: at_operation, point_number, point_type, sweep_type
+   use dg_sweep, only: at_operation, point_at, point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -23,6 +23,8 @@ module dg_sweep_table
    integer, parameter :: label_width = 18
    !> Rows of a table: a page shows the shape of a curve, the file has every depth.
    integer, parameter :: most_rows = 25
+   !> Points without solution that are listed.
+   integer, parameter :: most_lost = 10
    integer, parameter :: hookload = 1, torque = 2, depth_digits = 7
 
 contains
@@ -47,7 +49,44 @@ contains
          call append_measured(lines, units, sweep, points, m)
       end do
       if (any(points%status /= result_converged)) call append_text(lines, '! no solution')
+      call append_lost(lines, units, sweep, points)
    end function sweep_table
+
+   !> The first points that did not converge, and how many there are.
+   pure subroutine append_lost(lines, units, sweep, points)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, parameter :: number_width = 9, model_width = 7
+      character(:), allocatable :: rule
+      type(point_type) :: point
+      integer :: i, lost, shown
+      lost = count(points%status == result_not_converged)
+      if (lost == 0) return
+      rule = repeat('-', number_width + 2 + model_width + label_width + 2*depth_width)
+      call append_text(lines, '')
+      call append_text(lines, to_text(lost)//' of '//to_text(size(points))//' points did not converge; the file says why')
+      call append_text(lines, rule)
+      call append_text(lines, right_aligned('Point', number_width)//'  '//left_aligned('Model', model_width)// &
+                       left_aligned('Operation', label_width)//right_aligned('Friction', depth_width)// &
+                       right_aligned('Depth, '//trim(units%length_label), depth_width))
+      call append_text(lines, rule)
+      shown = 0
+      do i = 1, size(points)
+         if (points(i)%status /= result_not_converged) cycle
+         if (shown == most_lost) exit
+         shown = shown + 1
+         point = point_at(sweep, i)
+         call append_text(lines, right_aligned(to_text(i), number_width)//'  '// &
+                          left_aligned(trim(model_name(sweep%models(point%model))), model_width)// &
+                          left_aligned(trim(operation_label(sweep%operations(point%operation))), label_width)// &
+                          right_aligned(factor_text(sweep, point%friction), depth_width)// &
+                          fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1))
+      end do
+      call append_text(lines, rule)
+      if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the file has them all')
+   end subroutine append_lost
 
    !> First points of the curves that have something to show: torque where the string turns or the bit has some.
    pure function curves_of(sweep, model, quantity) result(curves)

@@ -339,11 +339,12 @@ contains
       end subroutine refuse
    end subroutine test_refused_parts
 
-   !> Points without solution are marked, counted and told once, with exit status 3; the page says the same.
+   !> Points without solution are marked, counted, told once and listed up to ten, with exit status 3; the page says the
+   !> same.
    subroutine test_no_solution()
       type(run_type) :: run
       type(text_type), allocatable :: sweep(:)
-      character(:), allocatable :: deck, page
+      character(:), allocatable :: deck, page, row
       integer :: i, lost
       deck = good_deck()
       deck = replaced(deck(:index(deck, '&load_case') - 1), ', plots = .false.', '')//"&solver max_iterations = 2 /"//newline// &
@@ -366,6 +367,21 @@ contains
       call assertTrue(index(page, to_text(lost)//' of 3 solutions did not converge (exit status 3)') > 0)
       call assertEqual(lost, rows_of(page, &
                                      '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">trip_out</td>'))
+      call assertTrue(index(run%output, to_text(lost)//' of 3 points did not converge; the file says why'//newline) > 0, &
+                      message=run%output)
+      call assertFalse(index(run%output, ' of '//to_text(lost)//'; the file has them all') > 0, message=run%output)
+      deck = replaced(deck, 'bit_depth_step = 300, frictions = 0.3', 'bit_depth_step = 20, frictions = 0.2, 0.3')
+      run = run_deck_text(deck)
+      sweep = lines_of(csv)
+      lost = 0
+      do i = 2, size(sweep)
+         if (field(sweep(i)%text, 7) /= 'not_converged') cycle
+         lost = lost + 1
+         row = repeat(' ', 9 - len(to_text(i - 1)))//to_text(i - 1)//'  mcge   up'
+         call assertEqual(lost <= 10, index(run%output, newline//row) > 0, message=row)
+      end do
+      call assertGreaterThan(lost, 10, message='points lost')
+      call assertTrue(index(run%output, '10 of '//to_text(lost)//'; the file has them all') > 0, message=run%output)
    contains
       !> Rows of the page that begin with these cells.
       function rows_of(text, cells) result(number)
