@@ -17,8 +17,8 @@ contains
       is = len(text) >= 1 .and. len(text) <= longest_count .and. verify(text, '0123456789') == 0 .and. verify(text, '0') > 0
    end function is_count
 
-   !> Reads `list/n`: numbers and ranges of 1 to n between commas, each part once. `chosen` has them in ascending order. `failure` is
-   !> '' or says what is wrong; then nothing is chosen.
+   !> Reads `list/n`: numbers and ranges of 1 to n between commas, each part once. `chosen` has them in ascending order. `failure`
+   !> is '' or says what is wrong; then nothing is chosen.
    pure subroutine read_part_list(text, chosen, parts, failure)
       character(*), intent(in) :: text
       integer, allocatable, intent(out) :: chosen(:)

@@ -3,7 +3,8 @@ module dg_test_part_runs
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
-   use dg_program_run, only: content, deck_path, good_deck, results_path, run_deck_text, run_program, run_type
+   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
+                             run_program, run_type
    use dg_result_rows, only: lines_of
    use dg_text, only: text_type
    implicit none
@@ -24,6 +25,7 @@ contains
       call suite%addTest(TestMethod('faults_in_one_message', test_faults))
       call suite%addTest(TestMethod('two_sweeps_in_one_message', test_two_sweeps))
       call suite%addTest(TestMethod('one_part_fails', test_one_fails))
+      call suite%addTest(TestMethod('ended_by_signal', test_signal))
       call suite%addTest(TestMethod('refused_lists', test_refused))
    end function part_runs_suite
 
@@ -122,6 +124,29 @@ contains
       call assertFalse(there, message='the folder is free')
    end subroutine test_one_fails
 
+   !> A signal ends the part under way and leaves the next; the same command goes on, and all is as by one run.
+   subroutine test_signal()
+      type(run_type) :: run
+      character(:), allocatable :: deck, whole
+      logical :: there
+      deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge'")
+      deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 3 /')
+      run = run_deck_text(deck//"&sweep name = 'b', frictions = 0.2, 0.3, bit_depth_step = 5 /"//newline)
+      whole = content(csv)
+      call delete_file(csv)
+      run = run_interrupted('--threads 1 --part 1-2/2', 'sweep_b.part_1_of_2', 'TERM')
+      call assertEqual(1, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'ended by SIGTERM with') > 0 .and. &
+                      index(run%diagnostics, newline//'drillgap: not finished: --part 1-2/2'//newline) > 0, message=run%diagnostics)
+      inquire (file=record//'2_of_2', exist=there)
+      call assertFalse(there, message='the part after the signal')
+      run = run_program(again//'--part 1-2/2')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program(again//'--merge 2')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(content(csv) == whole, message='the same bytes as by one run')
+   end subroutine test_signal
+
    subroutine test_refused()
       call refuse('3,,7', 'it has no /')
       call refuse('3,,7/9', 'a number lacks')
@@ -137,8 +162,8 @@ contains
          type(run_type) :: run
          run = run_deck_text(good_deck()//group, '--part '//list)
          call assertEqual(2, run%status, message=list)
-         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is no part: '//wanted//'; give i/n with i from 1 to '// &
-                               'n, as in --part 2/4, or several, each once, as in --part 3,7-9/40'//newline) == 1, &
+         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is no part: '//wanted//'; give i/n with i from '// &
+                               '1 to n, as in --part 2/4, or several, each once, as in --part 3,7-9/40'//newline) == 1, &
                          message=list//'; got '//run%diagnostics)
          call assertFalse(run%has_results, message='no folder of results: '//list)
       end subroutine refuse
