@@ -10,6 +10,7 @@ import sys
 
 MAY_USE = {
     "base": set(),
+    "system": {"base"},
     "linear_algebra": {"base"},
     "trajectory": {"base"},
     "string": {"base"},
@@ -23,31 +24,39 @@ MAY_USE = {
     "soft_string": {"base", "buckling", "trajectory", "string", "hole", "model", "gap_element", "results"},
     "equations": {"base", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "soft_string"},
     "start": {"base", "bending", "buckling", "trajectory", "beam", "gap_element", "model", "soft_string", "equations"},
-    "iteration": {"base", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "equations"},
-    "solution": {"base", "bending", "buckling", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
+    "iteration": {"base", "system", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "equations"},
+    "solution": {"base", "system", "bending", "buckling", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string", "equations", "start", "iteration"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
     "mixed_string": {"base", "trajectory", "string", "model", "results", "soft_string", "rigid_string", "solution"},
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},
-    "calibration": {"base", "linear_algebra", "string", "hole", "model", "results"},
+    "calibration": {"base", "system", "linear_algebra", "string", "hole", "model", "results"},
     "uncertainty": {"base", "trajectory", "hole", "model", "results"},
-    "deck": {"base", "trajectory", "string", "hole", "model"},
+    "deck_text": {"base", "model"},
+    "imports": {"base", "deck_text", "system"},
+    "catalogue": {"base", "deck_text", "imports", "string", "system"},
+    "deck": {"base", "catalogue", "deck_text", "hole", "imports", "model", "string", "system", "trajectory"},
     "string_limits": {"base", "buckling", "trajectory", "string", "hole", "model", "results", "soft_string"},
-    "report": {"base", "buckling", "trajectory", "gap_element", "model", "results", "string_limits", "legacy", "study",
-               "calibration", "uncertainty"},
+    "columns": {"base", "model"},
+    "files": {"base", "buckling", "calibration", "columns", "gap_element", "legacy", "model", "results", "string_limits", "study",
+              "system", "trajectory", "uncertainty"},
+    "tables": {"base", "buckling", "calibration", "columns", "files", "legacy", "model", "results", "string_limits", "study",
+               "uncertainty"},
+    "pictures": {"base", "columns", "files", "model", "results", "string_limits", "system", "tables"},
+    "page": {"base", "columns", "files", "model", "pictures", "results", "string_limits", "system"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)
 
 # Folders that only the main program may use: input and output are no mechanics.
-ONLY_FROM_APP = {"deck", "report"}
+ONLY_FROM_APP = {"deck", "page"}
 # Folders whose procedures may read or write files and the screen.
-MAY_TALK = {"app", "deck", "report"}
-# The modules of base/ that touch files on their behalf, and ask the system.
-FILE_MODULES = {"src/base/file_lines.f90", "src/base/file_system.f90", "src/base/folder.f90",
-                "src/base/process_memory.f90"}
+MAY_TALK = {"app", "deck_text", "imports", "catalogue", "deck", "files", "pictures", "page"}
+# The modules of system/ that touch files on their behalf, and ask the system.
+FILE_MODULES = {"src/system/file_lines.f90", "src/system/file_system.f90", "src/system/folder.f90",
+                "src/system/process_memory.f90"}
 
 USE = re.compile(r"^\s*use\s*(?:,\s*(?:non_)?intrinsic\s*)?(?:::)?\s*(\w+)", re.I | re.M)
 MODULE = re.compile(r"^\s*module\s+(?!procedure\b|subroutine\b|function\b)(\w+)\s*$", re.I | re.M)

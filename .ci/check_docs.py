@@ -2,9 +2,9 @@
 """Checks that the READMEs of input/, output/ and src/ say what the sources hold.
 
   input/README.md   one table a group, between marks; must be the table that the deck reader's own rules give
-                    (src/deck/deck_keys.f90, defaults of &solver from src/model/numerics.f90); all operations named
+                    (src/deck_text/deck_keys.f90, defaults of &solver from src/model/numerics.f90); all operations named
   output/README.md  one table a file, between marks; must be the table that the writer's own columns give
-                    (src/report/*.f90), units of SI decks
+                    (OUTPUT_ROOMS), units of SI decks
   src/README.md     one row a folder, with the arrows of check_arrows.py; files and procedures that it cites exist
 
 Usage: check_docs.py [--write]     --write brings the tables of input/ and output/README.md up to date
@@ -16,6 +16,8 @@ import sys
 import check_arrows
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Rooms whose modules describe columns of files and tables.
+OUTPUT_ROOMS = ("columns", "files", "tables", "pictures", "page")
 
 # Tables of columns that only report.html has.
 ON_PAGE = {"part_columns", "lost_columns"}
@@ -128,7 +130,7 @@ def shown(value):
 
 def deck_units():
     """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
-    schema, units = source("deck/deck_schema.f90"), source("base/units.f90")
+    schema, units = source("deck_text/deck_schema.f90"), source("base/units.f90")
     labels = {name: (si, field or si) for name, si, field in
               re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)'\))?", schema)}
     factors = dict(re.findall(r"real\(wp\) :: (\w+) = ([\d.e]+)_wp", units))
@@ -149,7 +151,7 @@ def solver_defaults():
 
 def key_table(group, rules, labels, factors, numerics):
     """The lines of the table of a group's keys, as they stand in input/README.md."""
-    constants = real_constants(source("deck/deck_keys.f90"))
+    constants = real_constants(source("deck_text/deck_keys.f90"))
     lines = ["| key | default | legal values | unit (field) | meaning |", "|---|---|---|---|---|"]
     for plain, named in rules:
         if unquoted(plain[0]) != group:
@@ -196,7 +198,7 @@ def key_table(group, rules, labels, factors, numerics):
 def check_input(write):
     path = ROOT / "input/README.md"
     text = path.read_text(encoding="utf-8")
-    keys = source("deck/deck_keys.f90")
+    keys = source("deck_text/deck_keys.f90")
     rules = constructors(keys, "key_rule_type")
     labels, factors = deck_units()
     numerics = solver_defaults()
@@ -235,7 +237,7 @@ def header_suffixes():
     """What each quantity puts behind the name of a column, with SI units."""
     labels = {name: value.strip() for name, value in
               re.findall(r"character\(\d+\) :: (\w+_label) = '([^']*)'", source("base/units.f90"))}
-    text = source("report/column.f90")
+    text = source("columns/column.f90")
     body = re.search(r"function column_header\(.*?end function column_header", text, re.S).group()
     found = {}
     for quantity, expression in re.findall(r"case \((quantity_\w+)\); header = header//(.*)", body):
@@ -246,9 +248,9 @@ def header_suffixes():
 
 
 def column_tables():
-    """All tables of columns in src/report: name of the array, and its columns as pairs of header and meaning."""
+    """All tables of columns in OUTPUT_ROOMS: name of the array, and its columns as pairs of header and meaning."""
     suffixes, tables, faults = header_suffixes(), {}, []
-    for file in sorted((ROOT / "src/report").glob("*.f90")):
+    for file in sorted(file for room in OUTPUT_ROOMS for file in (ROOT / "src" / room).glob("*.f90")):
         text = without_comments(file)
         for name, body in re.findall(r"type\(column_type\), parameter :: (\w+)\(\d+\) = \[(.*?)\]\n", text, re.S):
             tables[name] = []
@@ -256,7 +258,7 @@ def column_tables():
                 meaning = "".join(unquoted(part.strip()) for part in plain[2].split("//"))
                 tables[name].append((unquoted(plain[0]) + suffixes.get(plain[1], ""), meaning))
         if "column_type(" in text and not any(name in text for name in tables) and file.name != "column.f90":
-            faults.append(f"src/report/{file.name}: columns that {pathlib.Path(__file__).name} does not understand")
+            faults.append(f"{file.relative_to(ROOT)}: columns that {pathlib.Path(__file__).name} does not understand")
     return tables, faults
 
 

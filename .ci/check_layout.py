@@ -6,6 +6,7 @@ import sys
 
 TOP = {"fpm.toml", "README.md", "CHANGELOG.md", "LICENSE", "src", "app", "test", "input", "output", "build"}
 LONGEST = 600   # lines a file
+FULL = 20       # files a room
 PREFIX = "dg_"
 
 MODULE = re.compile(r"^\s*module\s+(?!procedure\b|subroutine\b|function\b)(\w+)\s*$", re.I | re.M)
@@ -63,6 +64,10 @@ def untried_numbers(root):
 def check(root):
     faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
               if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root)
+    for room in sorted(p for p in (root / "src").iterdir() if p.is_dir()):
+        files = len(list(room.glob("*.f90")))
+        if files > FULL:
+            faults.append(f"src/{room.name}/: {files} files, more than {FULL}")
     for top in ("src", "app", "test"):
         for path in sorted((root / top).rglob("*.f90")):
             if "build" in path.relative_to(root).parts:
