@@ -1,6 +1,6 @@
 !> The headline of a page: how many solutions a run has asked for, how many failed, and which.
 module dg_html_outcome
-   use dg_column, only: field_list_type
+   use dg_column, only: column_type, field_list_type
    use dg_error, only: status_not_converged
    use dg_html_text, only: add_line, append_table, page_type
    use dg_run_outcome, only: locked_count, lost_columns, lost_count, outcome_type, part_columns, part_fields, solution_count
@@ -37,7 +37,7 @@ contains
          do i = 1, size(rows)
             call part_fields(outcome%parts(i), rows(i))
          end do
-         call append_table(lines, part_columns, part_columns%name, units, rows, spread(.false., 1, size(rows)))
+         call append_whole_table(lines, part_columns, units, rows)
       end if
    contains
       pure function locked_text() result(text)
@@ -54,8 +54,24 @@ contains
       type(outcome_type), intent(in) :: outcome
       if (.not. allocated(outcome%lost)) return
       call add_line(lines, '<h2>Without solution</h2>')
-      call append_table(lines, lost_columns, lost_columns%name, units, outcome%lost, spread(.false., 1, size(outcome%lost)))
+      call append_whole_table(lines, lost_columns, units, outcome%lost)
       if (outcome%unlisted > 0) call add_line(lines, '<p>and '//to_text(outcome%unlisted)//' rows more: see the files of '// &
                                               'results.</p>')
    end subroutine append_lost
+
+   !> A table of all columns that have any value, no row of it marked.
+   pure subroutine append_whole_table(lines, columns, units, rows)
+      type(page_type), intent(inout) :: lines
+      type(column_type), intent(in) :: columns(:)
+      type(unit_system_type), intent(in) :: units
+      type(field_list_type), intent(in) :: rows(:)
+      character(len(columns%name)) :: shown(size(columns))
+      logical :: marked(size(rows))
+      integer :: i
+      do i = 1, size(columns)
+         shown(i) = columns(i)%name
+      end do
+      marked = .false.
+      call append_table(lines, columns, shown, units, rows, marked)
+   end subroutine append_whole_table
 end module dg_html_outcome
