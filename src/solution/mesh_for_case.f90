@@ -57,7 +57,7 @@ contains
       real(wp), intent(out) :: strained        !< largest axial strain of the soft string [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
-      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:)
+      real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:), bends(:)
       logical :: straight_down
       real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
       integer :: e, i
@@ -71,6 +71,7 @@ contains
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals=totals, coiled=.true.)
          if (totals%runaway) return
          straight_down = is_straight_down(mesh)
+         allocate (bends, source=bend_depths(mesh))
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1)), &
                                                       near=mesh%arc(e)))%curvature
@@ -84,8 +85,8 @@ contains
                                                                     sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
             if ((e == 1 .and. .not. model%boundary%top_centred) .or. (e == mesh%elements .and. .not. model%boundary%bit_centred)) &
                scales(scale_end) = free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e))
+            if (any(abs(mesh%md(e) - bends) < reach_of_bend)) scales(scale_bend) = min(scales(scale_bend), longest_beside_bend)
             longest(e) = max(minval(scales), shortest)
-            if (is_beside_bend(mesh, e)) longest(e) = min(longest(e), longest_beside_bend)
             if (longest(e) < mesh%length(e)) then
                i = minloc(scales, dim=1)
                shortened(i) = shortened(i) + 1
@@ -108,19 +109,17 @@ contains
       end associate
    end subroutine mesh_for_case
 
-   !> Whether an element lies near a bent housing.
-   pure function is_beside_bend(mesh, e) result(beside)
+   !> Depths at which a housing is bent [m]; none in most strings.
+   pure function bend_depths(mesh) result(depths)
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: e
-      logical :: beside
-      integer :: n
-      beside = .false.
-      if (.not. allocated(mesh%bend)) return
-      do n = 1, mesh%elements
-         if (.not. any(abs(mesh%bend(:, n)) > 0.0_wp)) cycle
-         beside = beside .or. abs(mesh%md(e) - mesh%md(n)) < reach_of_bend
-      end do
-   end function is_beside_bend
+      real(wp), allocatable :: depths(:)
+      integer :: e
+      if (allocated(mesh%bend)) then
+         allocate (depths, source=pack(mesh%md(:mesh%elements), [(any(abs(mesh%bend(:, e)) > 0.0_wp), e=1, mesh%elements)]))
+      else
+         allocate (depths(0))
+      end if
+   end function bend_depths
 
    !> Depths of the nodes with the elements that are marked, and those next to them, cut in four, but not below the shortest, and
    !> their neighbours so that lengths grow gradually [m].
