@@ -16,6 +16,7 @@ module dg_bench_program
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
+   use dg_table_text, only: split_fields
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -139,40 +140,26 @@ contains
    function solution_seconds(path) result(seconds)
       character(*), intent(in) :: path
       real(wp) :: seconds
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure, field
+      type(text_type), allocatable :: lines(:), heads(:), fields(:)
+      character(:), allocatable :: failure
       real(wp) :: value
-      integer :: i, k, place, status
+      integer :: i, place, status
       seconds = 0.0_wp
       allocate (lines(0))
       call read_lines(path, lines, failure)
       if (size(lines) == 0) return
-      place = index(','//lines(1)%text//',', ',seconds,')
-      if (place == 0) return
-      place = count([(lines(1)%text(k:k) == ',', k=1, place - 1)])    ! commas before it
+      call split_fields(lines(1)%text, ',', heads)
+      do place = 1, size(heads)
+         if (heads(place)%text == 'seconds') exit
+      end do
+      if (place > size(heads)) return
       do i = 2, size(lines)
-         field = field_of(lines(i)%text, place)
-         read (field, *, iostat=status) value
+         call split_fields(lines(i)%text, ',', fields)
+         if (size(fields) < place) cycle
+         read (fields(place)%text, *, iostat=status) value
          if (status == 0) seconds = seconds + value
       end do
    end function solution_seconds
-
-   !> What stands behind so many commas.
-   pure function field_of(line, commas) result(field)
-      character(*), intent(in) :: line
-      integer, intent(in) :: commas
-      character(:), allocatable :: field
-      integer :: k, seen, first
-      seen = 0
-      first = 1
-      do k = 1, len(line)
-         if (line(k:k) /= ',') cycle
-         if (seen == commas) exit
-         seen = seen + 1
-         first = k + 1
-      end do
-      field = line(first:k - 1)
-   end function field_of
 
    !> Wall time of a deck's run over that of the solutions of its sweeps alone, done here, and of its load cases [-].
    function ratio_of_sweep(program, deck) result(ratio)
