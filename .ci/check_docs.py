@@ -130,11 +130,11 @@ def shown(value):
 
 def deck_units():
     """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
-    schema, units = source("deck_text/deck_schema.f90"), source("base/units.f90")
+    kinds, units = source("base/unit_kind.f90"), source("base/units.f90")
     labels = {name: (si, field or si) for name, si, field in
-              re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)'\))?", schema)}
+              re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)'\))?", kinds)}
     factors = dict(re.findall(r"real\(wp\) :: (\w+) = ([\d.e]+)_wp", units))
-    used = dict(re.findall(r"case \((unit_\w+)\); factor = units%(\w+)", schema))
+    used = dict(re.findall(r"case \((unit_\w+)\); factor = units%(\w+)", kinds))
     return labels, {name: float(factors.get(field, 1.0)) for name, field in used.items()}
 
 

@@ -3,8 +3,6 @@ module dg_deck_echo
    use dg_kinds, only: wp
    use dg_calibration_echo, only: add_calibrations
    use dg_component, only: component_type, has_bend, is_worn, worn_od
-   use dg_deck_schema, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_speed, unit_stress, unit_wall
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_job, only: job_type, model_name
@@ -22,6 +20,8 @@ module dg_deck_echo
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: position_at
    use dg_uncertainty_echo, only: add_uncertainties
+   use dg_unit_kind, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
+      unit_moment, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
    implicit none

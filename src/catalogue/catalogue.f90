@@ -6,11 +6,12 @@ module dg_catalogue
    use dg_connection, only: connection_name
    use dg_deck_number, only: read_real
    use dg_deck_keys, only: keys_of
-   use dg_deck_schema, only: key_rule_type, unit_factor, unit_label, unit_none
+   use dg_deck_schema, only: key_rule_type
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
    use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, suggestion, text_type, to_text
+   use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private

@@ -7,6 +7,7 @@ module dg_column
    use dg_number_text, only: csv_number, csv_text, put_csv_number
    use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
+   use dg_unit_kind, only: unit_label, unit_moment, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -109,12 +110,10 @@ contains
       case (quantity_width); text = trim(units%diameter_label)
       case (quantity_angle); text = 'deg'
       case (quantity_force); text = trim(units%force_label)
-      case (quantity_moment); text = 'kN.m'
-         if (field) text = 'kft.lbf'
+      case (quantity_moment); text = unit_label(units, unit_moment)
       case (quantity_line_load); text = 'kN/m'
          if (field) text = 'klbf/ft'
-      case (quantity_wall); text = 'kN/m2'
-         if (field) text = 'klbf/ft2'
+      case (quantity_wall); text = unit_label(units, unit_wall)
       case (quantity_stress); text = trim(units%stress_label)
       case (quantity_percent); text = '%'
       case (quantity_turns); text = 'turns'

@@ -3,7 +3,7 @@ module dg_deck_convert
    use dg_kinds, only: wp
    use dg_deck_keys, only: keys_of
    use dg_deck_number, only: read_real
-   use dg_deck_schema, only: key_rule_type, kind_real, unit_factor
+   use dg_deck_schema, only: key_rule_type, kind_real
    use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_file_lines, only: read_lines
@@ -11,6 +11,7 @@ module dg_deck_convert
    use dg_model, only: model_type
    use dg_read_deck, only: build_deck
    use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_unit_kind, only: unit_factor
    use dg_units, only: field_units, si_units, unit_system_type
    use dg_version, only: program_name
    implicit none

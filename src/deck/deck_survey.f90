@@ -2,12 +2,13 @@
 module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
-   use dg_deck_schema, only: hold_in_range, key_rule_type, range_text, unit_factor
+   use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_deck_tie_on, only: begins_below, begins_vertical
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_survey_file, only: station_list_type, read_survey_file
    use dg_text, only: to_text
+   use dg_unit_kind, only: unit_factor
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private

@@ -2,11 +2,11 @@
 !> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
 module dg_deck_keys
    use dg_kinds, only: wp
-   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical, unit_length, &
-      unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, unit_modulus, unit_stress, unit_wall, &
-      unit_rotation, unit_speed, unit_gravity
+   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical
    use dg_load_case, only: operation_count, operation_name, operation_alias
    use dg_text, only: joined
+   use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
+      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
    implicit none
    private
    public :: group_rules, keys_of, operation_words

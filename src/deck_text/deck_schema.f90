@@ -1,36 +1,20 @@
-!> What a deck may hold: the kinds of groups, keys, values and units. The tables themselves are in
+!> What a deck may hold: the kinds of groups, keys and values. The tables themselves are in
 !> dg_deck_keys; checking, conversion of units and documentation all read the same tables.
 module dg_deck_schema
    use dg_kinds, only: wp
+   use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type
    use dg_text, only: to_text, joined
    implicit none
    private
-   public :: group_rule_type, key_rule_type, unit_factor, unit_label, range_text, hold_in_range, split_words, listed
+   public :: group_rule_type, key_rule_type, range_text, hold_in_range, split_words, listed
    public :: kind_text, kind_real, kind_integer, kind_logical
-   public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
    public :: name_length, words_length
 
    integer, parameter :: kind_text = 1
    integer, parameter :: kind_real = 2
    integer, parameter :: kind_integer = 3
    integer, parameter :: kind_logical = 4
-
-   integer, parameter :: unit_none = 0
-   integer, parameter :: unit_length = 1
-   integer, parameter :: unit_diameter = 2
-   integer, parameter :: unit_angle = 3
-   integer, parameter :: unit_mass = 4       !< mass per length
-   integer, parameter :: unit_density = 5
-   integer, parameter :: unit_force = 6
-   integer, parameter :: unit_moment = 7
-   integer, parameter :: unit_modulus = 8
-   integer, parameter :: unit_stress = 9
-   integer, parameter :: unit_wall = 10      !< wall stiffness
-   integer, parameter :: unit_rotation = 11
-   integer, parameter :: unit_speed = 12
-   integer, parameter :: unit_gravity = 13   !< m/s2 in both systems
 
    !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers so that they come back to 1e-11.
    real(wp), parameter :: range_round_off = 2.0e-11_wp
@@ -66,63 +50,6 @@ module dg_deck_schema
    integer, parameter :: bound_digits = 5
 
 contains
-
-   !> SI value of one deck unit of a kind.
-   pure function unit_factor(units, unit) result(factor)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: unit
-      real(wp) :: factor
-      select case (unit)
-      case (unit_length); factor = units%length
-      case (unit_diameter); factor = units%diameter
-      case (unit_angle); factor = units%angle
-      case (unit_mass); factor = units%mass_per_length
-      case (unit_density); factor = units%density
-      case (unit_force); factor = units%force
-      case (unit_moment); factor = units%moment
-      case (unit_modulus); factor = units%modulus
-      case (unit_stress); factor = units%stress
-      case (unit_wall); factor = units%wall_stiffness
-      case (unit_rotation); factor = units%rotation_speed
-      case (unit_speed); factor = units%trip_speed
-      case default; factor = 1.0_wp
-      end select
-   end function unit_factor
-
-   !> Name of a unit for messages; '' for plain numbers.
-   pure function unit_label(units, unit) result(label)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: unit
-      character(:), allocatable :: label
-      logical :: field
-      field = units%name == 'field'
-      select case (unit)
-      case (unit_length); label = pick('m', 'ft')
-      case (unit_diameter); label = pick('mm', 'in')
-      case (unit_angle); label = 'deg'
-      case (unit_mass); label = pick('kg/m', 'lbm/ft')
-      case (unit_density); label = pick('kg/m3', 'lbm/gal')
-      case (unit_force); label = pick('kN', 'klbf')
-      case (unit_moment); label = pick('kN.m', 'kft.lbf')
-      case (unit_modulus); label = pick('GPa', '1e6 psi')
-      case (unit_stress); label = pick('MPa', 'ksi')
-      case (unit_wall); label = pick('kN/m2', 'klbf/ft2')
-      case (unit_rotation); label = 'rpm'
-      case (unit_speed); label = pick('m/s', 'ft/s')
-      case (unit_gravity); label = 'm/s2'
-      case default; label = ''
-      end select
-   contains
-      pure function pick(si, other) result(one)
-         character(*), intent(in) :: si, other
-         character(:), allocatable :: one
-         if (field) then
-            one = other
-         else
-            one = si
-         end if
-      end function pick
-   end function unit_label
 
    !> Legal range of a key in words, in the deck's units: '> 0 mm', '0 to 180 deg'.
    pure function range_text(rule, units, si) result(text)

@@ -2,8 +2,9 @@
 !> from the tables of keys, so that it names all of them.
 module dg_deck_template
    use dg_deck_keys, only: group_rules, keys_of, operation_words
-   use dg_deck_schema, only: key_rule_type, kind_text, listed, range_text, unit_label, unit_none
+   use dg_deck_schema, only: key_rule_type, kind_text, listed, range_text
    use dg_text, only: append_text, text_type
+   use dg_unit_kind, only: unit_label, unit_none
    use dg_units, only: si_units
    use dg_version, only: program_name, program_version
    implicit none

@@ -4,12 +4,13 @@ module dg_deck_values
    use dg_kinds, only: wp
    use dg_checked_group, only: value_type, checked_group_type, rule_index
    use dg_deck_number, only: read_real, read_integer, read_logical
-   use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, unit_factor, unit_label, &
-      range_text, hold_in_range, split_words, listed, name_length, unit_none
+   use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
+      split_words, listed, name_length
    use dg_deck_keys, only: keys_of, operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: text_type, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
    implicit none
    private

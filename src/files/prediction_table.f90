@@ -13,6 +13,7 @@ module dg_prediction_table
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -212,7 +213,6 @@ contains
       integer, intent(in) :: kind
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
-      if (kind /= hookload_datum) text = 'torque, kN.m'
-      if (kind /= hookload_datum .and. units%name == 'field') text = 'torque, kft.lbf'
+      if (kind /= hookload_datum) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_words
 end module dg_prediction_table

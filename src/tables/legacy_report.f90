@@ -8,6 +8,7 @@ module dg_legacy_report
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -157,20 +158,17 @@ contains
       integer, intent(in) :: k
       real(wp), intent(out) :: factor
       type(text_type), intent(out) :: unit
-      logical :: field
-      field = units%name == 'field'
       select case (k)
       case (1)
          factor = units%force
          unit%text = trim(units%force_label)
       case (2)
          factor = units%moment
-         unit%text = 'kN.m'
-         if (field) unit%text = 'kft.lbf'
+         unit%text = unit_label(units, unit_moment)
       case default
          factor = units%force_per_length
          unit%text = 'kN/m'
-         if (field) unit%text = 'klbf/ft'
+         if (units%name == 'field') unit%text = 'klbf/ft'
       end select
    end subroutine unit_of
 end module dg_legacy_report

@@ -8,6 +8,7 @@ module dg_model_table
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -62,8 +63,7 @@ contains
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: moment
-      moment = 'kN.m'
-      if (units%name == 'field') moment = 'kft.lbf'
+      moment = unit_label(units, unit_moment)
       call append_text(lines, left_aligned('Case', name_width)//left_aligned('Model', model_width)// &
                        right_aligned('Hook load', number_width)//right_aligned('Difference', number_width)// &
                        right_aligned('', share_width)//right_aligned('Torque', number_width)// &

@@ -11,6 +11,7 @@ module dg_result_table
    use dg_model, only: model_type
    use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -129,7 +130,7 @@ contains
       third = repeat(' ', layout%section + operation_width)// &
          right_aligned(trim(units%force_label), wob_width)//right_aligned(trim(units%force_label), calculated_width)// &
          right_aligned(trim(units%force_label), measured_width)//right_aligned('%', error_width)// &
-         right_aligned(trim(units%force_label), friction_width)//right_aligned(moment_unit(units), moment_width)
+         right_aligned(trim(units%force_label), friction_width)//right_aligned(unit_label(units, unit_moment), moment_width)
       if (layout%indicator) then
          first = first//right_aligned('Weight', indicator_width)
          second = second//right_aligned('indicator', indicator_width)
@@ -298,7 +299,7 @@ contains
          trim(adjustl(scientific_cell(maxval(results%equilibrium_force)/units%force, residual_width)))//' '// &
          trim(units%force_label)//', '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &
-         moment_unit(units)
+         unit_label(units, unit_moment)
       call append_text(lines, line)
       if (any(results%element_lengths(2) > 0.0_wp)) call append_text(lines, mesh_line(results, units))
       if (any(results%way /= way_not_asked)) call append_text(lines, plane_line(results))
@@ -377,12 +378,4 @@ contains
       end do
       call append_text(lines, trim(rest))
    end subroutine append_wrapped
-
-   !> The moment's unit as text for readers ('kNm' is for file headers).
-   pure function moment_unit(units) result(label)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: label
-      label = 'kN.m'
-      if (units%name == 'field') label = 'kft.lbf'
-   end function moment_unit
 end module dg_result_table

@@ -10,6 +10,7 @@ module dg_sticking_table
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_no_solution, sticking_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -45,7 +46,8 @@ contains
       integer :: i
       call append_text(lines, 'Sticking '//sticking%name//': resistance at '// &
                        to_text(sticking%depth/units%length, depth_digits)//' '//trim(units%length_label)// &
-                       ', from measured hook load and torque; in '//trim(units%force_label)//' and '//moment_unit(units))
+                       ', from measured hook load and torque; in '//trim(units%force_label)//' and '// &
+                       unit_label(units, unit_moment))
       head = left_aligned('Load case', name_width)//left_aligned('Model', model_width)// &
              left_aligned('Operation', label_width)//right_aligned('Measured', cell_width)//right_aligned('Free', cell_width)// &
              right_aligned('Above', cell_width)//right_aligned('Below', cell_width)//right_aligned('Resists', cell_width)// &
@@ -129,11 +131,4 @@ contains
          words = trim(adjustl(fixed_cell(value/units%force, cell_width, 1)))
       end function shown
    end subroutine append_free_points
-
-   pure function moment_unit(units) result(text)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = 'kN.m'
-      if (units%name == 'field') text = 'kft.lbf'
-   end function moment_unit
 end module dg_sticking_table

@@ -11,6 +11,7 @@ module dg_sweep_table
    use dg_sweep, only: at_operation, point_at, point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -359,7 +360,6 @@ contains
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
       if (indicated) text = 'hook load as the rig shows it, '//trim(units%force_label)
-      if (quantity == torque) text = 'torque, kN.m'
-      if (quantity == torque .and. units%name == 'field') text = 'torque, kft.lbf'
+      if (quantity == torque) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_text
 end module dg_sweep_table

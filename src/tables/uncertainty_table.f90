@@ -11,6 +11,7 @@ module dg_uncertainty_table
    use dg_sweep, only: point_number, point_type
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: uncertainty_type
+   use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -102,7 +103,7 @@ contains
                        trim(model_name(uncertainty%range%models(curve%model)))//': '// &
                        trim(merge('hook load as the rig shows it', 'hook load                    ', indicated))//', '// &
                        trim(units%force_label)// &
-                       ', and torque, '//moment_unit(units)//', under which 10, 50 and 90 % of the samples lie')
+                       ', and torque, '//unit_label(units, unit_moment)//', under which 10, 50 and 90 % of the samples lie')
       head = right_aligned('Bit depth', depth_width)//right_aligned('P10', cell_width)//right_aligned('P50', cell_width)// &
              right_aligned('P90', cell_width)//right_aligned('Measured', cell_width)//right_aligned('P10', cell_width)// &
              right_aligned('P50', cell_width)//right_aligned('P90', cell_width)//right_aligned('Samples', cell_width)
@@ -167,11 +168,4 @@ contains
              fixed_cell(known(distribution%quantiles(p50)), unit, cell_width, decimals)// &
              fixed_cell(known(distribution%quantiles(p90)), unit, cell_width, decimals)
    end function cells
-
-   pure function moment_unit(units) result(text)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = 'kN.m'
-      if (units%name == 'field') text = 'kft.lbf'
-   end function moment_unit
 end module dg_uncertainty_table

@@ -4,7 +4,7 @@ module dg_test_deck_model
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
    use dg_deck_keys, only: keys_of
-   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, unit_factor
+   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, fault_text
    use dg_file_system, only: delete_file, write_text_file
@@ -15,6 +15,7 @@ module dg_test_deck_model
    use dg_numerics, only: gap_at_nodes, numerics_type
    use dg_read_deck, only: read_deck
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_factor
    use dg_units, only: field_units, si_units
    implicit none
    private

@@ -3,12 +3,13 @@ module dg_test_deck_text
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_deck_number, only: read_integer, read_logical, read_real
-   use dg_deck_schema, only: range_text, unit_length, unit_diameter, key_rule_type
+   use dg_deck_schema, only: range_text, key_rule_type
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize, token_comma, token_end, token_equals, token_group, token_open_text, &
       token_stray, token_text, token_word
    use dg_fault_list, only: add_fault, fault_list_type, fault_text, fault_type, sorted_faults
    use dg_text, only: append_text, edit_distance, is_separator_free, lower_case, nearest_name, quoted, text_type, to_text
+   use dg_unit_kind, only: unit_length, unit_diameter
    use dg_units, only: field_units, si_units
    implicit none
    private
