@@ -182,7 +182,9 @@ contains
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
-      if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) call print_line('Results in '//job%output_dir)
+      if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
+         call print_line('Results in '//job%output_dir// &
+                         trim(merge('; open report.html there', '                        ', job%plots)))
       call flush_output()
       if (job%plots .and. job%parts == 0) then
          if (is_interrupted()) then

@@ -1,11 +1,12 @@
-!> The broomstick in print: hook load and torque against bit depth, a column for each operation and friction factor, and
-!> what was measured beside what was calculated. Every line fits 120 columns.
+!> The broomstick in print: hook load and torque against bit depth, a column for each operation and friction factor.
+!> Every line fits 120 columns.
 module dg_sweep_table
    use dg_kinds, only: wp
    use dg_comparison, only: as_measured
    use dg_case_result, only: result_converged, result_not_converged
    use dg_job, only: model_name
-   use dg_load_case, only: given, operation_label, optional_real, rotates
+   use dg_load_case, only: moves_axially, operation_label, rotates
+   use dg_measured_table, only: append_measured, factor_text, quantity_hookload, quantity_torque
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, sweep_type
@@ -15,18 +16,25 @@ module dg_sweep_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: sweep_table, fitting_friction
+   public :: sweep_table
 
    integer, parameter :: depth_width = 10
    integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
    integer, parameter :: most_columns = 12
-   integer, parameter :: name_width = 24
    integer, parameter :: label_width = 18
    !> Rows of a table: a page shows the shape of a curve, the file has every depth.
    integer, parameter :: most_rows = 25
    !> Points without solution that are listed.
    integer, parameter :: most_lost = 10
-   integer, parameter :: hookload = 1, torque = 2, depth_digits = 7
+   integer, parameter :: depth_digits = 7
+   !> Digits behind the point.
+   integer, parameter :: hookload_digits = 1, torque_digits = 2
+
+   !> A column of a table.
+   type :: curve_type
+      type(point_type) :: point            !< its first
+      logical :: any_friction = .false.    !< it stands for all friction factors
+   end type curve_type
 
 contains
 
@@ -36,12 +44,12 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
       type(text_type), allocatable :: lines(:)
-      type(point_type), allocatable :: curves(:)
+      type(curve_type), allocatable :: curves(:)
       integer :: m, quantity, first
       allocate (lines(0))
       do m = 1, size(sweep%models)
-         do quantity = hookload, torque
-            curves = curves_of(sweep, m, quantity)
+         do quantity = quantity_hookload, quantity_torque
+            curves = curves_of(units, sweep, points, m, quantity)
             do first = 1, size(curves), most_columns
                call append_curves(lines, units, sweep, points, quantity, curves(first:min(first + most_columns - 1, size(curves))))
             end do
@@ -89,20 +97,50 @@ contains
       if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the file has them all')
    end subroutine append_lost
 
-   !> First points of the curves that have something to show: torque where the string turns or the bit has some.
-   pure function curves_of(sweep, model, quantity) result(curves)
+   !> The curves that have something to show: torque where the string turns or the bit has some; hook loads of a string that turns
+   !> in its place, which friction does not change, once for all friction factors.
+   pure function curves_of(units, sweep, points, model, quantity) result(curves)
+      type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: model, quantity
-      type(point_type), allocatable :: curves(:)
+      type(curve_type), allocatable :: curves(:)
+      logical :: once
       integer :: o, f
       allocate (curves(0))
       do o = 1, size(sweep%operations)
-         if (quantity == torque .and. .not. (rotates(sweep%operations(o)) .or. at_operation(sweep%tob, o) > 0.0_wp)) cycle
-         do f = 1, size(sweep%frictions)
-            curves = [curves, point_type(model, o, f, 1)]
+         if (quantity == quantity_torque .and. .not. (rotates(sweep%operations(o)) .or. at_operation(sweep%tob, o) > 0.0_wp)) cycle
+         once = .false.
+         if (quantity == quantity_hookload .and. size(sweep%frictions) > 1 .and. .not. moves_axially(sweep%operations(o))) &
+            once = all_alike(units, sweep, points, model, o)
+         do f = 1, merge(1, size(sweep%frictions), once)
+            curves = [curves, curve_type(point_type(model, o, f, 1), once)]
          end do
       end do
    end function curves_of
+
+   !> Whether the hook loads of an operation are shown with the same digits at all friction factors, and all are solutions.
+   pure function all_alike(units, sweep, points, model, operation) result(alike)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model, operation
+      logical :: alike
+      real(wp) :: one, other
+      integer :: d, f
+      alike = .false.
+      do d = 1, size(sweep%depths)
+         do f = 1, size(sweep%frictions)
+            associate (found => points(point_number(sweep, point_type(model, operation, f, d))))
+               if (found%status /= result_converged) return
+               other = anint(as_measured(found%hookload, found%weight_indicator)/units%force*10.0_wp**hookload_digits)
+            end associate
+            if (f == 1) one = other
+            if (abs(other - one) > 0.5_wp) return
+         end do
+      end do
+      alike = .true.
+   end function all_alike
 
    !> One table: a row a depth, a column a curve.
    pure subroutine append_curves(lines, units, sweep, points, quantity, curves)
@@ -111,23 +149,25 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: quantity
-      type(point_type), intent(in) :: curves(:)
-      character(:), allocatable :: head, factors, row, rule
+      type(curve_type), intent(in) :: curves(:)
+      character(:), allocatable :: head, factors, factor, row, rule
       type(point_type) :: point
       integer :: i, k, n, row_count
       call append_text(lines, '')
-      call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%model)))//': '// &
+      call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
                        quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors')
       head = right_aligned('Bit depth', depth_width)
       factors = right_aligned(trim(units%length_label), depth_width)
       i = 1
       do while (i <= size(curves))
-         n = count(curves%operation == curves(i)%operation)
-         head = head//operation_head(trim(operation_label(sweep%operations(curves(i)%operation))), n)
+         n = count(curves%point%operation == curves(i)%point%operation)
+         head = head//operation_head(trim(operation_label(sweep%operations(curves(i)%point%operation))), n)
          i = i + n
       end do
       do k = 1, size(curves)
-         factors = factors//right_aligned(factor_text(sweep, curves(k)%friction), cell_width - 1)//' '
+         factor = 'any'
+         if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
+         factors = factors//right_aligned(factor, cell_width - 1)//' '
       end do
       rule = repeat('-', max(len_trim(head), len(factors)))
       call append_text(lines, rule)
@@ -139,14 +179,15 @@ contains
       do i = 1, row_count
          row = ''
          do k = 1, size(curves)
-            point = curves(k)
+            point = curves(k)%point
             point%depth = ceiling(real(i, wp)*real(n, wp)/real(row_count, wp))
             if (k == 1) row = fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1)
             associate (found => points(point_number(sweep, point)))
-               if (quantity == torque) then
-                  row = row//fixed_cell(found%torque/units%moment, cell_width - 1, 2)
+               if (quantity == quantity_torque) then
+                  row = row//fixed_cell(found%torque/units%moment, cell_width - 1, torque_digits)
                else
-                  row = row//fixed_cell(as_measured(found%hookload, found%weight_indicator)/units%force, cell_width - 1, 1)
+                  row = row//fixed_cell(as_measured(found%hookload, found%weight_indicator)/units%force, cell_width - 1, &
+                                        hookload_digits)
                end if
                row = row//merge(' ', '!', found%status == result_converged)
             end associate
@@ -169,145 +210,6 @@ contains
          head = right_aligned(label(:index(label//' ', ' ') - 1), cell_width - 1)
       end if
    end function operation_head
-
-   !> What was measured, what every friction factor gives there, and the factor that would give it.
-   pure subroutine append_measured(lines, units, sweep, points, model)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)
-      integer, intent(in) :: model
-      integer, parameter :: most_factors = 5
-      character(:), allocatable :: head, rule
-      integer :: i, f, shown
-      shown = min(size(sweep%frictions), most_factors)
-      if (size(sweep%measured) == 0) return
-      call append_text(lines, '')
-      call append_text(lines, 'Measured, and calculated by '//trim(model_name(sweep%models(model)))//' at friction factors')
-      head = left_aligned('Load case', name_width)//right_aligned('Bit depth', depth_width)//'  '// &
-         left_aligned('Operation', label_width)//right_aligned('Measured', cell_width + 1)
-      do f = 1, shown
-         head = head//right_aligned(factor_text(sweep, f), cell_width - 1)//' '
-      end do
-      head = head//right_aligned('Fits', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
-      do i = 1, size(sweep%measured)
-         if (sweep%measured(i)%hookload%present) &
-            call append_text(lines, measured_row(units, sweep, points, model, i, hookload, shown))
-         if (sweep%measured(i)%torque%present) &
-            call append_text(lines, measured_row(units, sweep, points, model, i, torque, shown))
-      end do
-      call append_text(lines, rule)
-      call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
-   end subroutine append_measured
-
-   pure function measured_row(units, sweep, points, model, number, quantity, shown) result(row)
-      type(unit_system_type), intent(in) :: units
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)
-      integer, intent(in) :: model
-      integer, intent(in) :: number    !< of the measured point
-      integer, intent(in) :: quantity
-      integer, intent(in) :: shown     !< friction factors in the row
-      character(:), allocatable :: row
-      type(point_type) :: point
-      real(wp) :: values(size(sweep%frictions)), unit, one
-      logical :: solved(size(sweep%frictions))
-      type(optional_real) :: measured
-      integer :: f
-      one = 1.0_wp
-      associate (told => sweep%measured(number))
-         measured = told%hookload
-         unit = units%force
-         if (quantity == torque) measured = told%torque
-         if (quantity == torque) unit = units%moment
-         row = left_aligned(told%name, name_width)//fixed_cell(told%bit_depth/units%length, depth_width, 1)//'  '// &
-            left_aligned(trim(operation_label(told%operation)), label_width)//fixed_cell(measured, unit, cell_width + 1, quantity)
-         point = point_type(model, findloc_of(sweep%operations, told%operation), 1, depth_of(sweep, told%bit_depth))
-      end associate
-      do f = 1, size(values)
-         point%friction = f
-         associate (found => points(point_number(sweep, point)))
-            values(f) = as_measured(found%hookload, found%weight_indicator)
-            if (quantity == torque) values(f) = found%torque
-            solved(f) = found%status == result_converged
-            if (f <= shown) row = row//fixed_cell(values(f)/unit, cell_width - 1, quantity)// &
-               merge(' ', '!', found%status == result_converged)
-         end associate
-      end do
-      if (allocated(sweep%frictions_cased)) return     ! no one factor
-      row = row//fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
-   end function measured_row
-
-   !> Friction factor at which values known at some factors reach a measured one, by straight lines between neighbours;
-   !> absent where the measured value lies outside.
-   pure function fitting_friction(frictions, values, solved, measured) result(friction)
-      type(optional_real), intent(in) :: frictions(:)
-      real(wp), intent(in) :: values(:)        !< at these factors
-      logical, intent(in) :: solved(:)         !< whether they are solutions
-      real(wp), intent(in) :: measured
-      type(optional_real) :: friction
-      integer :: order(size(frictions)), i, j, moving
-      if (.not. all(frictions%present)) return
-      order = [(i, i=1, size(order))]
-      do i = 2, size(order)
-         do j = i, 2, -1
-            if (frictions(order(j - 1))%value <= frictions(order(j))%value) exit
-            moving = order(j)
-            order(j) = order(j - 1)
-            order(j - 1) = moving
-         end do
-      end do
-      do i = 2, size(order)
-         associate (a => values(order(i - 1)), b => values(order(i)), from => frictions(order(i - 1))%value, &
-                    to => frictions(order(i))%value)
-            if (.not. (solved(order(i - 1)) .and. solved(order(i)))) cycle
-            if ((measured - a)*(measured - b) > 0.0_wp .or. .not. abs(b - a) > 0.0_wp) cycle
-            friction = given(from + (to - from)*(measured - a)/(b - a))
-            return
-         end associate
-      end do
-   end function fitting_friction
-
-   !> Place of a number in a list.
-   pure function findloc_of(list, number) result(place)
-      integer, intent(in) :: list(:), number
-      integer :: place
-      do place = 1, size(list) - 1
-         if (list(place) == number) return
-      end do
-      place = size(list)
-   end function findloc_of
-
-   !> Place of the depth nearest to one that is among them [m].
-   pure function depth_of(sweep, depth) result(place)
-      type(sweep_type), intent(in) :: sweep
-      real(wp), intent(in) :: depth
-      integer :: place
-      place = minloc(abs(sweep%depths - depth), dim=1)
-   end function depth_of
-
-   !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
-   pure function factor_text(sweep, number) result(text)
-      type(sweep_type), intent(in) :: sweep
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      integer, parameter :: digits = 4, few_digits = 2
-      text = 'hole'
-      if (sweep%frictions(number)%present) text = to_text(sweep%frictions(number)%value, digits)
-      if (allocated(sweep%frictions_cased)) text = without_zero(to_text(sweep%frictions_cased(number), few_digits))//'/'// &
-         without_zero(to_text(sweep%frictions(number)%value, few_digits))
-   contains
-      pure function without_zero(long) result(short)
-         character(*), intent(in) :: long
-         character(:), allocatable :: short
-         short = long
-         if (index(long, '0.') == 1) short = long(2:)
-      end function without_zero
-   end function factor_text
 
    !> From which depth on a curve is beyond a limit of the rig, yields, or goes down no more by its weight.
    pure subroutine append_limits(lines, units, sweep, points, model)
@@ -360,6 +262,6 @@ contains
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
       if (indicated) text = 'hook load as the rig shows it, '//trim(units%force_label)
-      if (quantity == torque) text = 'torque, '//unit_label(units, unit_moment)
+      if (quantity == quantity_torque) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_text
 end module dg_sweep_table

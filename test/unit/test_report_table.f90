@@ -22,6 +22,7 @@ contains
       suite = TestSuite('report_table')
       call suite%addTest(TestMethod('rows_of_table_1', test_rows_of_table_1))
       call suite%addTest(TestMethod('no_reference_no_column', test_no_reference_no_column))
+      call suite%addTest(TestMethod('empty_columns', test_empty_columns))
       call suite%addTest(TestMethod('errors_over_solved_cases', test_errors_over_solved_cases))
       call suite%addTest(TestMethod('costs_and_states', test_costs_and_states))
       call suite%addTest(TestMethod('what_is_no_solution_is_marked', test_what_is_no_solution_is_marked))
@@ -38,14 +39,14 @@ contains
       allocate (lines, source=sample_table())
       call assertTrue(has(lines, 'Sample'))
       call assertTrue(has(lines, 'Model mcge'))
-      call assertTrue(has(lines, 'Inclined section           up                    0.0      733.4     745.0     1.56     -17.29'// &
-                          '       -         -      -'), message='up')
-      call assertTrue(has(lines, '2075 m, 65 deg             down                  0.0      699.6     707.0     1.05      16.37'// &
-                          '       -         -      -'), message='down')
-      call assertTrue(has(lines, '                           rotary drilling     150.0      568.2     564.0     0.74          -'// &
-                          '   13.69         -      -'), message='rotary')
-      call assertTrue(has(lines, '                           sliding drilling    170.0      530.0         -        -      29.84'// &
-                          '       -     524.3   1.09 !'), message='sliding')
+      call assertTrue(has(lines, 'Inclined section up               i_up           0.0      733.4     745.0     1.56     -17.29'// &
+                          '        -         -     -'), message='up')
+      call assertTrue(has(lines, '2075 m, 65 deg   down             i_down         0.0      699.6     707.0     1.05      16.37'// &
+                          '        -         -     -'), message='down')
+      call assertTrue(has(lines, '                 rotary drilling  i_rotary     150.0      568.2     564.0     0.74          -'// &
+                          '    13.69         -     -'), message='rotary')
+      call assertTrue(has(lines, '                 sliding drilling i_sliding    170.0      530.0         -        -      29.84'// &
+                          '        -     524.3  1.09 !'), message='sliding')
    end subroutine test_rows_of_table_1
 
    subroutine test_no_reference_no_column()
@@ -59,13 +60,33 @@ contains
       call assertTrue(contains_text(lines, 'Measured'))
    end subroutine test_no_reference_no_column
 
+   !> Columns that would be empty are left out: nothing measured, only strings that turn, only strings that move.
+   subroutine test_empty_columns()
+      type(text_type), allocatable :: lines(:)
+      type(case_result_type), allocatable :: results(:)
+      type(model_type) :: model
+      model = sample_model()
+      model%cases%measured_hookload = optional_real()
+      model%cases%measured_torque = optional_real()
+      allocate (results, source=sample_results())
+      allocate (lines, source=result_table(sample_job(), model, results(1:2)))
+      call assertFalse(contains_text(lines, 'Measured'), message='nothing measured')
+      call assertFalse(contains_text(lines, 'Relative'), message='no error')
+      call assertFalse(contains_text(lines, '(torque)'), message='nothing turns')
+      call assertTrue(contains_text(lines, '(drag)'))
+      deallocate (lines)
+      allocate (lines, source=result_table(sample_job(), model, results(3:3)))
+      call assertFalse(contains_text(lines, '(drag)'), message='nothing moves')
+      call assertTrue(contains_text(lines, '(torque)'))
+   end subroutine test_empty_columns
+
    !> Mean of 1.557, 1.047 and 0.745 %.
    subroutine test_errors_over_solved_cases()
       type(text_type), allocatable :: lines(:)
       allocate (lines, source=sample_table())
       call assertTrue(has(lines, 'Hook load against measurement: mean error 1.12 %, worst 1.56 % (i_up), 3 cases'))
       call assertTrue(has(lines, 'Hook load against reference: no case solved, 1 not solved left out'))
-      call assertFalse(contains_text(lines, 'Force moment against'))
+      call assertFalse(contains_text(lines, 'Torque against'))
    end subroutine test_errors_over_solved_cases
 
    subroutine test_costs_and_states()
@@ -114,7 +135,7 @@ contains
       job = sample_job()
       job%units = field_units()
       allocate (lines, source=result_table(job, sample_model(), sample_results()))
-      call assertTrue(contains_text(lines, 'up                    0.0      164.9     167.5     1.56      -3.89'))
+      call assertTrue(contains_text(lines, 'up               i_up           0.0      164.9     167.5     1.56      -3.89'))
       call assertTrue(contains_text(lines, '6807.7 ft, 65 deg'))
       call assertTrue(contains_text(lines, ' 10.10 '))
       call assertTrue(contains_text(lines, 'klbf'))
@@ -122,7 +143,7 @@ contains
       call assertFalse(contains_text(lines, 'kN.m'))
    end subroutine test_field_units
 
-   !> 733.4 kN and a block of 150 kN, measured 880 kN: 0.39 %. With a reference the label is narrower.
+   !> 733.4 kN and a block of 150 kN, measured 880 kN: 0.39 %. With a reference, too, the labels are narrower.
    subroutine test_with_a_rig()
       type(case_result_type), allocatable :: results(:)
       type(text_type), allocatable :: lines(:)
@@ -133,8 +154,8 @@ contains
       allocate (results, source=sample_results())
       results%weight_indicator = results%hookload + 150.0e3_wp
       allocate (lines, source=result_table(sample_job(), model, results))
-      call assertTrue(has(lines, 'Inclined section up                    0.0      733.4     880.0     0.39     -17.29       -'// &
-                          '     883.4         -      -'), message='up')
+      call assertTrue(has(lines, 'Inclined       up                 0.0      733.4     880.0     0.39     -17.29'// &
+                          '        -     883.4         -     -'), message='up')
       call assertTrue(contains_text(lines, 'Weight indicator against measurement: mean error'))
       do i = 1, size(lines)
          call assertLessThanOrEqual(len(lines(i)%text), page_width, message=lines(i)%text)
@@ -142,8 +163,8 @@ contains
       deallocate (lines)
       model%cases(4)%reference_hookload = optional_real()
       allocate (lines, source=result_table(sample_job(), model, results))
-      call assertTrue(has(lines, 'Inclined section           up                    0.0      733.4     880.0     0.39     -17.29'// &
-                          '       -     883.4'), message='without reference')
+      call assertTrue(has(lines, 'Inclined section up               i_up           0.0      733.4     880.0     0.39     -17.29'// &
+                          '        -     883.4'), message='without reference')
    end subroutine test_with_a_rig
 
    !> Which cases were solved in the plane, and why others were not; nothing where nobody asked.

@@ -8,13 +8,13 @@ module dg_test_sweep
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_in, operation_trip_out, optional_real
+   use dg_measured_table, only: fitting_friction
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
    use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, &
       sweep_type, with_depths
    use dg_sweep_result, only: is_solved, sweep_result_type
-   use dg_sweep_table, only: fitting_friction
    use dg_sweep_work, only: in_part, result_text, take_record, take_result
    use dg_task_record, only: difference_of, read_record, record_head, record_line, record_type
    use dg_text, only: append_text, text_type

@@ -1,0 +1,164 @@
+!> What was measured at the rig beside what a sweep calculates there, and the friction factor that would give it.
+module dg_measured_table
+   use dg_kinds, only: wp
+   use dg_comparison, only: as_measured
+   use dg_case_result, only: result_converged
+   use dg_job, only: model_name
+   use dg_load_case, only: given, operation_label, optional_real
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_sweep, only: point_number, point_type, sweep_type
+   use dg_sweep_result, only: sweep_result_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: append_measured, factor_text, fitting_friction, quantity_hookload, quantity_torque
+
+   !> What a table or a row is about; also the digits of it behind the point.
+   integer, parameter :: quantity_hookload = 1, quantity_torque = 2
+   integer, parameter :: depth_width = 10
+   integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
+   integer, parameter :: name_width = 24
+   integer, parameter :: label_width = 18
+
+contains
+
+   !> What was measured, what every friction factor gives there, and the factor that would give it.
+   pure subroutine append_measured(lines, units, sweep, points, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      integer, parameter :: most_factors = 5
+      character(:), allocatable :: head, rule
+      integer :: i, f, shown
+      shown = min(size(sweep%frictions), most_factors)
+      if (size(sweep%measured) == 0) return
+      call append_text(lines, '')
+      call append_text(lines, 'Measured, and calculated by '//trim(model_name(sweep%models(model)))//' at friction factors')
+      head = left_aligned('Load case', name_width)//right_aligned('Bit depth', depth_width)//'  '// &
+         left_aligned('Operation', label_width)//right_aligned('Measured', cell_width + 1)
+      do f = 1, shown
+         head = head//right_aligned(factor_text(sweep, f), cell_width - 1)//' '
+      end do
+      head = head//right_aligned('Fits', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      do i = 1, size(sweep%measured)
+         if (sweep%measured(i)%hookload%present) &
+            call append_text(lines, measured_row(units, sweep, points, model, i, quantity_hookload, shown))
+         if (sweep%measured(i)%torque%present) &
+            call append_text(lines, measured_row(units, sweep, points, model, i, quantity_torque, shown))
+      end do
+      call append_text(lines, rule)
+      call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
+   end subroutine append_measured
+
+   pure function measured_row(units, sweep, points, model, number, quantity, shown) result(row)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      integer, intent(in) :: number    !< of the measured point
+      integer, intent(in) :: quantity
+      integer, intent(in) :: shown     !< friction factors in the row
+      character(:), allocatable :: row
+      type(point_type) :: point
+      real(wp) :: values(size(sweep%frictions)), unit, one
+      logical :: solved(size(sweep%frictions))
+      type(optional_real) :: measured
+      integer :: f
+      one = 1.0_wp
+      associate (told => sweep%measured(number))
+         measured = told%hookload
+         unit = units%force
+         if (quantity == quantity_torque) measured = told%torque
+         if (quantity == quantity_torque) unit = units%moment
+         row = left_aligned(told%name, name_width)//fixed_cell(told%bit_depth/units%length, depth_width, 1)//'  '// &
+            left_aligned(trim(operation_label(told%operation)), label_width)//fixed_cell(measured, unit, cell_width + 1, quantity)
+         point = point_type(model, findloc_of(sweep%operations, told%operation), 1, depth_of(sweep, told%bit_depth))
+      end associate
+      do f = 1, size(values)
+         point%friction = f
+         associate (found => points(point_number(sweep, point)))
+            values(f) = as_measured(found%hookload, found%weight_indicator)
+            if (quantity == quantity_torque) values(f) = found%torque
+            solved(f) = found%status == result_converged
+            if (f <= shown) row = row//fixed_cell(values(f)/unit, cell_width - 1, quantity)// &
+               merge(' ', '!', found%status == result_converged)
+         end associate
+      end do
+      if (allocated(sweep%frictions_cased)) return     ! no one factor
+      row = row//fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
+   end function measured_row
+
+   !> Friction factor at which values known at some factors reach a measured one, by straight lines between neighbours;
+   !> absent where the measured value lies outside.
+   pure function fitting_friction(frictions, values, solved, measured) result(friction)
+      type(optional_real), intent(in) :: frictions(:)
+      real(wp), intent(in) :: values(:)        !< at these factors
+      logical, intent(in) :: solved(:)         !< whether they are solutions
+      real(wp), intent(in) :: measured
+      type(optional_real) :: friction
+      integer :: order(size(frictions)), i, j, moving
+      if (.not. all(frictions%present)) return
+      order = [(i, i=1, size(order))]
+      do i = 2, size(order)
+         do j = i, 2, -1
+            if (frictions(order(j - 1))%value <= frictions(order(j))%value) exit
+            moving = order(j)
+            order(j) = order(j - 1)
+            order(j - 1) = moving
+         end do
+      end do
+      do i = 2, size(order)
+         associate (a => values(order(i - 1)), b => values(order(i)), from => frictions(order(i - 1))%value, &
+                    to => frictions(order(i))%value)
+            if (.not. (solved(order(i - 1)) .and. solved(order(i)))) cycle
+            if ((measured - a)*(measured - b) > 0.0_wp .or. .not. abs(b - a) > 0.0_wp) cycle
+            friction = given(from + (to - from)*(measured - a)/(b - a))
+            return
+         end associate
+      end do
+   end function fitting_friction
+
+   !> Place of a number in a list.
+   pure function findloc_of(list, number) result(place)
+      integer, intent(in) :: list(:), number
+      integer :: place
+      do place = 1, size(list) - 1
+         if (list(place) == number) return
+      end do
+      place = size(list)
+   end function findloc_of
+
+   !> Place of the depth nearest to one that is among them [m].
+   pure function depth_of(sweep, depth) result(place)
+      type(sweep_type), intent(in) :: sweep
+      real(wp), intent(in) :: depth
+      integer :: place
+      place = minloc(abs(sweep%depths - depth), dim=1)
+   end function depth_of
+
+   !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
+   pure function factor_text(sweep, number) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number
+      character(:), allocatable :: text
+      integer, parameter :: digits = 4, few_digits = 2
+      text = 'hole'
+      if (sweep%frictions(number)%present) text = to_text(sweep%frictions(number)%value, digits)
+      if (allocated(sweep%frictions_cased)) text = without_zero(to_text(sweep%frictions_cased(number), few_digits))//'/'// &
+         without_zero(to_text(sweep%frictions(number)%value, few_digits))
+   contains
+      pure function without_zero(long) result(short)
+         character(*), intent(in) :: long
+         character(:), allocatable :: short
+         short = long
+         if (index(long, '0.') == 1) short = long(2:)
+      end function without_zero
+   end function factor_text
+end module dg_measured_table
