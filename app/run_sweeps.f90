@@ -25,7 +25,9 @@ module dg_run_sweeps
    use dg_sweep_table, only: sweep_table
    use dg_sweep_work, only: in_part
    use dg_text, only: quoted, text_type, to_text
+   use dg_unit_kind, only: quantity_text, unit_length
    use dg_threads, only: thread_count
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: sweep_run_type, prepare_sweeps, run_sweep
@@ -84,7 +86,7 @@ contains
          seconds = 0.0_wp
          if (job%merge == 0) call solve_points(job, model, sweep, run, seconds)
          lost = count(run%points%status == result_not_converged)
-         if (lost > 0) call tell_lost(sweep, run%points, lost)
+         if (lost > 0) call tell_lost(job%units, sweep, run%points, lost)
          if (job%merge == 0 .and. is_interrupted()) then
             call write_record(run%keeper, run%points, error)
             if (.not. allocated(error)) call raise(error, status_failure, 'sweep '//quoted(sweep%name)//': ended by '// &
@@ -296,7 +298,8 @@ contains
    end function sum_of_depths
 
    !> Tells how many points have no solution, and why the first has none.
-   subroutine tell_lost(sweep, points, lost)
+   subroutine tell_lost(units, sweep, points, lost)
+      type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: lost
@@ -311,7 +314,7 @@ contains
          ' points did not converge; the first: '//trim(model_name(sweep%models(first%model)))//', '// &
          trim(operation_name(sweep%operations(first%operation)))
       if (sweep%frictions(first%friction)%present) text = text//', friction '//to_text(sweep%frictions(first%friction)%value)
-      text = text//', bit at '//to_text(sweep%depths(first%depth), 7)//' m'
+      text = text//', bit at '//quantity_text(units, unit_length, sweep%depths(first%depth), 7)
       if (allocated(points(i)%message)) text = text//': '//points(i)%message
       call tell(text)
    end subroutine tell_lost

@@ -23,10 +23,12 @@ module dg_run_uncertainties
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part
    use dg_text, only: quoted, text_type, to_text
+   use dg_unit_kind, only: quantity_text, unit_length
    use dg_threads, only: thread_count
    use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
    use dg_uncertainty_file, only: write_uncertainty
    use dg_uncertainty_table, only: uncertainty_table
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: uncertainty_run_type, prepare_uncertainties, run_uncertainty
@@ -87,7 +89,7 @@ contains
             seconds = 0.0_wp
             if (job%merge == 0) call solve_samples(job, model, uncertainty, run, seconds)
             lost = count(run%pieces%status == result_not_converged)
-            if (lost > 0) call tell_lost(uncertainty, run%pieces, lost)
+            if (lost > 0) call tell_lost(job%units, uncertainty, run%pieces, lost)
             if (job%merge == 0 .and. is_interrupted()) then
                call write_record(run%keeper, run%pieces, error)
                if (.not. allocated(error)) call raise(error, status_failure, what//' '//quoted(name)//': ended by '// &
@@ -230,7 +232,8 @@ contains
    end subroutine solve_point
 
    !> Tells how many solutions are none, and of the first what it is and why it is none, so that it can be looked into.
-   subroutine tell_lost(uncertainty, pieces, lost)
+   subroutine tell_lost(units, uncertainty, pieces, lost)
+      type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
       type(sweep_result_type), intent(in) :: pieces(:)
       integer, intent(in) :: lost
@@ -246,7 +249,7 @@ contains
          text = what//' '//quoted(range%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(pieces)))// &
                 ' solutions did not converge and are left out of the quantiles; the first: '// &
                 trim(model_name(range%models(point%model)))//', '//trim(operation_name(range%operations(point%operation)))// &
-                ', bit at '//to_text(range%depths(point%depth), 7)//' m, sample '//to_text(sample)
+                ', bit at '//quantity_text(units, unit_length, range%depths(point%depth), 7)//', sample '//to_text(sample)
       end associate
       if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message
       call tell(text)

@@ -1,10 +1,11 @@
 !> Kinds of units in decks and messages: what SI value one has, and its name.
 module dg_unit_kind
    use dg_kinds, only: wp
+   use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label
+   public :: unit_factor, unit_label, quantity_text
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
 
@@ -47,38 +48,62 @@ contains
       end select
    end function unit_factor
 
-   !> Name of a unit for messages; '' for plain numbers.
-   pure function unit_label(units, unit) result(label)
+   !> Name of a unit, with blanks behind it.
+   pure function padded_label(units, unit) result(label)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: unit
-      character(:), allocatable :: label
+      character(8) :: label
       logical :: field
       field = units%name == 'field'
       select case (unit)
-      case (unit_length); label = pick('m', 'ft')
-      case (unit_diameter); label = pick('mm', 'in')
+      case (unit_length); label = merge('ft', 'm ', field)
+      case (unit_diameter); label = merge('in', 'mm', field)
       case (unit_angle); label = 'deg'
-      case (unit_mass); label = pick('kg/m', 'lbm/ft')
-      case (unit_density); label = pick('kg/m3', 'lbm/gal')
-      case (unit_force); label = pick('kN', 'klbf')
-      case (unit_moment); label = pick('kN.m', 'kft.lbf')
-      case (unit_modulus); label = pick('GPa', '1e6 psi')
-      case (unit_stress); label = pick('MPa', 'ksi')
-      case (unit_wall); label = pick('kN/m2', 'klbf/ft2')
+      case (unit_mass); label = merge('lbm/ft', 'kg/m  ', field)
+      case (unit_density); label = merge('lbm/gal', 'kg/m3  ', field)
+      case (unit_force); label = merge('klbf', 'kN  ', field)
+      case (unit_moment); label = merge('kft.lbf', 'kN.m   ', field)
+      case (unit_modulus); label = merge('1e6 psi', 'GPa    ', field)
+      case (unit_stress); label = merge('ksi', 'MPa', field)
+      case (unit_wall); label = merge('klbf/ft2', 'kN/m2   ', field)
       case (unit_rotation); label = 'rpm'
-      case (unit_speed); label = pick('m/s', 'ft/s')
+      case (unit_speed); label = merge('ft/s', 'm/s ', field)
       case (unit_gravity); label = 'm/s2'
       case default; label = ''
       end select
-   contains
-      pure function pick(si, other) result(one)
-         character(*), intent(in) :: si, other
-         character(:), allocatable :: one
-         if (field) then
-            one = other
-         else
-            one = si
-         end if
-      end function pick
+   end function padded_label
+
+   pure function label_length(units, unit) result(length)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      integer :: length
+      length = len_trim(padded_label(units, unit))
+   end function label_length
+
+   pure function quantity_length(units, unit, value, digits) result(length)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      real(wp), intent(in) :: value
+      integer, intent(in) :: digits
+      integer :: length
+      length = len(to_text(value/unit_factor(units, unit), digits)) + 1 + label_length(units, unit)
+   end function quantity_length
+
+   !> Name of a unit for messages; '' for plain numbers. It tells the length of its result, as threads call it (see to_text).
+   pure function unit_label(units, unit) result(label)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      character(label_length(units, unit)) :: label
+      label = padded_label(units, unit)
    end function unit_label
+
+   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name.
+   pure function quantity_text(units, unit, value, digits) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      real(wp), intent(in) :: value       !< [SI]
+      integer, intent(in) :: digits
+      character(quantity_length(units, unit, value, digits)) :: text
+      text = to_text(value/unit_factor(units, unit), digits)//' '//padded_label(units, unit)
+   end function quantity_text
 end module dg_unit_kind

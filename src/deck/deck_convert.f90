@@ -18,9 +18,10 @@ module dg_deck_convert
    private
    public :: convert_deck
 
-   !> A number that is one of few digits but for rounding is written so; others have all that a second conversion needs.
-   integer, parameter :: few_digits = 10, all_digits = 14
-   real(wp), parameter :: rounding = 1.0e-11_wp
+   !> A number is written with the fewest digits that are this near to it [-]: 3 mm in 3000 m, and 1500 m is 1500 m again after a
+   !> conversion to and fro.
+   real(wp), parameter :: near = 1.0e-6_wp
+   integer, parameter :: most_digits = 8
 
 contains
 
@@ -155,14 +156,17 @@ contains
       end function has
    end subroutine convert_tokens
 
-   !> A number as text, so that to and fro gives what was there first.
+   !> A number as text, as a person would write it.
    pure function shortest(number) result(text)
       real(wp), intent(in) :: number
       character(:), allocatable :: text
       real(wp) :: back
-      text = to_text(number, few_digits)
-      read (text, *) back
-      if (abs(back - number) > rounding*abs(number)) text = to_text(number, all_digits)
+      integer :: digits
+      do digits = 1, most_digits
+         text = to_text(number, digits)
+         read (text, *) back
+         if (abs(back - number) <= near*abs(number)) return
+      end do
    end function shortest
 
    !> Whether a token is a key: a word before =.

@@ -41,6 +41,7 @@ contains
       model%rig = draft%rig
       call place_fluids(draft, model%trajectory, model%mud, faults)
       model%gravity = draft%gravity
+      model%units = draft%units
    end subroutine build_model
 
    !> Components of one name make one string, in the deck's order.

@@ -7,11 +7,13 @@ module dg_outside_hole
    use dg_mesh, only: mesh_type
    use dg_profile, only: profile_type
    use dg_text, only: to_text
+   use dg_unit_kind, only: quantity_text, unit_diameter, unit_length, unit_wall
+   use dg_units, only: unit_system_type
    use dg_trajectory, only: closest_point, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: outside_type, measure_outside, measure_rows, outside_message, outside_place
+   public :: outside_type, measure_outside, measure_rows, outside_message, outside_place, as_good_as_rigid
 
    !> How far a converged string may stand outside before that is told, over the clearance [-]: rock yields and elements sag.
    real(wp), parameter :: tell_outside = 0.2_wp
@@ -23,8 +25,9 @@ module dg_outside_hole
    !> Digits of lengths in the message.
    integer, parameter :: shown = 2, shown_depth = 6
    !> Words by which every such message is known.
-   character(*), parameter :: outside_place = ' mm outside its hole at '
-   real(wp), parameter :: millimetre = 1.0e-3_wp
+   character(*), parameter :: outside_place = ' outside its hole at '
+   !> Stiffness of a wall that gives way by micrometres [N/m2].
+   real(wp), parameter :: as_good_as_rigid = 1.0e9_wp
 
    !> Where a string stands farthest outside, counted in clearances of the hole section and component there.
    type :: outside_type
@@ -111,18 +114,21 @@ contains
    end function is_told
 
    !> What is said of a string that stands outside: where, how far, what to do.
-   pure subroutine outside_message(outside, text)
+   pure subroutine outside_message(units, outside, text)
+      type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside
       character(:), allocatable, intent(out) :: text
-      text = to_text(outside%excess*outside%clearance/millimetre, shown)//outside_place// &
-             to_text(outside%md, shown_depth)//' m, of '//to_text(outside%clearance/millimetre, shown)//' mm clearance'
+      text = quantity_text(units, unit_diameter, outside%excess*outside%clearance, shown)//outside_place// &
+             quantity_text(units, unit_length, outside%md, shown_depth)//', of '// &
+             quantity_text(units, unit_diameter, outside%clearance, shown)//' clearance'
       if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
       if (outside%gives_way) then
-         text = 'the wall gives way: the string stands '//text//'; with a wall_stiffness of 1e6 kN/m2 it is as good as rigid'
+         text = 'the wall gives way: the string stands '//text//'; with a wall_stiffness of '// &
+                quantity_text(units, unit_wall, as_good_as_rigid, shown)//' it is as good as rigid'
       else
          text = 'between its contact points the string stands '//text//': contact there may be off'
-         if (outside%length > short) text = text//'; an element_length of '//to_text(advised*outside%length, shown)// &
-                                            ' m brings most such strings inside'
+         if (outside%length > short) text = text//'; an element_length of '// &
+            quantity_text(units, unit_length, advised*outside%length, shown)//' brings most such strings inside'
       end if
    end subroutine outside_message
 end module dg_outside_hole

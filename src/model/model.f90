@@ -10,6 +10,7 @@ module dg_model
    use dg_rig, only: rig_type
    use dg_text, only: text_type
    use dg_trajectory, only: trajectory_type
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: model_type, boundary_type, string_index, copy_without_cases
@@ -32,6 +33,7 @@ module dg_model
       type(rig_type) :: rig                               !< acts on no string, only on what is read of it
       type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
+      type(unit_system_type) :: units                     !< in which messages speak; all numbers are SI
    end type model_type
 
 contains
@@ -59,6 +61,7 @@ contains
       copy%rig = model%rig
       copy%mud = model%mud
       copy%gravity = model%gravity
+      copy%units = model%units
       allocate (copy%cases(1))
    end subroutine copy_without_cases
 end module dg_model

@@ -13,6 +13,7 @@ module dg_soft_string
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type, breakpoints
    use dg_string_range, only: range_warning
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, inclination_of, point_on_arc, position_at, top_md
+   use dg_unit_kind, only: quantity_text, unit_length
    implicit none
    private
    public :: solve_soft_string
@@ -21,6 +22,8 @@ module dg_soft_string
 
    !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp
+   !> Digits of a depth in a message.
+   integer, parameter :: shown_depth = 5
 
 contains
 
@@ -96,7 +99,6 @@ contains
       real(wp), intent(in) :: torque(:)        !< [N.m]
       type(soft_totals_type), intent(in) :: totals
       type(case_result_type), intent(inout) :: result
-      character(120) :: text
       character(:), allocatable :: warning
       real(wp) :: position(3), tangent(3)
       associate (load_case => model%cases(case_index))
@@ -113,9 +115,9 @@ contains
          result%message = warning
          if (totals%runaway) then
             result%status = result_locked_up
-            write (text, '(a,f0.0,a)') 'friction grows without bound in the bend above ', totals%runaway_md, &
-               ' m; lower the friction or the curvature'
-            result%message = trim(text)
+            result%message = 'friction grows without bound in the bend above '// &
+               quantity_text(model%units, unit_length, totals%runaway_md, shown_depth)// &
+               '; lower the friction or the curvature'
          end if
       end associate
       allocate (result%history(0))

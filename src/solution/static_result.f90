@@ -10,12 +10,14 @@ module dg_static_result
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type
-   use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
+   use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
+   use dg_unit_kind, only: quantity_text, unit_force, unit_length, unit_wall
+   use dg_units, only: unit_system_type
    use dg_walls, only: left_by_walls
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
@@ -30,8 +32,8 @@ module dg_static_result
    !> What to try where no equilibrium was found. Of nine such strings, all pushed near lock-up, half the length, 5 m or 2 m found
    !> one for four, 5 load steps for two, the other place of the gaps for two, one of them for five; more iterations only where
    !> they had been used up.
-   character(*), parameter :: other_ways = 'another element_length (half, or 5 m), gap_location or load_steps: one of these '// &
-      'finds it for about half of such strings'
+   real(wp), parameter :: other_length = 5.0_wp     ! [m]
+   character(*), parameter :: other_ways = '), gap_location or load_steps: one of these finds it for about half of such strings'
    !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
    !> to 1e-6, those at walls of 1e12 kN/m2, with contact force a percent off, 1e-3 to 3e-3, ten times stiffer ones, 6 % off, 1e-2.
    real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
@@ -39,9 +41,8 @@ module dg_static_result
    real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
-   !> Digits of a weight in a message, in kilonewtons.
-   integer, parameter :: shown = 4
-   real(wp), parameter :: kilonewton = 1000.0_wp
+   !> Digits in a message.
+   integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3
 
 contains
 
@@ -70,22 +71,24 @@ contains
       select case (outcome)
       case (outcome_converged)
          result%status = result_converged
-         if (whirls) call tell_whirling(mesh, work, result)
+         if (whirls) call tell_whirling(model%units, mesh, work, result)
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
-         write (text, '(a,f0.1,a,f0.1,a)') 'the string lies outside the hole by ', worst, ' clearances at ', mesh%md(place), &
-            ' m, between two gap elements; try shorter elements'
-         result%message = trim(text)
+         write (text, '(f0.1)') worst
+         result%message = 'the string lies outside the hole by '//trim(text)//' clearances at '// &
+            quantity_text(model%units, unit_length, mesh%md(place), shown_depth)// &
+            ', between two gap elements; try shorter elements'
       case (outcome_exhausted)
          result%status = result_not_converged
-         write (text, '(a,i0,a,i0,a,es9.2,a,i0,a)') ' after ', equations%iterations, ' iterations in load step ', last%increment, &
-            ': residual ', last%residual_force, ' N, ', last%flips, ' gaps still changing; '
-         if (equations%iterations >= model%numerics%max_iterations) then
-            result%message = 'iterations used up'//trim(text)//' try more max_iterations, or '//other_ways
-         else
-            result%message = 'no equilibrium found'//trim(text)//' try '//other_ways
-         end if
+         result%message = 'no equilibrium found after '
+         if (equations%iterations >= model%numerics%max_iterations) result%message = 'iterations used up after '
+         result%message = result%message//to_text(equations%iterations)//' iterations in load step '//to_text(last%increment)// &
+            ': residual '//quantity_text(model%units, unit_force, last%residual_force, shown_residual)//', '// &
+            to_text(last%flips)//' gaps still changing; try '
+         if (equations%iterations >= model%numerics%max_iterations) result%message = result%message//'more max_iterations, or '
+         result%message = result%message//'another element_length (half, or '// &
+            quantity_text(model%units, unit_length, other_length, shown)//other_ways
       case default
          result%status = result_not_converged
          write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &
@@ -103,7 +106,7 @@ contains
                           'where they first touched: '//touched)
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
-         if (outside%elements > 0) call add_outside(outside, result)
+         if (outside%elements > 0) call add_outside(model%units, outside, result)
       end if
       result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
       result%torque = work%top_torque
@@ -116,7 +119,7 @@ contains
       call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
       call check_equilibrium(model%trajectory, mesh, gaps, work, result%equilibrium_force, &
                              result%equilibrium_moment)
-      if (outcome == outcome_converged) call judge_balance(model%numerics, gaps, equations%force_scale, work%normal, &
+      if (outcome == outcome_converged) call judge_balance(model%units, model%numerics, gaps, equations%force_scale, work%normal, &
          whirls, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
@@ -128,14 +131,16 @@ contains
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.
-   pure subroutine tell_whirling(mesh, work, result)
+   pure subroutine tell_whirling(units, mesh, work, result)
+      type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
       real(wp) :: friction, length
       friction = maxval(mesh%rotary, mask=work%climb < 1.0_wp)
       length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'the string whirls: over '//to_text(length, shown)//' m, where it is compressed in a vertical '// &
+      call add_message(result, 'the string whirls: over '//quantity_text(units, unit_length, length, shown)// &
+                       ', where it is compressed in a vertical '// &
                        'hole or near its buckling load, friction does not hold it on one side of the hole and is left out of '// &
                        'its balance across, without inertia; the hook load is firm, contact force and friction torque there '// &
                        'may be less by up to '// &
@@ -144,7 +149,8 @@ contains
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.
-   pure subroutine judge_balance(numerics, gaps, force_scale, normal, whirls, result)
+   pure subroutine judge_balance(units, numerics, gaps, force_scale, normal, whirls, result)
+      type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale       !< weight and bit load [N]
@@ -158,17 +164,19 @@ contains
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
       stiff = left_by_walls(gaps, force_scale) > numerics%tolerance
-      left = 'forces are '//to_text(result%equilibrium_force/kilonewton, shown)//' kN out of balance'
+      left = 'forces are '//quantity_text(units, unit_force, result%equilibrium_force, shown)//' out of balance'
       if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
          result%status = result_not_converged
-         if (part <= most_out_of_balance) left = 'walls pull the string with '//to_text(pulling/kilonewton, shown)//' kN in all'
+         if (part <= most_out_of_balance) left = 'walls pull the string with '// &
+            quantity_text(units, unit_force, pulling, shown)//' in all'
          if (stiff) then
             result%message = left//': a wall this stiff presses with the round-off of places; give a smaller wall_stiffness, '// &
-                             'gk_contact and gk_max (the wall of 1e6 kN/m2 is as good as rigid)'
+                             'gk_contact and gk_max (the wall of '// &
+                             quantity_text(units, unit_wall, as_good_as_rigid, shown)//' is as good as rigid)'
          else if (part > most_out_of_balance) then
             result%message = left//': residuals add up; give a smaller tolerance'
          else
-            result%message = left//': gaps open where they pull with more than r_n0; give a smaller one (its default is 1e-6 kN)'
+            result%message = left//': gaps open where they pull with more than r_n0; give a smaller one'
          end if
       else if (part > rough_balance) then
          call add_message(result, left//', as the wall is too stiff for more: contact force may be off by a percent')
@@ -184,12 +192,13 @@ contains
    end subroutine add_message
 
    !> Adds what is said of a string that stands outside its hole.
-   pure subroutine add_outside(outside, result)
+   pure subroutine add_outside(units, outside, result)
+      type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside
       type(case_result_type), intent(inout) :: result
       character(:), allocatable :: text
       if (index(result%message, outside_place) > 0) return
-      call outside_message(outside, text)
+      call outside_message(units, outside, text)
       call add_message(result, text)
    end subroutine add_outside
 
@@ -218,17 +227,21 @@ contains
       result%normal_force = totals%normal_force
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
-         result%message = 'friction holds the string: the force that moves it, '//to_text(axial(1)/kilonewton, shown)// &
-                          ' kN at surface, would stretch it by '//to_text(100.0_wp*strained, shown)//' %, which no pipe bears; '// &
+         result%message = 'friction holds the string: the force that moves it, '// &
+                          quantity_text(model%units, unit_force, axial(1), shown)//' at surface, would stretch it by '// &
+                          to_text(100.0_wp*strained, shown)//' %, which no pipe bears; '// &
                           'forces are those of the soft string'
          return
       end if
-      result%message = 'friction of the coiled string grows without bound above '//to_text(anint(totals%runaway_md))//' m; '
+      result%message = 'friction of the coiled string grows without bound above '// &
+                       quantity_text(model%units, unit_length, totals%runaway_md, shown)//'; '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
-         result%message = result%message//'no push at the top brings more than '//to_text(most/kilonewton, shown)// &
-                          ' kN to the bit, and without a push '// &
-                          to_text(most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.)/kilonewton, shown)//' kN'
+         result%message = result%message//'no push at the top brings more than '// &
+                          quantity_text(model%units, unit_force, most, shown)// &
+                          ' to the bit, and without a push '// &
+                          quantity_text(model%units, unit_force, &
+                                        most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown)
       else
          result%message = result%message//'no push at the top brings the string down to this depth'
       end if
