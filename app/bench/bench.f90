@@ -4,10 +4,12 @@
 !> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
-!> it and without it. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest with that
-!> argument.
+!> it and without it. `-- against PROGRAM [DECK ...]` runs them by this program and by another one, as an earlier commit built it,
+!> in turns, and prints ratios. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest
+!> with that argument.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
+   use dg_bench_against, only: print_against
    use dg_bench_ablation, only: print_ablation
    use dg_bench_decks, only: print_decks
    use dg_bench_moments, only: print_moments
@@ -60,6 +62,12 @@ program bench
          call print_ablation(arguments(2:))
       else
          call print_ablation(decks)
+      end if
+   else if (arguments(1) == 'against' .and. size(arguments) > 1) then
+      if (size(arguments) > 2) then
+         call print_against(trim(arguments(2)), arguments(3:))
+      else
+         call print_against(trim(arguments(2)), decks)
       end if
    end if
 

@@ -1,13 +1,13 @@
 !> What the program takes beside its solutions: reading, limits, files, pictures, page.
 module dg_bench_program
    use, intrinsic :: iso_fortran_env, only: int64, output_unit
+   use dg_bench_runs, only: column_of, folder, out, program_beside, since, time_run
    use dg_bench_tools, only: median
    use dg_case_result, only: case_result_type
-   use dg_child_process, only: child_type, end_child, find_program, start_child, wait_for_child
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_file_lines, only: read_lines
-   use dg_file_system, only: delete_file, write_text_file
+   use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder
    use dg_job, only: job_type, model_mcge
    use dg_kinds, only: wp
@@ -16,17 +16,13 @@ module dg_bench_program
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
-   use dg_table_text, only: split_fields
    use dg_text, only: append_text, text_type
    implicit none
    private
    public :: print_program
 
-   character(*), parameter :: folder = 'build/bench_program'
    !> A sweep takes seconds.
    integer, parameter :: sweep_runs = 3
-   !> A run that takes longer than that is none [s].
-   real(wp), parameter :: patience = 600.0_wp
 
 contains
 
@@ -59,23 +55,6 @@ contains
       write (output_unit, '(a,f6.2)') sweep_deck//' --quiet    ', median(swept)
    end subroutine print_program
 
-   !> The program that was built with this one; '' where there is none.
-   function program_beside() result(path)
-      character(:), allocatable :: path
-      character(4096) :: own
-      logical :: is
-      integer :: last
-      call get_command_argument(0, own)
-      last = index(own, '/', back=.true.)
-      if (last == 0) then
-         path = find_program('drillgap')
-         return
-      end if
-      path = own(:last)//'drillgap'
-      inquire (file=path, exist=is)
-      if (.not. is) path = ''
-   end function program_beside
-
    !> The deck with `plots = .false.`, one folder deeper than the root as the deck is, twice.
    subroutine write_without_pictures(deck)
       character(*), intent(in) :: deck
@@ -101,65 +80,10 @@ contains
       real(wp) :: ratio
       real(wp) :: seconds, solutions
       call time_run(program, deck, seconds)
-      solutions = solution_seconds(folder//'/out/summary.csv')
+      solutions = sum(column_of(out//'/summary.csv', 'seconds'))
       ratio = 0.0_wp
       if (solutions > 0.0_wp) ratio = seconds/solutions
    end function ratio_of_run
-
-   !> Runs a deck quietly on one thread; wall time [s].
-   subroutine time_run(program, deck, seconds)
-      character(*), intent(in) :: program, deck
-      real(wp), intent(out) :: seconds
-      type(child_type) :: child
-      type(text_type), allocatable :: arguments(:)
-      type(error_type), allocatable :: error
-      integer(int64) :: start
-      call append_text(arguments, deck)
-      call append_text(arguments, '--quiet')
-      call append_text(arguments, '--threads')
-      call append_text(arguments, '1')
-      call append_text(arguments, '--output')
-      call append_text(arguments, folder//'/out')
-      call delete_file(folder//'/out/summary.csv')
-      call system_clock(start)
-      call start_child(child, program, arguments, '.', folder//'/told', [character(1) ::], error)
-      if (.not. allocated(error)) call wait_for_child(child, patience)
-      call end_child(child)
-      seconds = since(start)
-   end subroutine time_run
-
-   function since(start) result(seconds)
-      integer(int64), intent(in) :: start
-      real(wp) :: seconds
-      integer(int64) :: finish, rate
-      call system_clock(finish, rate)
-      seconds = real(finish - start, wp)/real(rate, wp)
-   end function since
-
-   !> Sum of the column `seconds` of a summary [s]; 0 without one.
-   function solution_seconds(path) result(seconds)
-      character(*), intent(in) :: path
-      real(wp) :: seconds
-      type(text_type), allocatable :: lines(:), heads(:), fields(:)
-      character(:), allocatable :: failure
-      real(wp) :: value
-      integer :: i, place, status
-      seconds = 0.0_wp
-      allocate (lines(0))
-      call read_lines(path, lines, failure)
-      if (size(lines) == 0) return
-      call split_fields(lines(1)%text, ',', heads)
-      do place = 1, size(heads)
-         if (heads(place)%text == 'seconds') exit
-      end do
-      if (place > size(heads)) return
-      do i = 2, size(lines)
-         call split_fields(lines(i)%text, ',', fields)
-         if (size(fields) < place) cycle
-         read (fields(place)%text, *, iostat=status) value
-         if (status == 0) seconds = seconds + value
-      end do
-   end function solution_seconds
 
    !> Wall time of a deck's run over that of the solutions of its sweeps alone, done here, and of its load cases [-].
    function ratio_of_sweep(program, deck) result(ratio)
@@ -177,7 +101,7 @@ contains
       call read_deck(deck, model, job, notes, faults)
       if (faults%count > 0) return
       call time_run(program, deck, seconds)
-      solutions = solution_seconds(folder//'/out/summary.csv')
+      solutions = sum(column_of(out//'/summary.csv', 'seconds'))
       call system_clock(start)
       do i = 1, size(job%sweeps)
          call solve_sweep(model, job%sweeps(i))

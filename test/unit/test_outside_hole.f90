@@ -13,6 +13,7 @@ module dg_test_outside_hole
    use dg_profile, only: new_profile, profile_type
    use dg_workspace, only: new_workspace, workspace_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_units, only: field_units, si_units
    implicit none
    private
    public :: outside_hole_suite
@@ -91,9 +92,12 @@ contains
       call assertEqual(expected, outside%excess, tolerance)
       call assertEqual(5.0_wp, outside%md, tolerance, message='in the middle')
       call assertFalse(outside%gives_way)
-      call outside_message(outside, text)
-      call assertGreaterThan(index(text, '12'//outside_place//'5 m'), 0, message=text)
+      call outside_message(si_units(), outside, text)
+      call assertGreaterThan(index(text, '12 mm'//outside_place//'5 m'), 0, message=text)
       call assertGreaterThan(index(text, 'element_length of 5 m'), 0, message=text)
+      call outside_message(field_units(), outside, text)
+      call assertGreaterThan(index(text, '0.49 in'//outside_place//'16.4042 ft'), 0, message=text)
+      call assertGreaterThan(index(text, 'element_length of 16 ft'), 0, message=text)
    end subroutine test_within_an_element
 
    !> On the wall of the wide hole at the shoe the string is outside the narrow one; an excess below a fifth is not told.
@@ -127,7 +131,7 @@ contains
       call measure_outside(model%trajectory, mesh, work, outside)
       call assertEqual(2, outside%elements)
       call assertTrue(outside%gives_way)
-      call outside_message(outside, text)
+      call outside_message(si_units(), outside, text)
       call assertGreaterThan(index(text, 'wall_stiffness'), 0)
       mesh%eps_nmax(3:4) = 0.6_wp
       call measure_outside(model%trajectory, mesh, work, outside)

@@ -154,7 +154,7 @@ contains
       allocate (results, source=sample_results())
       results%weight_indicator = results%hookload + 150.0e3_wp
       allocate (lines, source=result_table(sample_job(), model, results))
-      call assertTrue(has(lines, 'Inclined       up                 0.0      733.4     880.0     0.39     -17.29'// &
+      call assertTrue(has(lines, 'Inclined       up                    0.0      733.4     880.0     0.39     -17.29'// &
                           '        -     883.4         -     -'), message='up')
       call assertTrue(contains_text(lines, 'Weight indicator against measurement: mean error'))
       do i = 1, size(lines)
