@@ -1,7 +1,11 @@
 !> Tests of the built program: decks in, exit status and files out. Every test module of this folder is registered here.
 program command_line
    use funit, only: run
+   use dg_place, only: enter_root
+   use dg_program_run, only: settle_program
    implicit none
+   call settle_program()
+   call enter_root()
    if (.not. run(load_tests)) error stop 1
 
 contains

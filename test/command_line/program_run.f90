@@ -6,11 +6,12 @@ module dg_program_run
    use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder, is_folder
    use dg_error, only: error_type
+   use dg_place, only: absolute_path, give_up, set_variable
    use dg_text, only: text_type, append_text
    implicit none
    private
    public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
-      clear_scratch, program_path, content
+      clear_scratch, settle_program, program_path, content
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
@@ -138,22 +139,32 @@ contains
       call make_folder(scratch, error)
    end subroutine clear_scratch
 
-   !> The built program.
+   !> Leaves the path of the program in DRILLGAP, from / on: to be called before the working folder changes. Without DRILLGAP it is
+   !> build/<compiler and flags>/app/drillgap where this program is build/<compiler and flags>/test/command_line. Stops
+   !> where there is none.
+   subroutine settle_program()
+      character(:), allocatable :: path, full
+      integer :: length
+      path = program_path()
+      if (path == '') then
+         deallocate (path)
+         call get_command_argument(0, length=length)
+         allocate (character(length) :: path)
+         call get_command_argument(0, value=path)
+         path = path(:index(path, '/', back=.true.))//'../app/drillgap'
+      end if
+      full = absolute_path(path)
+      if (full == '') call give_up('no program '//path//': `fpm test` builds it, or DRILLGAP names it')
+      call set_variable('DRILLGAP', full)
+   end subroutine settle_program
+
+   !> The program that is run.
    function program_path() result(path)
       character(:), allocatable :: path
-      integer :: length, status, at
-      call get_environment_variable('DRILLGAP', length=length, status=status)
-      if (status == 0 .and. length > 0) then
-         allocate (character(length) :: path)
-         call get_environment_variable('DRILLGAP', value=path)
-         return
-      end if
-      ! build/<compiler and flags>/test/command_line -> build/<compiler and flags>/app/drillgap
-      call get_command_argument(0, length=length)
+      integer :: length
+      call get_environment_variable('DRILLGAP', length=length)
       allocate (character(length) :: path)
-      call get_command_argument(0, value=path)
-      at = index(path, '/test/', back=.true.)
-      path = path(:max(at, 1) - 1)//'/app/drillgap'
+      if (length > 0) call get_environment_variable('DRILLGAP', value=path)
    end function program_path
 
    !> A whole file; '' where there is none.

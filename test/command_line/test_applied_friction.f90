@@ -1,6 +1,6 @@
 !> Friction that a calibration applies: all that follows uses it, as if the deck had named it; what cannot be applied is refused.
 module dg_test_applied_friction
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type
    use dg_result_rows, only: field, lines_of
@@ -55,6 +55,7 @@ contains
       call assertTrue(index(run%output, 'lower: friction 0.3000 along, 0.3000 around') > 0, message=run%output)
       call assertTrue(index(run%output, 'Calibration k') < index(run%output, 'Model soft'), message='calibrated first')
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual('0.2000000000', field(lines(2)%text, 28), message=lines(2)%text)
       call assertEqual('0.3000000000', field(lines(3)%text, 28), message=lines(3)%text)
       allocate (found, source=contents())
@@ -94,6 +95,7 @@ contains
       run = run_deck_text(replaced(deck(from), 'friction_deviation = 0.02', "friction_from = 'K'"))
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (found, source=lines_of(results_path//'/uncertainty_u.csv'))
+      if (anyExceptions()) return
       i = index(run%output, 'friction_deviations = ')
       call assertTrue(i > 0, message=run%output)
       printed = run%output(i:i + index(run%output(i:), newline) - 2)
@@ -108,6 +110,7 @@ contains
       run = run_deck_text(replaced(text, 'friction_deviation = 0.02', printed//', '//pairs))
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (repeated, source=lines_of(results_path//'/uncertainty_u.csv'))
+      if (anyExceptions()) return
       call compare(found, repeated)
    end subroutine test_handed_on
 
@@ -118,6 +121,7 @@ contains
       integer :: i
       run = run_deck_text(deck(applied))
       allocate (whole, source=lines_of(results_path//'/sweep_s.csv'))
+      if (anyExceptions()) return
       do i = 1, parts
          run = run_program(deck_path//' --output '//results_path//' --part '//to_text(i)//'/'//to_text(parts))
          call assertEqual(0, run%status, message=run%diagnostics)
@@ -126,6 +130,7 @@ contains
       run = run_program(deck_path//' --output '//results_path//' --merge '//to_text(parts))
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (joined, source=lines_of(results_path//'/sweep_s.csv'))
+      if (anyExceptions()) return
       call compare(whole, joined)
    end subroutine test_parts
 

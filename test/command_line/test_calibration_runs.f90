@@ -1,7 +1,7 @@
 !> Calibrations as a user runs them: friction that is known comes back, by every model; what the data cannot tell is said or
 !> refused.
 module dg_test_calibration_runs
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_counter_random, only: normal_number
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type
@@ -63,6 +63,7 @@ contains
                       message=run%output)
       call assertTrue(index(run%output, 'they fit as they must') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual(4, size(lines))
       if (size(lines) /= 4) return
       call assertEqual('upper', field(lines(2)%text, 4))
@@ -71,6 +72,7 @@ contains
       call assertEqual(gauge, number(lines(4)%text, 15), at_rest*along)
       deallocate (lines)
       allocate (lines, source=lines_of(results_path//'/calibration_data.csv'))
+      if (anyExceptions()) return
       call assertEqual(4, size(lines))
       if (size(lines) /= 4) return
       ! before: friction 0.1, no offset
@@ -97,6 +99,7 @@ contains
       call assertTrue(index(run%output, '1 measured values predicted: mean error') > 0, message=run%output)
       call assertTrue(index(run%output, '1 of 1 within their 95 % interval') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/calibration_prediction.csv'))
+      if (anyExceptions()) return
       call assertEqual(2, size(lines))
       if (size(lines) /= 2) return
       call assertEqual('b', field(lines(2)%text, 3))
@@ -150,6 +153,7 @@ contains
          run = run_deck_text(deck)
          call assertEqual(0, run%status, message=run%diagnostics)
          allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+         if (anyExceptions()) return
          call assertEqual(1 + 2*sets, size(lines))
          held = 0
          do i = 1, size(lines) - 1
@@ -177,17 +181,20 @@ contains
          run = run_deck_text(deck)
          call assertEqual(0, run%status, message=run%diagnostics)
          allocate (lines, source=lines_of(results_path//'/summary.csv'))
+         if (anyExceptions()) return
          deck = replaced(replaced(deck, 'bit_depth = 900.0', 'bit_depth = 900, measured_hookload = '//field(lines(2)%text, 8)), &
                          'wob = 0', 'measured_torque = '//field(lines(3)%text, 14))
          deck = replaced(replaced(deck, 'friction = 0.25', 'friction = 0.2'), 'friction = 0.3', 'friction = 0.2')
          run = run_deck_text(deck//"&calibrate model = '"//trim(models(m))//"' /"//newline)
          call assertEqual(0, run%status, message=run%diagnostics)
          allocate (found, source=lines_of(results_path//'/calibration_data.csv'))
+         if (anyExceptions()) return
          call assertEqual(3, size(found))
          call assertTrue(number(found(2)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(2)%text)
          call assertTrue(number(found(3)%text, 13) < 1.0e-4_wp, message=trim(models(m))//': '//found(3)%text)
          deallocate (found)
          allocate (found, source=lines_of(results_path//'/calibration.csv'))
+         if (anyExceptions()) return
          call assertEqual('not_felt', field(found(2)%text, 12), message=found(2)%text)
          call assertEqual(0.2_wp, number(found(2)%text, 8))
          call assertEqual(0.3_wp, number(found(3)%text, 8), at_rest, message=found(3)%text)
@@ -203,8 +210,10 @@ contains
       integer :: i
       run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 1')
       allocate (one, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, group), '--threads 2')
       allocate (two, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual(5, size(one), message=run%diagnostics)
       do i = 1, min(size(one), size(two))
          call assertEqual(one(i)%text, two(i)%text)
@@ -219,6 +228,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'cannot tell these factors apart') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual('not_separated', field(lines(2)%text, 12), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 9), message='no interval')
    end subroutine test_not_separated
@@ -233,9 +243,11 @@ contains
       call assertTrue(index(run%diagnostics, 'calibration ''k'', model mcge: no fit; load case ''a'' has no solution') > 0, &
                       message=run%diagnostics)
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual('no_fit', field(lines(2)%text, 12), message=lines(2)%text)
       deallocate (lines)
       allocate (lines, source=lines_of(results_path//'/calibration_data.csv'))
+      if (anyExceptions()) return
       call assertEqual('', field(lines(2)%text, 7), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 8), message=lines(2)%text)
    end subroutine test_no_fit

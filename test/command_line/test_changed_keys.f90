@@ -1,7 +1,7 @@
 !> A record of a sweep under a deck whose keys have changed, one at a time: either it is refused, or the key has no part in what is
 !> solved, and a sweep from the beginning has the same results.
 module dg_test_changed_keys
-   use funit, only: assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type
@@ -135,6 +135,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (base(0), resumed(0), anew(0))
       base = lines_of(record)
+      if (anyExceptions()) return
       refused = 0
       do i = 1, size(changes, 2)
          what = trim(changes(2, i))
@@ -148,9 +149,11 @@ contains
          end if
          call assertEqual(0, run%status, message=what//': '//run%diagnostics)
          resumed = lines_of(record)
+         if (anyExceptions()) return
          call delete_file(record)
          run = run_program(again)
          anew = lines_of(record)
+         if (anyExceptions()) return
          call assertEqual(size(anew), size(resumed), message=what)
          do j = 1, min(size(anew), size(resumed))
             if (anew(j)%text /= resumed(j)%text) call assertEqual(anew(j)%text, resumed(j)%text, message=what)

@@ -1,6 +1,6 @@
 !> Divided runs by lists of parts, and what is told of parts that do not make a whole.
 module dg_test_part_runs
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
@@ -65,8 +65,10 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (lines(0))
       lines = lines_of(record//'4_of_4')
+      if (anyExceptions()) return
       call write_text_file(record//'4_of_4', lines(:size(lines) - 3), error)
       lines = lines_of(record//'2_of_4')
+      if (anyExceptions()) return
       damaged = size(lines) - 5
       lines(damaged)%text = 'x'//lines(damaged)%text
       call write_text_file(record//'2_of_4', lines, error)
@@ -113,6 +115,7 @@ contains
       run = run_deck_text(good_deck()//group, '--part 2/4')
       allocate (lines(0))
       lines = lines_of(record//'2_of_4')
+      if (anyExceptions()) return
       call write_text_file(record//'2_of_4', lines(2:), error)
       run = run_program(again//'--part 1-3/4')
       call assertEqual(2, run%status)

@@ -1,7 +1,7 @@
 !> Runs on paths that have more than the deck's stations: tortuosity against a soft string of the test's own, the same digits for
 !> any threads, where results name it, refusals.
 module dg_test_path_runs
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
    use dg_program_run, only: content, deck_path, results_path, run_deck_text, run_program, run_type
@@ -105,6 +105,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       if (run%status /= 0) return
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
       found = [1.0e3_wp*number(lines(2)%text, summary_hookload), 1.0e3_wp*number(lines(3)%text, summary_torque)]
    end subroutine solve
 

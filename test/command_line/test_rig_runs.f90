@@ -1,7 +1,7 @@
 !> Runs with a rig: what its indicator shows is what measurements are compared with, in tables, broomsticks, calibrations and of
 !> strings that are held. A straight hole, where hook loads are a product.
 module dg_test_rig_runs
-   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_type
    use dg_result_rows, only: field, lines_of, number
@@ -78,6 +78,7 @@ contains
       call assertTrue(index(run%output, 'Weight indicator against measurement: mean error 0.00 %') > 0, message=run%output)
       call assertTrue(index(run%output, 'hook load as the rig shows it, kN at friction factors') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
       call assertEqual('weight_indicator_kN', field(lines(1)%text, summary_indicator))
       call assertEqual(along + friction*across, number(lines(2)%text, 8), at_rest)
       call assertEqual(shown(block + along + friction*across, .true.), number(lines(2)%text, summary_indicator), at_rest)
@@ -87,6 +88,7 @@ contains
       call assertEqual(block + along, number(lines(4)%text, summary_indicator), at_rest)
       deallocate (lines)
       allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      if (anyExceptions()) return
       call assertEqual(shown(block + 0.5_wp*(along + friction*across), .true.), number(lines(2)%text, sweep_indicator), at_rest)
       call assertEqual(0.5_wp*(along + friction*across), number(lines(2)%text, 5), at_rest)
       call assertEqual(0.0_wp, number(lines(3)%text, 10), at_rest)
@@ -102,20 +104,24 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, '&rig: block_weight 140') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual(friction, number(lines(2)%text, 8), at_rest/along)
       call assertEqual(block - 110.0_wp, number(lines(3)%text, 15), at_rest)
       deallocate (lines)
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
       call assertEqual(0.0_wp, number(lines(2)%text, 10), 1.0e-3_wp)
       call assertEqual(0.0_wp, number(lines(4)%text, 10), 1.0e-3_wp)
       deallocate (lines)
       allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      if (anyExceptions()) return
       call assertEqual(shown(block + along - friction*across, .false.), number(lines(3)%text, sweep_indicator), at_rest)
       deallocate (lines)
       run = run_deck_text(deck(0.1_wp, calibrate))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Applied to all that follows, without the offset:') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
       call assertEqual('', field(lines(2)%text, summary_indicator))
    end subroutine test_block
 
@@ -130,6 +136,7 @@ contains
          "&calibrate parameter = 'sticking', cases = 's', sticking_depth = 400 /"))
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
       call assertEqual('sticking', field(lines(2)%text, 3))
       call assertEqual(pull, number(lines(2)%text, 21), 1.0e-4_wp*pull)
       run = run_deck_text(deck(friction, rig_group(block)//"&load_case name = 's', operation = 'up', bit_depth = 1000, "// &
@@ -159,6 +166,7 @@ contains
       call assertTrue(index(run%output, '.1/.35') > 0, message=run%output)
       call assertTrue(index(run%output, 'Beyond max_torque of the rig: rotary drilling at .1/.35') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
+      if (anyExceptions()) return
       call assertEqual(5, size(lines))
       if (size(lines) /= 5) return
       do k = 1, 2

@@ -1,7 +1,7 @@
 !> Sweeps as a user runs them: the same results alone, interrupted, or in parts on several machines; what does not fit is
 !> refused by name.
 module dg_test_sweep_runs
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
@@ -63,7 +63,9 @@ contains
       call assertTrue(index(run%diagnostics, 'its wob and tob act in trip_out too') > 0, message=run%diagnostics)
       allocate (sweep(0), summary(0))
       sweep = lines_of(csv)
+      if (anyExceptions()) return
       summary = lines_of(results_path//'/summary.csv')
+      if (anyExceptions()) return
       call assertEqual(1 + 2*3, size(sweep))
       found = 0
       do i = 2, size(summary)
@@ -92,6 +94,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (sweep(0))
       sweep = lines_of(csv)
+      if (anyExceptions()) return
       call assertEqual(1 + 3*2*10, size(sweep))
       found = 0
       do i = 2, size(sweep)
@@ -123,6 +126,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (sweep(0))
       sweep = lines_of(results_path//'/sweep_1.csv')
+      if (anyExceptions()) return
       call assertEqual(1 + 4*3, size(sweep))
       call assertEqual('model,operation,friction,bit_depth_m,hookload_kN,torque_kNm,status', sweep(1)%text(:66))
       call assertEqual('mixed', field(sweep(13)%text, 1))
@@ -144,6 +148,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (one(0))
       one = lines_of(csv)
+      if (anyExceptions()) return
       call assertEqual(1 + 2*points, size(one))
       run = run_deck_text(deck, '--threads 4')
       call compare(one, lines_of(csv), 'threads do not matter')
@@ -162,6 +167,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (whole(0), record(0))
       whole = lines_of(csv)
+      if (anyExceptions()) return
       call make_partial(record)
       call append_text(record, '30 converged  1.00000')
       call write_text_file(partial, record, error)
@@ -182,6 +188,7 @@ contains
       call write_text_file(partial, record, error)
       run = run_program(again)
       record = lines_of(csv)
+      if (anyExceptions()) return
       call assertEqual('1.000000000', field(record(4)%text, 5), message='taken from the record')
    end subroutine test_resumed
 
@@ -194,6 +201,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (record(0))
       record = lines_of(results_path//'/sweep_b.part_1_of_2')
+      if (anyExceptions()) return
       record(2)%text = 'part 1 of 1'
       call delete_file(results_path//'/sweep_b.part_1_of_2')
       call write_text_file(partial, record, error)
@@ -212,6 +220,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (whole(0))
       whole = lines_of(csv)
+      if (anyExceptions()) return
       ! each run must itself remove the file that the one before has left
       call resume('KILL')
       call resume('TERM')
@@ -248,6 +257,7 @@ contains
       call delete_file(results_path//'/summary.csv')
       allocate (deck(0))
       deck = lines_of(deck_path)
+      if (anyExceptions()) return
       do i = 1, size(deck)
          if (index(deck(i)%text, 'diameter = 215.9') > 0) deck(i)%text = replaced(deck(i)%text, '215.9', '216.0')
       end do
@@ -273,6 +283,7 @@ contains
       run = run_deck_text(good_deck()//group)
       allocate (whole(0))
       whole = lines_of(csv)
+      if (anyExceptions()) return
       call delete_file(csv)
       do part = 1, 4
          run = run_program(again//'--part '//to_text(part)//'/4')
@@ -301,6 +312,7 @@ contains
       end do
       call refuse('sweep_b.part_4_of_4: it is missing; run --part 4/4')
       lines = lines_of(results_path//'/sweep_b.part_2_of_4')
+      if (anyExceptions()) return
       call write_text_file(results_path//'/sweep_b.part_4_of_4', lines, error)
       call refuse('sweep_b.part_4_of_4: it holds part 2 of 4 instead of part 4 of 4; remove it and run --part 4/4')
       call write_text_file(results_path//'/sweep_b.part_2_of_4', lines(:size(lines) - 3), error)
@@ -312,6 +324,7 @@ contains
       run = run_program(again//'--part 4/4')
       ! a part of another deck
       lines = lines_of(results_path//'/sweep_b.part_3_of_4')
+      if (anyExceptions()) return
       do part = 1, size(lines)
          if (index(lines(part)%text, 'hole 1, friction_axial = ') == 1) lines(part)%text = 'hole 1, friction_axial = 0.24'
       end do
@@ -353,6 +366,7 @@ contains
       call assertEqual(3, run%status)
       allocate (sweep(0))
       sweep = lines_of(csv)
+      if (anyExceptions()) return
       lost = 0
       do i = 2, size(sweep)
          if (field(sweep(i)%text, 7) /= 'not_converged') cycle
@@ -373,6 +387,7 @@ contains
       deck = replaced(deck, 'bit_depth_step = 300, frictions = 0.3', 'bit_depth_step = 20, frictions = 0.2, 0.3')
       run = run_deck_text(deck)
       sweep = lines_of(csv)
+      if (anyExceptions()) return
       lost = 0
       do i = 2, size(sweep)
          if (field(sweep(i)%text, 7) /= 'not_converged') cycle

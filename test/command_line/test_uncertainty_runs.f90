@@ -1,6 +1,6 @@
 !> Monte Carlo as a user runs it: propagation in closed form, the same file on any number of threads and in parts, refusals.
 module dg_test_uncertainty_runs
-   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_counter_random, only: normal_number
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
@@ -58,6 +58,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Uncertainty m: 4000 samples, seed 5') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call assertEqual(3, size(lines))
       if (size(lines) /= 3) return
       friction = find_distribution(0.3_wp + deviation*normal_number(5, [(i, i=1, samples)], quantity_friction, 1))
@@ -81,6 +82,7 @@ contains
       run = run_deck_text(deck("operations = 'static', bit_depth_from = 1000, hookload_deviation = 3, samples = 500"))
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (lines, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       gauge = find_distribution(10.0_wp*9.80665_wp + 3.0_wp*normal_number(1, [(i, i=1, 500)], quantity_hookload, 1))
       call assertEqual(gauge%quantiles(p10), number(lines(2)%text, 5), printed*100.0_wp)
       call assertEqual(gauge%quantiles(p90), number(lines(2)%text, 7), printed*100.0_wp)
@@ -100,13 +102,16 @@ contains
       run = run_deck_text(all_unsure(), '--threads 1')
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call assertEqual(1 + 2*3*3, size(one))
       run = run_deck_text(all_unsure(), '--threads 2')
       allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call compare(one, two)
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 30, seed = 2'))
       deallocate (two)
       allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call assertTrue(one(2)%text /= two(2)%text, message='another seed')
    end subroutine test_threads
 
@@ -118,6 +123,7 @@ contains
       integer :: i
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 31'))
       allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       run = run_deck_text(replaced(all_unsure(), 'samples = 30', 'samples = 31'), '--part 1/3')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'part 1 of 3: 186 of 558 solutions') > 0, message=run%output)
@@ -131,6 +137,7 @@ contains
       run = run_program(again//'--merge 3')
       call assertEqual(0, run%status, message=run%diagnostics)
       allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call compare(one, two)
    end subroutine test_parts
 
@@ -146,6 +153,7 @@ contains
       character(:), allocatable :: failure
       run = run_deck_text(all_unsure())
       allocate (one, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       run = run_program(again//'--part 1/1')
       call assertEqual(0, run%status, message=run%diagnostics)
       call read_lines(whole, lines, failure)
@@ -158,6 +166,7 @@ contains
       call assertTrue(index(run%diagnostics, 'uncertainty ''m'': ') > 0, message=run%diagnostics)
       call assertTrue(index(run%output, to_text(kept + 1)//' solutions in') > 0, message=run%output)
       allocate (two, source=lines_of(results_path//'/uncertainty_m.csv'))
+      if (anyExceptions()) return
       call compare(one, two)
       call write_text_file(partial, lines, error)
       call write_text_file(deck_path, [deck_lines('seed = 2, torque_deviation = 0.2')], error)

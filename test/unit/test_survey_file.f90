@@ -275,11 +275,13 @@ contains
                                             achar(13)//achar(13)//achar(10)]
       integer, parameter :: piece = 65536
       character(:), allocatable :: eol
-      integer :: i, length, unit
+      integer :: i, length, unit, status
       do i = 1, size(ends)
          eol = trim(ends(i))
          do length = piece - 3, piece + 1
-            open (newunit=unit, file=path, access='stream', form='unformatted', status='replace')
+            open (newunit=unit, file=path, access='stream', form='unformatted', status='replace', iostat=status)
+            call assertEqual(0, status, message='open '//path)
+            if (status /= 0) return
             write (unit) '#'//repeat('x', length - 1)//eol//'md,inc,azi'//eol//'0,0,90'//eol//'500,10,90.25'//eol//eol// &
                '1234.5,45.5,100'
             close (unit)

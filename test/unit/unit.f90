@@ -1,7 +1,9 @@
 !> Tests of single procedures and types. Every test module of this folder is registered here.
 program unit
    use funit, only: run
+   use dg_place, only: enter_root
    implicit none
+   call enter_root()
    if (.not. run(load_tests)) error stop 1
 
 contains

@@ -1,10 +1,10 @@
 !> Every operation by every model, on the deck that shows them side by side, input/operations.nml: friction, torque and contact
 !> agree, and stand in the order that friction gives them.
 module dg_test_operations
-   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: fault_list_type, fault_text
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_load_case, only: moves_axially, operation_count, operation_name, rotates
@@ -46,8 +46,13 @@ contains
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
       type(error_type), allocatable :: error
+      character(:), allocatable :: first
       integer :: i
       call read_deck('input/operations.nml', model, job, notes, faults)
+      first = ''
+      if (faults%count > 0) first = fault_text(faults%items(1))
+      call assertEqual('', first, message='no fault')
+      if (anyExceptions()) return
       allocate (results(size(model%cases), size(names)))
       do i = 1, size(model%cases)
          call solve_soft_string(model, i, results(i, soft), error)
@@ -63,6 +68,7 @@ contains
       character(:), allocatable :: what
       integer :: i, m
       call solve_all(model, results)
+      if (anyExceptions()) return
       do i = 1, operation_count
          call assertTrue(any(model%cases%operation == i), message=trim(operation_name(i))//' is in the deck')
       end do
@@ -104,6 +110,7 @@ contains
       type(case_result_type), allocatable :: results(:, :)
       integer :: m
       call solve_all(model, results)
+      if (anyExceptions()) return
       do m = 1, size(names)
          call above('overpull', 'up')
          call above('up', 'backream')

@@ -1,7 +1,9 @@
 !> Tests against closed forms and published answers. Every test module of this folder is registered here.
 program verification
    use funit, only: run
+   use dg_place, only: enter_root
    implicit none
+   call enter_root()
    if (.not. run(load_tests)) error stop 1
 
 contains
