@@ -6,8 +6,8 @@ Usage: check_results.py FOLDER     a folder of results of a deck in SI units wit
   results.h5      opens; every column of every profile_*.csv is there with the same numbers, units and description, chunked
                   and compressed; rows of summary.csv and limits.csv are attributes; deck text, version, compiler, time
                   the contacts of contacts_*.csv
-  view_*.vtkhdf   VTK reads two blocks; `string` has every column that has values, and lies off the hole axis as far as
-                  `displacement` says; the wall of `hole` stands off the axis by half the hole
+  view_*.hdf      VTK reads the string: every column that has values, off the hole axis as far as `displacement` says
+  hole_*.hdf      VTK reads the tube: its wall stands off the axis by half the hole
 """
 import csv
 import pathlib
@@ -16,7 +16,8 @@ import sys
 import h5py
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonDataModel import VTK_POLY_LINE, VTK_TRIANGLE_STRIP
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
 SAME = 1.0e-9      # CSV files have ten digits
@@ -102,15 +103,18 @@ def check_contacts(group, path):
             expect(same(data[:], column(rows, name)), f"{data.name} differs from {path.name}")
 
 
-def blocks(path):
+def grid(path):
     reader = vtkHDFReader()
     expect(reader.CanReadFile(str(path)), f"{path.name}: VTK cannot read it")
     reader.SetFileName(str(path))
     reader.Update()
-    output, found = reader.GetOutputDataObject(0), {}
-    for i in range(output.GetNumberOfPartitionedDataSets()):
-        found[output.GetMetaData(i).Get(vtkCompositeDataSet.NAME())] = output.GetPartition(i, 0)
-    return found
+    return reader.GetOutputDataObject(0)
+
+
+def cells(data, kind):
+    """Whether all cells are of a kind, and how many they are."""
+    number = data.GetNumberOfCells()
+    return number if all(data.GetCellType(i) == kind for i in range(number)) else 0
 
 
 def points(data):
@@ -122,13 +126,9 @@ def field(data, name):
     return None if array is None else vtk_to_numpy(array)
 
 
-def check_view(path, rows):
-    found = blocks(path)
-    if set(found) != {"string", "hole"}:
-        faults.append(f"{path.name}: blocks {sorted(found)}")
-        return
-    string, hole = found["string"], found["hole"]
-    expect(string.GetNumberOfLines() == 1 and string.GetNumberOfPoints() == len(rows), f"{path.name}: the string is no line")
+def check_view(path, hole_path, rows):
+    string, hole = grid(path), grid(hole_path)
+    expect(cells(string, VTK_POLY_LINE) == 1 and string.GetNumberOfPoints() == len(rows), f"{path.name}: the string is no line")
     for name in rows[0]:
         if name in ("gap_state", "buckling"):
             expect(field(string, name) is not None, f"{path.name}: no field {name}")
@@ -143,12 +143,12 @@ def check_view(path, rows):
     rings = [row_of[round(depth, 6)] for depth in field(hole, "md_m")]
     off = numpy.linalg.norm(points(hole) - axis[rings], axis=1)
     expect(numpy.allclose(off, column(rows, "hole_mm")[rings]/2000.0, rtol=0.0, atol=NEAR), f"{path.name}: the tube is not round")
-    expect(hole.GetNumberOfStrips() > 2 and rings[0] == 0 and rings[-1] == len(rows) - 1, f"{path.name}: the tube has no wall")
+    expect(cells(hole, VTK_TRIANGLE_STRIP) > 2 and rings[0] == 0 and rings[-1] == len(rows) - 1, f"{path.name}: the tube has no wall")
     expect(set(numpy.unique(strip_points(hole))) == set(range(hole.GetNumberOfPoints())), f"{path.name}: loose points of the tube")
 
 
 def strip_points(hole):
-    return vtk_to_numpy(hole.GetStrips().GetConnectivityArray())
+    return vtk_to_numpy(hole.GetCells().GetConnectivityArray())
 
 
 def main(folder):
@@ -171,9 +171,9 @@ def main(folder):
             check_attributes(group, limit, "limits.csv")
             check_group(group, rows)
             check_contacts(group, folder/f"contacts_{ending}.csv")
-            check_view(folder/f"view_{ending}.vtkhdf", rows)
+            check_view(folder/f"view_{ending}.hdf", folder/f"hole_{ending}.hdf", rows)
             views += 1
-    print(f"{views} results of results.h5 read by h5py {h5py.__version__}, {views} views read by VTK")
+    print(f"{views} results of results.h5 read by h5py {h5py.__version__}, {views} views read by VTK {vtkVersion.GetVTKVersion()}")
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

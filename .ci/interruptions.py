@@ -60,14 +60,14 @@ def without_times(path):
     if path.name == "summary.csv":
         rows = list(csv.DictReader(io.StringIO(data.decode())))
         return [{k: v for k, v in row.items() if k != "seconds"} for row in rows]
-    if path.suffix in (".h5", ".html", ".vtkhdf"):                 # hold times and dates: that they are whole is asked
+    if path.suffix in (".h5", ".html", ".hdf"):                 # hold times and dates: that they are whole is asked
         return path.name
     return re.sub(rb"<desc>.*?</desc>", b"", data)
 
 
 def faults_of(data, name):
     """Whether a file of HDF5 or HTML is whole."""
-    if name.endswith((".h5", ".vtkhdf")):
+    if name.endswith((".h5", ".hdf")):
         # the superblock holds where the file ends: at byte 40 in its first two versions, at 28 in later ones
         at = 40 if data[8:9] < b"\2" else 28
         whole = data[:8] == b"\x89HDF\r\n\x1a\n" and int.from_bytes(data[at:at + 8], "little") == len(data)
@@ -113,7 +113,7 @@ def faults_of_files(place, whole, killed):
             continue
         if name not in whole:
             faults.append(f"{name} is a stranger")
-        elif name.endswith((".h5", ".html", ".vtkhdf")):
+        elif name.endswith((".h5", ".html", ".hdf")):
             faults += faults_of(path.read_bytes(), name)
         elif name == "summary.csv":
             for row, good in zip(without_times(path), whole[name], strict=True):

@@ -16,13 +16,13 @@ module dg_run_deck
    use dg_memory, only: check_memory
    use dg_model, only: model_type
    use dg_model_table, only: model_table
-   use dg_paraview_file, only: write_paraview
+   use dg_paraview_file, only: write_hole_view, write_string_view
    use dg_part_faults, only: faults_text, part_faults_type, start_faults
    use dg_part_list, only: part_list_text
    use dg_printed_text, only: print_line, print_lines, printed_text_type
    use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
-   use dg_result_name, only: case_file, contacts_file, history_file, profile_file, view_file
+   use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
    use dg_run_legacy, only: run_legacy
@@ -344,7 +344,9 @@ contains
             call note_failure(error, status)
          end if
          if (job%plots) then
-            call write_paraview(in_folder(job, case_file(view_file, case, number)), job, result, along, error)
+            call write_string_view(in_folder(job, case_file(view_file, case, number)), job, result%profile, along, error)
+            call note_failure(error, status)
+            call write_hole_view(in_folder(job, case_file(hole_file, case, number)), job, result%profile, along, error)
             call note_failure(error, status)
          end if
          if (job%profiles .and. allocated(result%contacts)) then

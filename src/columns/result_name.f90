@@ -6,20 +6,21 @@ module dg_result_name
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, contacts_file, history_file, case_file, record_file, result_names, record_names
+   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, result_names, record_names
    public :: is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
-   integer, parameter :: profile_file = 1, view_file = 2, contacts_file = 3, history_file = 4
+   integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, history_file = 5, case_files = 5
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
    character(*), parameter :: fixed_names(9) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
       'study.csv', 'steering.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
-   !> Beginnings of names with something of the deck in them, and their endings.
-   character(*), parameter :: beginnings(7) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'legacy_', &
-                                                              'sweep_', 'uncertainty_']
-   character(*), parameter :: endings(7) = [character(7) :: '.csv', '.csv', '.csv', '.vtkhdf', '.csv', '.csv', '.csv']
+   !> Beginnings of names with something of the deck in them, and their endings. Version 0.1.0 wrote .vtkhdf.
+   character(*), parameter :: beginnings(9) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_', &
+                                                              'legacy_', 'sweep_', 'uncertainty_']
+   character(*), parameter :: endings(9) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf', '.csv', '.csv', &
+                                                            '.csv']
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
    character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
    !> What names may be made of, and how long the system lets them be.
@@ -40,7 +41,9 @@ contains
       case (profile_file)
          name = 'profile'//name//'.csv'
       case (view_file)
-         name = 'view'//name//'.vtkhdf'
+         name = 'view'//name//'.hdf'
+      case (hole_file)
+         name = 'hole'//name//'.hdf'
       case (contacts_file)
          name = 'contacts'//name//'.csv'
       case default
@@ -64,7 +67,7 @@ contains
       type(model_type), intent(in) :: model
       type(text_type), allocatable, intent(out) :: names(:)
       integer :: i, j, n
-      n = size(fixed_names) + size(job%sweeps) + size(job%uncertainties) + history_file*size(job%models)*size(model%cases)
+      n = size(fixed_names) + size(job%sweeps) + size(job%uncertainties) + case_files*size(job%models)*size(model%cases)
       if (allocated(job%legacy)) n = n + size(job%legacy)
       allocate (names(n))
       n = 0
@@ -111,6 +114,7 @@ contains
                call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
                call add(case_file(contacts_file, model%cases(i)%name, job%models(j)), job%profiles)
                call add(case_file(view_file, model%cases(i)%name, job%models(j)), job%plots)
+               call add(case_file(hole_file, model%cases(i)%name, job%models(j)), job%plots)
                call add(case_file(history_file, model%cases(i)%name, job%models(j)), model%numerics%history)
             end do
          end do

@@ -8,12 +8,13 @@ module dg_hdf5_file
    use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dcreate_f, &
                    h5dont_atexit_f, &
                    h5dwrite_f, h5eset_auto_f, h5f_acc_excl_f, h5f_libver_latest_f, h5f_libver_v18_f, h5fclose_f, &
-                   h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gcreate_f, h5kind_to_type, h5lcreate_soft_f, &
+                   h5fcreate_f, h5fflush_f, h5f_scope_local_f, h5gcreate_f, h5kind_to_type, &
                    h5oclose_f, h5oopen_f, h5open_f, h5p_crt_order_indexed_f, h5p_crt_order_tracked_f, h5p_dataset_create_f, &
                    h5p_file_access_f, h5p_group_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, h5pset_deflate_f, &
                    h5pset_libver_bounds_f, h5pset_link_creation_order_f, h5pset_shuffle_f, h5s_scalar_f, h5sclose_f, &
                    h5screate_f, h5screate_simple_f, h5t_cset_utf8_f, h5t_fortran_s1, h5t_ieee_f64le, h5t_std_i32le, &
-                   h5t_std_i64le, h5t_string, h5tclose_f, h5tcopy_f, h5tset_cset_f, h5tset_size_f, hid_t, hsize_t, size_t
+                   h5t_std_i64le, h5t_std_u8le, h5t_string, h5tclose_f, h5tcopy_f, &
+                   h5tset_cset_f, h5tset_size_f, hid_t, hsize_t, size_t
    use dg_error, only: error_type, raise, status_failure
    use dg_file_system, only: delete_file, rename_file, unfinished_name
    use dg_kinds, only: wp
@@ -21,7 +22,7 @@ module dg_hdf5_file
    use dg_system_reason, only: reason_of_failed_write
    implicit none
    private
-   public :: hdf5_file_type, create_hdf5, close_hdf5, make_group, make_link, write_data, write_attribute, write_ascii
+   public :: hdf5_file_type, create_hdf5, close_hdf5, make_group, write_data, write_bytes, write_attribute, write_ascii
 
    type :: hdf5_file_type
       private
@@ -126,16 +127,6 @@ contains
       call h5pclose_f(properties, status)
    end subroutine make_group
 
-   !> Makes a soft link at `link` to `target`.
-   subroutine make_link(file, link, target)
-      type(hdf5_file_type), intent(inout) :: file
-      character(*), intent(in) :: link, target
-      integer :: status
-      if (file%failure /= '') return
-      call h5lcreate_soft_f(target, file%id, link, status)
-      call check(file, status, 'link '//link)
-   end subroutine make_link
-
    subroutine write_reals(file, path, values, unit)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
@@ -178,6 +169,17 @@ contains
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_i64le, &
                         h5kind_to_type(kind(values), h5_integer_kind), address_of_long_integers(buffer, size(buffer)))
    end subroutine write_long_integers
+
+   !> Numbers from 0 to 255 as a dataset of bytes.
+   subroutine write_bytes(file, path, values)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: path
+      integer, intent(in) :: values(:)
+      integer, allocatable, target :: buffer(:)
+      allocate (buffer, source=values)
+      call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_u8le, &
+                        h5kind_to_type(kind(values), h5_integer_kind), address_of_integers(buffer, size(buffer)))
+   end subroutine write_bytes
 
    !> A dataset from memory; chunked and compressed where it is large.
    subroutine write_buffer(file, path, dims, file_type, memory_type, address)

@@ -1,10 +1,10 @@
-!> view_<case>_<model>.vtkhdf: string and hole in space, for ParaView (5.12 or later) or VTK (9.3 or later).
+!> view_<case>_<model>.hdf and hole_<case>_<model>.hdf: string and hole in space, for ParaView (5.11 or later) or VTK (9.2 or
+!> later).
 !>
-!> VTK's own HDF5 format, version 2.1, as its documentation has it: a partitioned data set collection of two blocks of
-!> type PolyData. `string` is one line through the places where the string lies, with every column along the string
-!> that has values on its points; `hole` is a tube. Points are (east, north, up) in the deck's unit of length, so that up
-!> is up on the screen. The offset of the string from the hole axis is kept as a vector beside them: 'Warp By Vector'
-!> magnifies it.
+!> VTK's own HDF5 format as its documentation has it, version 1.0: one unstructured grid a file, which every reader since knows.
+!> The string is one line through the places where it lies, with every column along the string that has values on its points; the
+!> hole is a tube. Points are (east, north, up) in the deck's unit of length, so that up is up on the screen. The offset of the
+!> string from the hole axis is kept as a vector beside them: 'Warp By Vector' magnifies it.
 module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -13,7 +13,7 @@ module dg_paraview_file
    use dg_column, only: column_header, quantity_text, unit_size
    use dg_constants, only: pi
    use dg_error, only: error_type
-   use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, make_link, write_ascii, write_attribute, &
+   use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_ascii, write_attribute, write_bytes, &
                            write_data
    use dg_job, only: job_type
    use dg_missing, only: is_missing
@@ -23,77 +23,60 @@ module dg_paraview_file
    use dg_vector, only: cross
    implicit none
    private
-   public :: write_paraview, string_offsets, tube_rows
+   public :: write_string_view, write_hole_view, string_offsets, tube_rows
 
-   character(*), parameter :: root = '/VTKHDF'
-   integer, parameter :: format_version(2) = [2, 1]
+   character(*), parameter :: root = '/VTKHDF', fields = root//'/PointData'
+   integer, parameter :: format_version(2) = [1, 0]
    !> Corners of a section of the tube.
    integer, parameter :: sides = 24
    !> A ring of the tube may stand no farther along than this turn of the hole [rad].
    real(wp), parameter :: ring_angle = 0.02_wp
-   character(*), parameter :: cell_kinds(4) = [character(8) :: 'Vertices', 'Lines', 'Polygons', 'Strips']
+   !> VTK's numbers of kinds of cells.
+   integer, parameter :: line_cell = 4, strip_cell = 6
 
 contains
 
-   !> Writes one result to `path`.
-   subroutine write_paraview(path, job, result, along, error)
+   !> Writes the string of one result to `path`, as one line with its fields.
+   subroutine write_string_view(path, job, profile, along, error)
       character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: result
-      type(along_string_type), intent(in) :: along
-      type(error_type), allocatable, intent(out) :: error
-      type(hdf5_file_type) :: file
-      call create_hdf5(file, path)
-      call make_group(file, root)
-      call write_attribute(file, root, 'Version', format_version)
-      call write_ascii(file, root, 'Type', 'PartitionedDataSetCollection')
-      call put_string(file, root//'/string', job, result%profile, along)
-      call put_hole(file, root//'/hole', job, result%profile, along)
-      call make_group(file, root//'/Assembly')
-      call make_link(file, root//'/Assembly/string', root//'/string')
-      call make_link(file, root//'/Assembly/hole', root//'/hole')
-      call close_hdf5(file, error)
-   end subroutine write_paraview
-
-   !> The string as one line, with its fields.
-   subroutine put_string(file, group, job, profile, along)
-      type(hdf5_file_type), intent(inout) :: file
-      character(*), intent(in) :: group
       type(job_type), intent(in) :: job
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
+      type(error_type), allocatable, intent(out) :: error
+      type(hdf5_file_type) :: file
       real(wp) :: offset(3, size(profile%md)), values(size(profile%md))
       integer :: codes(size(profile%md))
       integer(int64) :: i
       integer :: j, n
       n = size(profile%md)
       offset = string_offsets(profile)
-      call put_block(file, group, 0, to_screen(axis_of(profile) + offset)/job%units%length)
-      call put_cells(file, group, 'Lines', [0_int64, int(n, int64)], [(i, i=0_int64, n - 1_int64)])
-      call make_group(file, group//'/PointData')
+      call put_grid(file, path, to_screen(axis_of(profile) + offset)/job%units%length)
+      call put_cells(file, line_cell, [0_int64, int(n, int64)], [(i, i=0_int64, n - 1_int64)])
       do j = 1, size(profile_columns)
          associate (column => profile_columns(j))
             if (column%quantity == quantity_text) then
                call profile_codes(trim(column%name), profile, along, codes)
-               call write_data(file, group//'/PointData/'//trim(column%name), codes)
+               call write_data(file, fields//'/'//trim(column%name), codes)
             else
                call profile_values(trim(column%name), profile, along, values)
                if (.not. all(is_missing(values))) &
-                  call write_data(file, group//'/PointData/'//column_header(column, job%units), values, &
+                  call write_data(file, fields//'/'//column_header(column, job%units), values, &
                                   unit=unit_size(column%quantity, job%units))
             end if
          end associate
       end do
-      call write_data(file, group//'/PointData/offset_'//trim(job%units%length_label), to_screen(offset)/job%units%length)
-   end subroutine put_string
+      call write_data(file, fields//'/offset_'//trim(job%units%length_label), to_screen(offset)/job%units%length)
+      call close_hdf5(file, error)
+   end subroutine write_string_view
 
-   !> The hole as a tube of triangle strips, one a side, with the measured depth on its points.
-   subroutine put_hole(file, group, job, profile, along)
-      type(hdf5_file_type), intent(inout) :: file
-      character(*), intent(in) :: group
+   !> Writes the hole of one result to `path`, as a tube of triangle strips, one a side, with the measured depth on its points.
+   subroutine write_hole_view(path, job, profile, along, error)
+      character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
+      type(error_type), allocatable, intent(out) :: error
+      type(hdf5_file_type) :: file
       integer, allocatable :: rows(:)
       real(wp), allocatable :: points(:, :), md(:)
       integer(int64), allocatable :: corners(:)
@@ -116,50 +99,39 @@ contains
             corners(2*n*(j - 1) + 2*k) = int(k - 1, int64)*sides + mod(j, sides)
          end do
       end do
-      call put_block(file, group, 1, to_screen(points)/job%units%length)
-      call put_cells(file, group, 'Strips', [(2*n*i, i=0_int64, int(sides, int64))], corners)
-      call make_group(file, group//'/PointData')
-      call write_data(file, group//'/PointData/'//column_header(profile_columns(1), job%units), md, unit=job%units%length)
-   end subroutine put_hole
+      call put_grid(file, path, to_screen(points)/job%units%length)
+      call put_cells(file, strip_cell, [(2*n*i, i=0_int64, int(sides, int64))], corners)
+      call write_data(file, fields//'/'//column_header(profile_columns(1), job%units), md, unit=job%units%length)
+      call close_hdf5(file, error)
+   end subroutine write_hole_view
 
-   !> Head and points of a block, with empty lists of every kind of cell but the one that put_cells gives.
-   subroutine put_block(file, group, number, points)
-      type(hdf5_file_type), intent(inout) :: file
-      character(*), intent(in) :: group
-      integer, intent(in) :: number            !< of the block, from 0
+   !> Begins a file with head and points of its grid, and the room for its fields.
+   subroutine put_grid(file, path, points)
+      type(hdf5_file_type), intent(out) :: file
+      character(*), intent(in) :: path
       real(wp), intent(in) :: points(:, :)
-      call make_group(file, group)
-      call write_attribute(file, group, 'Version', format_version)
-      call write_ascii(file, group, 'Type', 'PolyData')
-      call write_attribute(file, group, 'Index', number)
-      call write_data(file, group//'/NumberOfPoints', [size(points, 2, kind=int64)])
-      call write_data(file, group//'/Points', points)
-   end subroutine put_block
+      call create_hdf5(file, path)
+      call make_group(file, root)
+      call write_attribute(file, root, 'Version', format_version)
+      call write_ascii(file, root, 'Type', 'UnstructuredGrid')
+      call write_data(file, root//'/NumberOfPoints', [size(points, 2, kind=int64)])
+      call write_data(file, root//'/Points', points)
+      call make_group(file, fields)
+   end subroutine put_grid
 
-   !> The cells of a block, all of one kind.
-   subroutine put_cells(file, group, kind_of_cells, offsets, connectivity)
+   !> The cells of a grid, all of one kind.
+   subroutine put_cells(file, kind_of_cells, offsets, connectivity)
       type(hdf5_file_type), intent(inout) :: file
-      character(*), intent(in) :: group
-      character(*), intent(in) :: kind_of_cells
+      integer, intent(in) :: kind_of_cells            !< line_cell, strip_cell
       integer(int64), intent(in) :: offsets(:)        !< of each cell in `connectivity`, from 0, and their end
       integer(int64), intent(in) :: connectivity(:)   !< numbers of points, from 0
-      character(:), allocatable :: cells
-      integer :: i
-      do i = 1, size(cell_kinds)
-         cells = group//'/'//trim(cell_kinds(i))
-         call make_group(file, cells)
-         if (cell_kinds(i) == kind_of_cells) then
-            call write_data(file, cells//'/NumberOfCells', [size(offsets, kind=int64) - 1])
-            call write_data(file, cells//'/NumberOfConnectivityIds', [size(connectivity, kind=int64)])
-            call write_data(file, cells//'/Offsets', offsets)
-            call write_data(file, cells//'/Connectivity', connectivity)
-         else
-            call write_data(file, cells//'/NumberOfCells', [0_int64])
-            call write_data(file, cells//'/NumberOfConnectivityIds', [0_int64])
-            call write_data(file, cells//'/Offsets', [0_int64])
-            call write_data(file, cells//'/Connectivity', [integer(int64) ::])
-         end if
-      end do
+      integer :: kinds(size(offsets) - 1)
+      kinds = kind_of_cells
+      call write_data(file, root//'/NumberOfCells', [size(kinds, kind=int64)])
+      call write_data(file, root//'/NumberOfConnectivityIds', [size(connectivity, kind=int64)])
+      call write_bytes(file, root//'/Types', kinds)
+      call write_data(file, root//'/Offsets', offsets)
+      call write_data(file, root//'/Connectivity', connectivity)
    end subroutine put_cells
 
    !> Points of the hole axis, north-east-down [m].

@@ -100,7 +100,7 @@ contains
       run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
       call shell('mkdir -p '//results_path//' && echo precious > '//scratch//'/victim && cd '//results_path//' && for i in '// &
                  'summary.csv summary.csv.unfinished limits.csv.unfinished results.h5 results.h5.unfinished '// &
-                 'profile_u_soft.csv view_u_soft.vtkhdf.unfinished report.html.unfinished; do ln -s ../victim $i; done')
+                 'profile_u_soft.csv view_u_soft.hdf.unfinished report.html.unfinished; do ln -s ../victim $i; done')
       run = run_program(deck_path//' --output '//results_path)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual('precious'//newline, content(scratch//'/victim'))
@@ -184,7 +184,7 @@ contains
                  '../victim.csv ../profile_x_soft.csv > legacy_mine.csv && mkdir ../other && '// &
                  'echo mine > ../other/path_x.svg && rm profile_u_soft.csv && ln -s ../victim.csv profile_u_soft.csv && '// &
                  'printf ''../victim.csv\n../profile_x_soft.csv\npictures/../../victim.csv\n/etc/passwd\nnotes.csv\n.\n..\n\n'// &
-                 'pictures\nview_$(id)_soft.vtkhdf\n'' >> drillgap_files.txt')
+                 'pictures\nview_$(id)_soft.hdf\n'' >> drillgap_files.txt')
       run = run_again(replaced(replaced(good_deck(), "name = 'u', op", "name = 'v', op"), 'title', 'profiles = .false., title'))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual('drillgap_files.txt legacy_mine.csv limits.csv notes.csv pictures profile_mine_soft.csv '// &

@@ -163,15 +163,15 @@ contains
       run = run_deck_text(with_plots())
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(is_hdf5('results.h5'))
-      call assertTrue(is_hdf5('view_u_soft.vtkhdf'))
-      call assertTrue(is_hdf5('view_s_soft.vtkhdf'))
+      call assertTrue(is_hdf5('view_u_soft.hdf'))
+      call assertTrue(is_hdf5('view_s_soft.hdf'))
       call assertFalse(is_file('results.h5.unfinished'))
       run = run_deck_text(replaced(with_plots(), 'title', 'hdf5 = .false., title'))
       call assertFalse(is_file('results.h5'))
-      call assertTrue(is_file('view_u_soft.vtkhdf'))
+      call assertTrue(is_file('view_u_soft.hdf'))
       run = run_deck_text(good_deck())
       call assertTrue(is_file('results.h5'))
-      call assertFalse(is_file('view_u_soft.vtkhdf'))
+      call assertFalse(is_file('view_u_soft.hdf'))
    end subroutine test_hdf5_files
 
    !> A file that cannot be written costs the exit status, not the other files.
@@ -184,7 +184,7 @@ contains
       call assertTrue(index(run%diagnostics, 'results.h5') > 0, message=run%diagnostics)
       call assertFalse(is_file('results.h5.unfinished'))
       call assertTrue(is_file('summary.csv'))
-      call assertTrue(is_file('view_u_soft.vtkhdf'))
+      call assertTrue(is_file('view_u_soft.hdf'))
       call assertTrue(index(run%output, 'a deck') > 0, message=run%output)
    end subroutine test_hdf5_in_the_way
 

@@ -25,7 +25,7 @@ contains
    subroutine test_results()
       call assertTrue(is_result_name('summary.csv'))
       call assertTrue(is_result_name(case_file(profile_file, 'a.b+c-1', 2)))
-      call assertTrue(is_result_name('view_'//repeat('x', 100)//'_mixed.vtkhdf'))
+      call assertTrue(is_result_name('view_'//repeat('x', 100)//'_mixed.hdf'))
       call assertTrue(is_result_name('pictures/all.gp'))
       call assertTrue(is_result_name('pictures/path_a.svg'))
       call assertFalse(is_result_name(''))
