@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The manual page app/drillgap.1 against the program's sources: options, exit statuses, version, variables of the environment.
+"""The manual page app/drillgap.1 against the program's sources: options, exit statuses, version.
 
 Every option of --help and of the list in app/arguments.f90 has a heading in the page, and the page has no other; so have the exit
-statuses and what the program reads of the environment. Where `groff` is there it must format the page without a warning.
+statuses. The version is that of fpm.toml and the newest of CHANGELOG.md. Where `groff` is there it must format the page without a
+warning.
 """
 import pathlib
 import re
@@ -32,6 +33,10 @@ def main():
         faults.append(f"exit statuses: {sorted(listed)}, --help has {sorted(statuses)}")
     if f'"drillgap {version}"' not in page:
         faults.append(f"its heading does not tell version {version}")
+    manifest = re.search(r'^version = "(.+?)"', (ROOT / "fpm.toml").read_text(encoding="utf-8"), re.M).group(1)
+    newest = re.search(r"^## (\d\S*)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M).group(1)
+    others = (("fpm.toml", manifest), ("CHANGELOG.md", newest))
+    faults += [f"{place} is version {other}, the program {version}" for place, other in others if other != version]
     if shutil.which("groff"):
         shown = subprocess.run(["groff", "-man", "-Tutf8", "-ww", str(ROOT / "app/drillgap.1")], capture_output=True, text=True,
                                check=False)

@@ -16,7 +16,7 @@ module dg_result_name
    character(*), parameter :: picture_folder = 'pictures'
    character(*), parameter :: fixed_names(9) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
       'study.csv', 'steering.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
-   !> Beginnings of names with something of the deck in them, and their endings. Version 0.1.0 wrote .vtkhdf.
+   !> Beginnings of names with something of the deck in them, and their endings. Builds before 0.2.0 wrote .vtkhdf.
    character(*), parameter :: beginnings(9) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_', &
                                                               'legacy_', 'sweep_', 'uncertainty_']
    character(*), parameter :: endings(9) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf', '.csv', '.csv', &

@@ -53,7 +53,7 @@ contains
       call clear_scratch()
       run = run_program('--version')
       call assertEqual(0, run%status)
-      call assertEqual('drillgap 0.1.0'//newline, run%output)
+      call assertEqual('drillgap 0.2.0'//newline, run%output)
       run = run_program('--help')
       call assertEqual(0, run%status)
       call assertTrue(index(run%output, 'usage: drillgap DECK.nml') == 1, message=run%output)
