@@ -3,17 +3,18 @@ module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
-   use dg_component, only: contact_diameter
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_missing, only: missing
+   use dg_model_fault, only: fault_words, model_faults_type
+   use dg_string_check, only: check_centralizer
    use dg_text, only: quoted, suggestion, to_text
    implicit none
    private
    public :: take_centralizers
 
-   !> Digits of a diameter in a message, and letters of a component's name that a suggestion repeats.
-   integer, parameter :: digits = 7, name_shown = 64
+   !> Letters of a component's name that a suggestion repeats.
+   integer, parameter :: name_shown = 64
 
 contains
 
@@ -58,31 +59,19 @@ contains
       !> Whether a component has no others, and is thinner.
       subroutine check_on(item)
          type(draft_component_type), intent(in) :: item
+         type(model_faults_type) :: found
+         character(:), allocatable :: words
+         integer :: m
          associate (part => item%component)
             if (part%centralizer%present) &
                call fault('component', quoted(part%name)//' has centralisers already; a component takes one kind, so cut it in two')
-            if (part%length > 0.0_wp .and. centralizer%first >= part%length) call fault('first', 'the lowest stands '// &
-               far(centralizer%first)//' above the lower end of '//quoted(part%name)//', which is '//far(part%length)//' long')
-            if (centralizer%od <= contact_diameter(part)) call fault('od', 'od = '//wide(centralizer%od)// &
-               ' is not greater than that of '//quoted(part%name)//' (line '//to_text(item%line)//'), '// &
-               wide(contact_diameter(part)))
-            if (centralizer%bow .and. centralizer%rated_hole <= contact_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
-               wide(centralizer%rated_hole)//' is not greater than the diameter of '//quoted(part%name)//', '// &
-               wide(contact_diameter(part)))
          end associate
+         call check_centralizer(centralizer, item%component, 0, draft%units, found)
+         do m = 1, found%count
+            call fault_words(found%items(m), 'line '//to_text(item%line), words)
+            call fault(trim(found%items(m)%key), words)
+         end do
       end subroutine check_on
-
-      function wide(diameter) result(text)
-         real(wp), intent(in) :: diameter
-         character(:), allocatable :: text
-         text = to_text(diameter/draft%units%diameter, digits)//' '//trim(draft%units%diameter_label)
-      end function wide
-
-      function far(length) result(text)
-         real(wp), intent(in) :: length
-         character(:), allocatable :: text
-         text = to_text(length/draft%units%length, digits)//' '//trim(draft%units%length_label)
-      end function far
 
       subroutine fault(key, message)
          character(*), intent(in) :: key, message

@@ -1,22 +1,23 @@
-!> Checks the parts of a deck against each other: holes cover the depths of the cases, strings reach surface
-!> and pass the hole, names are unique. Only parts that are legal in themselves take part, so that one slip
-!> gives one message.
+!> Checks the parts of a deck against each other, as those of any model are (room model_check/), and tells what is found with the
+!> lines of the deck: holes cover the depths of the cases, strings reach surface and pass the hole, names are unique. Only parts
+!> that are legal in themselves take part, so that one slip gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_component, only: centralizer_diameter, is_bit
+   use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name, name_shown
+   use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_text, only: quoted, suggestion, to_text, lower_case
+   use dg_hole_check, only: check_section, join_sections
+   use dg_hole_section, only: hole_section_type
+   use dg_model_fault, only: fault_words, model_faults_type
+   use dg_string_check, only: check_in_string
+   use dg_text, only: quoted, to_text, lower_case
    implicit none
    private
-   public :: close_holes, check_draft, check_case
+   public :: close_holes, check_draft, check_case, tell_faults
 
-   !> Part of a depth that is only round-off of a conversion or of a survey table [-].
-   real(wp), parameter :: depth_round_off = 1.0e-6_wp
-   integer, parameter :: depth_digits = 9
-   integer, parameter :: diameter_digits = 6
-   !> Letters of a string's name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
+   !> What a message says of a component that is too wide.
+   character(*), parameter :: passes_not = 'does not pass'
 
 contains
 
@@ -26,6 +27,8 @@ contains
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
       type(draft_hole_type) :: moving
+      type(hole_section_type) :: sections(size(draft%holes))
+      type(model_faults_type) :: found, in_itself
       integer :: i, j, n
       logical :: closed
 
@@ -60,11 +63,10 @@ contains
                end if
                hole%has_bottom = .true.
             end if
-            if (hole%sound .and. hole%section%md_bottom <= hole%section%md_top) then
-               call fault(hole%line_bottom, 'md_bottom = '//depth_text(draft, hole%section%md_bottom)// &
-                          ' is not below md_top = '//depth_text(draft, hole%section%md_top))
-               hole%sound = .false.
-            end if
+            if (.not. hole%sound) cycle
+            call check_section(hole%section, i, draft%units, in_itself)
+            hole%sound = in_itself%count == 0
+            call tell_faults(draft, in_itself, faults)
          end associate
       end do
       if (n == 0 .or. .not. all(draft%holes%sound)) return
@@ -76,20 +78,17 @@ contains
             draft%holes(j - 1) = moving
          end do
       end do
-      if (draft%holes(1)%section%md_top > 0.0_wp) call fault(draft%holes(1)%line_top, 'the uppermost section begins at '// &
-         depth_text(draft, draft%holes(1)%section%md_top)//'; holes must begin at surface, md_top = 0')
-      do i = 2, n
-         associate (above => draft%holes(i - 1)%section%md_bottom, below => draft%holes(i)%section%md_top)
-            if (abs(below - above) <= depth_round_off*above) then
-               below = above
-            else
-               call fault(draft%holes(i)%line_top, 'md_top = '//depth_text(draft, below)//' leaves '// &
-                          gap_word(below > above)//' the section above (line '//to_text(draft%holes(i - 1)%line)// &
-                          '), which ends at '//depth_text(draft, above)//'; sections must abut')
-               draft%holes(i)%sound = .false.
-            end if
-         end associate
+      do i = 1, n
+         sections(i) = draft%holes(i)%section
       end do
+      call join_sections(sections, draft%units, found)
+      do i = 1, n
+         draft%holes(i)%section%md_top = sections(i)%md_top
+      end do
+      do i = 1, found%count
+         if (found%items(i)%place > 1) draft%holes(found%items(i)%place)%sound = .false.
+      end do
+      call tell_faults(draft, found, faults)
 
    contains
 
@@ -98,16 +97,6 @@ contains
          character(*), intent(in) :: message
          call add_fault(faults, draft%path, line, 'group &hole: '//message)
       end subroutine fault
-
-      function gap_word(gap) result(text)
-         logical, intent(in) :: gap
-         character(:), allocatable :: text
-         if (gap) then
-            text = 'a gap below'
-         else
-            text = 'an overlap with'
-         end if
-      end function gap_word
    end subroutine close_holes
 
    !> All checks across groups; `draft` is as it comes from close_holes.
@@ -139,34 +128,25 @@ contains
    subroutine check_strings(draft, faults)
       type(draft_type), intent(in) :: draft
       type(fault_list_type), intent(inout) :: faults
-      real(wp) :: heaviest
+      type(model_faults_type) :: found
+      logical :: uppermost
       integer :: i, j
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (.not. item%sound) cycle
-            if (item%component%length <= 0.0_wp) then
-               do j = i + 1, size(draft%components)
-                  if (draft%components(j)%string /= item%string) cycle
-                  call add_fault(faults, draft%path, item%line_length, 'group &component: length of '// &
-                                 quoted(item%component%name)//' is missing or 0; only the last component of string '// &
-                                 quoted(item%string)//' may reach to surface')
-                  exit
-               end do
+            uppermost = .true.
+            do j = i + 1, size(draft%components)
+               if (draft%components(j)%string == item%string) uppermost = .false.
+            end do
+            if (size(draft%fluids) > 0) then
+               call check_in_string(item%component, i, item%string, uppermost, draft%units, found, &
+                                    maxval(draft%fluids%fluid%density))
+            else
+               call check_in_string(item%component, i, item%string, uppermost, draft%units, found)
             end if
-            if (size(draft%fluids) == 0) cycle
-            heaviest = maxval(draft%fluids%fluid%density)
-            if (heaviest >= item%component%density) &
-               call add_fault(faults, draft%path, item%line_density, 'group &component: '// &
-                              quoted(item%component%name)//' floats: the mud, '//dense(heaviest)// &
-                              ', is not lighter than the material, '//dense(item%component%density))
          end associate
       end do
-   contains
-      function dense(density) result(text)
-         real(wp), intent(in) :: density
-         character(:), allocatable :: text
-         text = to_text(density/draft%units%density, diameter_digits)
-      end function dense
+      call tell_faults(draft, found, faults)
    end subroutine check_strings
 
    !> Names of cases become file names: unique, also where letter case does not count.
@@ -190,24 +170,17 @@ contains
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
       type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
       if (draft%has_stations) call reach('survey', draft%stations%md(size(draft%stations%md)))
       if (all(draft%holes%sound) .and. size(draft%holes) > 0) &
          call reach('lowest hole section', draft%holes(size(draft%holes))%section%md_bottom)
+      if (found%count > 0) item%sound = .false.
+      call tell_faults(draft, found, faults, item)
    contains
       subroutine reach(what, bottom)
          character(*), intent(in) :: what
          real(wp), intent(in) :: bottom
-         associate (depth => item%load_case%bit_depth)
-            if (depth > bottom*(1.0_wp + depth_round_off)) then
-               call add_fault(faults, draft%path, item%line_depth, 'group &'//trim(item%group)//': '// &
-                              trim(item%depth_key)//' = '// &
-                              depth_text(draft, depth)//' lies below the '//what//', which ends at '// &
-                              depth_text(draft, bottom)//'; needs a number, > 0 and <= '//depth_text(draft, bottom))
-               item%sound = .false.
-            else
-               depth = min(depth, bottom)
-            end if
-         end associate
+         call check_reach(item%load_case%bit_depth, 0, trim(item%depth_key), what, bottom, draft%units, found)
       end subroutine reach
    end subroutine check_depth
 
@@ -216,95 +189,100 @@ contains
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(in) :: item
       type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
       integer, allocatable :: parts(:)
+      type(component_type), allocatable :: string(:)
+      type(hole_section_type) :: sections(size(draft%holes))
       character(name_shown) :: names(size(draft%components))
       integer :: k
-      real(wp) :: length
 
       associate (case => item%load_case)
          allocate (parts(0))
          do k = 1, size(draft%components)
             if (draft%components(k)%string == case%string) parts = [parts, k]
+            names(k) = draft%components(k)%string
          end do
          if (size(draft%components) == 0) return     ! said already
          if (size(parts) == 0) then
-            do k = 1, size(names)
-               names(k) = draft%components(k)%string
-            end do
-            call fault(item%line_string, 'no component belongs to string '//quoted(case%string)//'; '// &
-                       suggestion(case%string, distinct(names)))
+            call check_string_name(case%string, 0, distinct(names), found)
+            call tell_faults(draft, found, faults, item)
             return
          end if
          if (.not. all(draft%components(parts)%sound)) return
-         length = 0.0_wp
+         allocate (string(size(parts)))
          do k = 1, size(parts)
-            length = length + draft%components(parts(k))%component%length
+            string(k) = draft%components(parts(k))%component
          end do
-         if (draft%components(parts(size(parts)))%component%length > 0.0_wp .and. &
-             length < case%bit_depth*(1.0_wp - depth_round_off)) &
-            call fault(item%line_depth, 'string '//quoted(case%string)//' is '//depth_text(draft, length)// &
-                       ' long and does not reach surface from '//trim(item%depth_key)//' = '//depth_text(draft, case%bit_depth)// &
-                       '; leave out the length of its last component (line '// &
-                       to_text(draft%components(parts(size(parts)))%line)//')')
-         if (all(draft%holes%sound)) call check_passage(draft, item, parts, faults)
+         call check_string_length(string, parts(size(parts)), case, 0, trim(item%depth_key), draft%units, found)
+         call tell_faults(draft, found, faults, item)
+         if (.not. all(draft%holes%sound)) return
+         do k = 1, size(sections)
+            sections(k) = draft%holes(k)%section
+         end do
+         call check_passage(string, parts, sections, case%bit_depth, trim(item%what)//' '//quoted(case%name), draft%units, found)
+         call tell_faults(draft, found, faults, item)
       end associate
-   contains
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line, 'group &'//trim(item%group)//': '//message)
-      end subroutine fault
    end subroutine check_string
 
-   !> Every component is thinner than each hole section that it has passed on its way down.
-   subroutine check_passage(draft, probe, parts, faults)
+   !> Tells what checks of the model have found, with the lines of the deck, and empties the list.
+   subroutine tell_faults(draft, found, faults, item)
       type(draft_type), intent(in) :: draft
-      type(draft_case_type), intent(in) :: probe
-      integer, intent(in) :: parts(:)        !< components of its string, from the bit up
+      type(model_faults_type), intent(inout) :: found
       type(fault_list_type), intent(inout) :: faults
-      integer :: k, h, m, line
-      real(wp) :: lower_end, diameter
-      lower_end = probe%load_case%bit_depth
-      do k = 1, size(parts)
-         if (lower_end <= 0.0_wp) return
-         associate (item => draft%components(parts(k)))
-            diameter = centralizer_diameter(item%component)
-            line = merge(item%line_centralizer, item%line_diameter, item%line_centralizer > 0)
-            do h = 1, size(draft%holes)
-               if (draft%holes(h)%section%md_top >= lower_end) exit
-               if (diameter < draft%holes(h)%section%diameter) cycle
-               if (is_bit(item%component) .and. .not. diameter > draft%holes(h)%section%diameter) cycle
-               if (said_before(line)) exit
-               call add_fault(faults, draft%path, line, 'group &'// &
-                              trim(merge('centralizer', 'component  ', item%line_centralizer > 0))//': '// &
-                              quoted(item%component%name)//' with '//wide(diameter)//' does not pass the hole of '// &
-                              wide(draft%holes(h)%section%diameter)//' (line '//to_text(draft%holes(h)%line)// &
-                              ') in '//trim(probe%what)//' '//quoted(probe%load_case%name)//'; needs a diameter < '// &
-                              wide(draft%holes(h)%section%diameter))
-               exit
-            end do
-            lower_end = lower_end - item%component%length
-            if (item%component%length <= 0.0_wp) return
+      type(draft_case_type), intent(in), optional :: item   !< the load case, or what stands for one
+      character(:), allocatable :: words, group
+      integer :: i, line
+      do i = 1, found%count
+         associate (fault => found%items(i))
+            line = line_of_part(draft, fault%part, fault%place, fault%key)
+            group = trim(fault%part)
+            if (present(item) .and. fault%part == 'load_case') then
+               group = trim(item%group)
+               line = merge(item%line_string, item%line_depth, fault%key == 'string')
+            end if
+            call fault_words(fault, 'line '//to_text(line_of_part(draft, fault%other, fault%other_place, '')), words)
+            ! one case is enough to show that a component is too wide
+            if (index(words, passes_not) > 0 .and. said_of(line)) cycle
+            call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
+      found%count = 0
    contains
-      !> One case is enough to show that a component is too wide.
-      function said_before(line) result(said)
-         integer, intent(in) :: line
+      function said_of(number) result(said)
+         integer, intent(in) :: number
          logical :: said
+         integer :: k
          said = .false.
-         do m = 1, faults%count
-            if (faults%items(m)%line /= line) cycle
-            if (index(faults%items(m)%message, 'does not pass') > 0) said = .true.
+         do k = 1, faults%count
+            if (faults%items(k)%line == number .and. index(faults%items(k)%message, passes_not) > 0) said = .true.
          end do
-      end function said_before
+      end function said_of
+   end subroutine tell_faults
 
-      function wide(width) result(text)
-         real(wp), intent(in) :: width
-         character(:), allocatable :: text
-         text = to_text(width/draft%units%diameter, diameter_digits)//' '//trim(draft%units%diameter_label)
-      end function wide
-   end subroutine check_passage
+   !> Line of a quantity of a part; key '': of its group.
+   pure function line_of_part(draft, part, place, key) result(line)
+      type(draft_type), intent(in) :: draft
+      character(*), intent(in) :: part, key
+      integer, intent(in) :: place
+      integer :: line
+      line = 0
+      select case (part)
+      case ('hole')
+         line = draft%holes(place)%line
+         if (key == 'md_top') line = draft%holes(place)%line_top
+         if (key == 'md_bottom') line = draft%holes(place)%line_bottom
+      case ('component')
+         line = draft%components(place)%line
+         if (key == 'length') line = draft%components(place)%line_length
+         if (key == 'od') line = draft%components(place)%line_diameter
+         if (key == 'density') line = draft%components(place)%line_density
+      case ('centralizer')
+         line = draft%components(place)%line_centralizer
+      case ('fluid')
+         line = draft%fluids(place)%line
+      case default
+      end select
+   end function line_of_part
 
    !> The names without repetition.
    pure function distinct(names) result(once)
@@ -318,12 +296,4 @@ contains
       end do
       once = pack(names, first)
    end function distinct
-
-   !> A depth with the deck's unit.
-   pure function depth_text(draft, depth) result(text)
-      type(draft_type), intent(in) :: draft
-      real(wp), intent(in) :: depth          !< [m]
-      character(:), allocatable :: text
-      text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
-   end function depth_text
 end module dg_deck_check

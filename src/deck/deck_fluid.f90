@@ -2,9 +2,12 @@
 module dg_deck_fluid
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_deck_check, only: tell_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_fluid, only: collar_name, collar_none, fills, fluid_top, fluid_type, mud_type, side_inside, side_outside, standing_mud
+   use dg_fluid, only: collar_name, collar_none, mud_type, standing_mud
+   use dg_fluid_check, only: check_fluid, check_fluid_order
+   use dg_model_fault, only: model_faults_type
    use dg_text, only: to_text
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
    implicit none
@@ -12,7 +15,6 @@ module dg_deck_fluid
    public :: draft_fluid, place_fluids
 
    integer, parameter :: depth_digits = 9
-   integer, parameter :: sides(2) = [side_inside, side_outside]
 
 contains
 
@@ -22,6 +24,8 @@ contains
       type(checked_group_type), intent(in) :: group
       type(draft_fluid_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
+      integer :: i
       item%line = group%line
       item%line_tvd = line_of(group, 'tvd_top')
       item%line_density = line_of(group, 'density')
@@ -37,12 +41,14 @@ contains
             fluid%collar = findloc(collar_name == text_of(group, 'float_collar', collar_name(collar_none)), .true., dim=1)
          if (count([is_given(group, 'md_top'), is_given(group, 'tvd_top'), is_given(group, 'above_bit')]) > 1) &
             call fault(group%line, 'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
-         if (fluid%above_bit > 0.0_wp .and. fluid%outside) &
-            call fault(line_of(group, 'above_bit'), 'above_bit is a place of the string; it needs where = ''inside''')
-         if (fluid%collar /= collar_none .and. .not. is_given(group, 'above_bit')) &
-            call fault(line_of(group, 'float_collar'), 'a float_collar is a part of the string; it needs above_bit, '// &
-                       'its distance from the bit')
       end associate
+      call check_fluid(item%fluid, 0, found)
+      do i = 1, found%count
+         associate (wrong => found%items(i))
+            if (wrong%key == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
+            call fault(line_of(group, trim(wrong%key)), wrong%message)
+         end associate
+      end do
    contains
       subroutine fault(line, message)
          integer, intent(in) :: line
@@ -58,7 +64,8 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mud_type), intent(out) :: mud
       type(fault_list_type), intent(inout) :: faults
-      integer :: i, hider
+      type(model_faults_type) :: found
+      integer :: i
       mud = standing_mud(0.0_wp)
       if (size(draft%fluids) == 0) return
       deallocate (mud%fluids)
@@ -72,42 +79,7 @@ contains
                         to_text(draft%fluids(i)%tvd_top/draft%units%length, depth_digits)//' '// &
                         trim(draft%units%length_label)//' is deeper than the hole; leave this fluid out')
       end do
-      do i = 1, size(mud%fluids)
-         hider = hidden_by(i)
-         if (hider == 0) cycle
-         call add_fault(faults, draft%path, draft%fluids(i)%line, 'group &fluid: the fluid in line '// &
-                        to_text(draft%fluids(hider)%line)//' takes all of its place; list fluids of a side from the top down, '// &
-                        'each with the md_top, tvd_top or above_bit where it begins')
-      end do
-   contains
-      !> The last of those fluids listed later, none of them beginning deeper, that fill every side that a fluid fills; 0 where a
-      !> side is left.
-      pure function hidden_by(number) result(hider)
-         integer, intent(in) :: number
-         integer :: hider
-         integer :: other
-         logical :: left(size(sides))
-         hider = 0
-         left = fills(mud%fluids(number), sides)
-         do other = number + 1, size(mud%fluids)
-            if (begins_deeper(mud%fluids(other), mud%fluids(number))) cycle
-            if (.not. any(left .and. fills(mud%fluids(other), sides))) cycle
-            left = left .and. .not. fills(mud%fluids(other), sides)
-            hider = other
-         end do
-         if (any(left)) hider = 0
-      end function hidden_by
-
-      !> Whether a fluid begins deeper than the one listed before it. Of one that begins at a depth and one that moves with the
-      !> string: a moving one comes in deeper; of a moving one before it, at the lowest place of the bit.
-      pure function begins_deeper(later, earlier) result(yes)
-         type(fluid_type), intent(in) :: later, earlier
-         logical :: yes
-         if (later%above_bit > 0.0_wp) then
-            yes = later%above_bit < earlier%above_bit .or. .not. earlier%above_bit > 0.0_wp
-         else
-            yes = later%md_top > fluid_top(earlier, bottom_md(trajectory))
-         end if
-      end function begins_deeper
+      call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
+      call tell_faults(draft, found, faults)
    end subroutine place_fluids
 end module dg_deck_fluid

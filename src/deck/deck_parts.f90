@@ -2,17 +2,21 @@
 !> concern one group alone.
 module dg_deck_parts
    use dg_kinds, only: wp
+   use dg_case_check, only: check_operation
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_load_case, only: operation_from_name, operation_ream, operation_backream, optional_real, given
+   use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type
+   use dg_model_fault, only: length_digits, model_faults_type
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
    use dg_rig, only: rig_type
+   use dg_settings_check, only: check_numerics
+   use dg_string_check, only: check_component
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -25,8 +29,6 @@ module dg_deck_parts
    real(wp), parameter :: usual_joint_yield = 120.0e3_wp*6894.757293168_wp
    !> Wall left by wear, in the order of the classes (API RP 7G-2).
    real(wp), parameter :: premium_wall = 0.8_wp, class_2_wall = 0.7_wp
-   !> Digits of a length in a message.
-   integer, parameter :: length_digits = 7
 
 contains
 
@@ -61,6 +63,8 @@ contains
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
+      integer :: i
       item%line = group%line
       item%line_length = line_of(group, 'length')
       item%line_density = line_of(group, 'density')
@@ -92,19 +96,16 @@ contains
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
          call draft_bend()
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
-         if (is_sound(group, 'od') .and. is_sound(group, 'id') .and. part%id >= part%od) then
-            call fault(line_of(group, 'id'), 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
-         else
-            part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
-         end if
-         if (part%joint_od > 0.0_wp .and. part%joint_od < part%od .and. is_sound(group, 'od')) &
-            call fault(line_of(group, 'joint_od'), 'joint_od = '//wide(part%joint_od)//' is smaller than od = '// &
-                       wide(part%od)//'; 0 or absent: no joints')
-         if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) &
-            call fault(line_of(group, 'joint_length'), 'joint_length = '//to_text(part%joint_length/units%length, &
-                       length_digits)//' is greater than joint_spacing = '// &
-                       to_text(part%joint_spacing/units%length, length_digits))
+         if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
       end associate
+      call check_component(item%component, 0, units, found)
+      do i = 1, found%count
+         associate (wrong => found%items(i))
+            if (wrong%key == 'id' .and. .not. is_sound(group, 'id')) cycle
+            if (any(wrong%key == [character(8) :: 'id', 'joint_od']) .and. .not. is_sound(group, 'od')) cycle
+            call fault(line_of(group, trim(wrong%key)), wrong%message)
+         end associate
+      end do
 
    contains
 
@@ -115,9 +116,6 @@ contains
             part%bend_position = real_of(group, 'bend_position', part%bend_position)
             if (part%bend > 0.0_wp .and. .not. is_given(group, 'bend_position')) &
                call fault(line_of(group, 'bend'), 'bend needs bend_position, its distance above the lower end of the component')
-            if (part%length > 0.0_wp .and. part%bend_position > part%length) &
-               call fault(line_of(group, 'bend_position'), 'bend_position = '//to_text(part%bend_position/units%length, &
-                          length_digits)//' is greater than length = '//to_text(part%length/units%length, length_digits))
          end associate
       end subroutine draft_bend
 
@@ -156,12 +154,6 @@ contains
          call add_fault(faults, path, line, 'group &component: '//message)
          item%sound = .false.
       end subroutine fault
-
-      function wide(diameter) result(text)
-         real(wp), intent(in) :: diameter
-         character(:), allocatable :: text
-         text = to_text(diameter/units%diameter, length_digits)
-      end function wide
    end subroutine draft_component
 
    !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
@@ -208,6 +200,8 @@ contains
       type(draft_case_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
       type(optional_real) :: friction
+      type(model_faults_type) :: found
+      integer :: i
       item%line = group%line
       item%line_name = line_of(group, 'name')
       item%line_depth = line_of(group, 'bit_depth')
@@ -236,21 +230,15 @@ contains
          if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) &
             call fault(item%line_name, 'name = '//quoted(case%name)// &
                        ' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
-         if (is_sound(group, 'operation') .and. (case%operation == operation_ream .or. &
-                                                 case%operation == operation_backream)) then
-            call need_speed('rpm', case%angular_speed)
-            call need_speed('trip_speed', case%trip_speed)
-         end if
       end associate
+      if (is_sound(group, 'operation')) call check_operation(item%load_case, 0, found)
+      do i = 1, found%count
+         associate (wrong => found%items(i))
+            if (is_sound(group, trim(wrong%key))) call fault(line_of(group, trim(wrong%key)), wrong%message)
+         end associate
+      end do
 
    contains
-
-      subroutine need_speed(key, value)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: value
-         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
-         call fault(line_of(group, key), 'operation '//text_of(group, 'operation', '')//' needs '//key//' > 0')
-      end subroutine need_speed
 
       subroutine fault(line, message)
          integer, intent(in) :: line
@@ -298,6 +286,8 @@ contains
       type(checked_group_type), intent(in) :: group
       type(numerics_type), intent(out) :: numerics
       type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
+      integer :: i
       numerics = settings_of(text_of(group, 'fidelity', 'auto'))
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
       if (is_given(group, 'gap_location') .and. is_sound(group, 'gap_location')) &
@@ -324,17 +314,10 @@ contains
       numerics%history = logical_of(group, 'history', numerics%history)
       numerics%mixed_elements = is_sound(group, 'mixed_parts') .and. text_of(group, 'mixed_parts', '') == 'elements'
       numerics%wall_climb = logical_of(group, 'wall_climb', numerics%wall_climb)
-      if (numerics%gk_min >= numerics%gk_contact) call fault('gk_min', 'gk_min must be smaller than gk_contact')
-      if (numerics%gk_contact > numerics%gk_max) call fault('gk_max', 'gk_max must be at least gk_contact')
-      if (numerics%eps_n0 >= numerics%eps_nmax) call fault('eps_n0', 'eps_n0 must be smaller than eps_nmax')
-
-   contains
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line_of(group, key), 'group &solver: '//message)
-      end subroutine fault
+      call check_numerics(numerics, found)
+      do i = 1, found%count
+         call add_fault(faults, path, line_of(group, trim(found%items(i)%key)), 'group &solver: '//found%items(i)%message)
+      end do
    end subroutine draft_numerics
 
    !> Whether every key of a group that is given or required has a legal value.

@@ -1,0 +1,125 @@
+!> Load cases: what their operation needs, and whether hole and string reach where the bit is and the string passes the hole.
+module dg_case_check
+   use dg_component, only: centralizer_diameter, component_type, is_bit
+   use dg_hole_check, only: depth_round_off
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: load_case_type, operation_backream, operation_name, operation_ream
+   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
+   use dg_text, only: quoted, suggestion
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: check_operation, check_reach, check_string_name, check_string_length, check_passage, name_shown
+
+   !> Letters of a string's name that a suggestion repeats.
+   integer, parameter :: name_shown = 64
+
+contains
+
+   !> Reaming needs both speeds, whose ratio divides the friction.
+   subroutine check_operation(load_case, place, found)
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: place
+      type(model_faults_type), intent(inout) :: found
+      if (.not. any(load_case%operation == [operation_ream, operation_backream])) return
+      if (.not. load_case%angular_speed > 0.0_wp) call need('rpm')
+      if (.not. load_case%trip_speed > 0.0_wp) call need('trip_speed')
+   contains
+      subroutine need(key)
+         character(*), intent(in) :: key
+         call note_fault(found, 'load_case', place, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
+                         key//' > 0')
+      end subroutine need
+   end subroutine check_operation
+
+   !> The bit is not below `what`. A depth beyond its end by round-off becomes its end.
+   subroutine check_reach(depth, place, key, what, bottom, units, found)
+      real(wp), intent(inout) :: depth             !< of the bit [m]
+      integer, intent(in) :: place                 !< of the load case
+      character(*), intent(in) :: key              !< of the depth
+      character(*), intent(in) :: what             !< 'survey' or the like
+      real(wp), intent(in) :: bottom               !< its end [m]
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      if (depth > bottom*(1.0_wp + depth_round_off)) then
+         call note_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
+                         what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
+                         depth_words(units, bottom))
+      else
+         depth = min(depth, bottom)
+      end if
+   end subroutine check_reach
+
+   !> A string of that name is there.
+   subroutine check_string_name(string, place, names, found)
+      character(*), intent(in) :: string
+      integer, intent(in) :: place                 !< of the load case
+      character(*), intent(in) :: names(:)         !< of strings, each once
+      type(model_faults_type), intent(inout) :: found
+      if (any(names == string)) return
+      call note_fault(found, 'load_case', place, 'string', 'no component belongs to string '//quoted(string)//'; '// &
+                      suggestion(string, names))
+   end subroutine check_string_name
+
+   !> A string whose uppermost component has a length reaches from the bit to surface.
+   subroutine check_string_length(components, uppermost, load_case, place, key, units, found)
+      type(component_type), intent(in) :: components(:)   !< from the bit upwards, one at least
+      integer, intent(in) :: uppermost                    !< place of the last one
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: place
+      character(*), intent(in) :: key                     !< of the depth of the bit
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      real(wp) :: length
+      integer :: k
+      length = 0.0_wp
+      do k = 1, size(components)
+         length = length + components(k)%length
+      end do
+      if (.not. components(size(components))%length > 0.0_wp) return
+      if (.not. length < load_case%bit_depth*(1.0_wp - depth_round_off)) return
+      call note_fault(found, 'load_case', place, 'bit_depth', 'string '//quoted(load_case%string)//' is '// &
+                      depth_words(units, length)//' long and does not reach surface from '//key//' = '// &
+                      depth_words(units, load_case%bit_depth)//'; leave out the length of its last component (', &
+                      'component', uppermost, ')')
+   end subroutine check_string_length
+
+   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole.
+   subroutine check_passage(components, places, holes, bit_depth, whose, units, found)
+      type(component_type), intent(in) :: components(:)   !< from the bit upwards
+      integer, intent(in) :: places(:)                    !< of each
+      type(hole_section_type), intent(in) :: holes(:)     !< from the top down
+      real(wp), intent(in) :: bit_depth                   !< [m]
+      character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      character(:), allocatable :: part
+      integer :: k, h
+      real(wp) :: lower_end, diameter
+      lower_end = bit_depth
+      do k = 1, size(components)
+         if (lower_end <= 0.0_wp) return
+         diameter = centralizer_diameter(components(k))
+         part = 'component'
+         if (components(k)%centralizer%present .and. .not. components(k)%centralizer%bow) part = 'centralizer'
+         do h = 1, size(holes)
+            if (holes(h)%md_top >= lower_end) exit
+            if (diameter < holes(h)%diameter) cycle
+            if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
+            call note_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
+                            ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
+                            '; needs a diameter < '//wide(holes(h)%diameter))
+            exit
+         end do
+         lower_end = lower_end - components(k)%length
+         if (components(k)%length <= 0.0_wp) return
+      end do
+   contains
+      function wide(width) result(text)
+         real(wp), intent(in) :: width
+         character(:), allocatable :: text
+         text = diameter_words(units, width, diameter_digits)
+      end function wide
+   end subroutine check_passage
+end module dg_case_check

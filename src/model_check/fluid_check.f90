@@ -1,0 +1,68 @@
+!> Fluids: where each may begin, and that none takes all of another's place.
+module dg_fluid_check
+   use dg_fluid, only: collar_none, fills, fluid_top, fluid_type, side_inside, side_outside
+   use dg_kinds, only: wp
+   use dg_model_fault, only: model_faults_type, note_fault
+   implicit none
+   private
+   public :: check_fluid, check_fluid_order
+
+   integer, parameter :: sides(2) = [side_inside, side_outside]
+
+contains
+
+   !> What moves with the string is inside it, and a float collar is a part of it.
+   subroutine check_fluid(fluid, place, found)
+      type(fluid_type), intent(in) :: fluid
+      integer, intent(in) :: place
+      type(model_faults_type), intent(inout) :: found
+      if (fluid%above_bit > 0.0_wp .and. fluid%outside) call note_fault(found, 'fluid', place, 'above_bit', &
+         'above_bit is a place of the string; it needs where = ''inside''')
+      if (fluid%collar /= collar_none .and. .not. fluid%above_bit > 0.0_wp) call note_fault(found, 'fluid', place, &
+         'float_collar', 'a float_collar is a part of the string; it needs above_bit, its distance from the bit')
+   end subroutine check_fluid
+
+   !> Fluids of a side are listed from the top down: none is hidden by those that come after it.
+   subroutine check_fluid_order(fluids, bottom, found)
+      type(fluid_type), intent(in) :: fluids(:)
+      real(wp), intent(in) :: bottom               !< of the hole: the lowest place of the bit [m]
+      type(model_faults_type), intent(inout) :: found
+      integer :: i, hider
+      do i = 1, size(fluids)
+         hider = hidden_by(i)
+         if (hider == 0) cycle
+         call note_fault(found, 'fluid', i, '', 'the fluid in ', 'fluid', hider, ' takes all of its place; list fluids of a '// &
+                         'side from the top down, each with the md_top, tvd_top or above_bit where it begins')
+      end do
+   contains
+      !> The last of those fluids listed later, none of them beginning deeper, that fill every side that a fluid fills; 0 where a
+      !> side is left.
+      pure function hidden_by(number) result(hider)
+         integer, intent(in) :: number
+         integer :: hider
+         integer :: other
+         logical :: left(size(sides))
+         hider = 0
+         left = fills(fluids(number), sides)
+         do other = number + 1, size(fluids)
+            if (begins_deeper(fluids(other), fluids(number))) cycle
+            if (.not. any(left .and. fills(fluids(other), sides))) cycle
+            left = left .and. .not. fills(fluids(other), sides)
+            hider = other
+         end do
+         if (any(left)) hider = 0
+      end function hidden_by
+
+      !> Whether a fluid begins deeper than the one listed before it. Of one that begins at a depth and one that moves with the
+      !> string: a moving one comes in deeper; of a moving one before it, at the lowest place of the bit.
+      pure function begins_deeper(later, earlier) result(yes)
+         type(fluid_type), intent(in) :: later, earlier
+         logical :: yes
+         if (later%above_bit > 0.0_wp) then
+            yes = later%above_bit < earlier%above_bit .or. .not. earlier%above_bit > 0.0_wp
+         else
+            yes = later%md_top > fluid_top(earlier, bottom)
+         end if
+      end function begins_deeper
+   end subroutine check_fluid_order
+end module dg_fluid_check

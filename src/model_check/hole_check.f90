@@ -1,0 +1,50 @@
+!> Hole sections: each goes down, and together they reach from surface on without a gap.
+module dg_hole_check
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_model_fault, only: depth_words, model_faults_type, note_fault
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: check_section, join_sections, depth_round_off
+
+   !> Part of a depth that is only round-off of a conversion or of a survey table [-].
+   real(wp), parameter :: depth_round_off = 1.0e-6_wp
+
+contains
+
+   !> A section ends below its beginning.
+   subroutine check_section(hole, place, units, found)
+      type(hole_section_type), intent(in) :: hole
+      integer, intent(in) :: place
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      if (hole%md_bottom > hole%md_top) return
+      call note_fault(found, 'hole', place, 'md_bottom', 'md_bottom = '//depth_words(units, hole%md_bottom)// &
+                      ' is not below md_top = '//depth_words(units, hole%md_top))
+   end subroutine check_section
+
+   !> Sections from the top down begin at surface and abut. Ends that are off by round-off are made one.
+   subroutine join_sections(holes, units, found)
+      type(hole_section_type), intent(inout) :: holes(:)   !< one at least
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      character(:), allocatable :: gap
+      integer :: i
+      if (holes(1)%md_top > 0.0_wp) call note_fault(found, 'hole', 1, 'md_top', 'the uppermost section begins at '// &
+         depth_words(units, holes(1)%md_top)//'; holes must begin at surface, md_top = 0')
+      do i = 2, size(holes)
+         associate (above => holes(i - 1)%md_bottom, below => holes(i)%md_top)
+            if (abs(below - above) <= depth_round_off*above) then
+               below = above
+            else
+               gap = 'an overlap with'
+               if (below > above) gap = 'a gap below'
+               call note_fault(found, 'hole', i, 'md_top', 'md_top = '//depth_words(units, below)//' leaves '//gap// &
+                               ' the section above (', 'hole', i - 1, '), which ends at '//depth_words(units, above)// &
+                               '; sections must abut')
+            end if
+         end associate
+      end do
+   end subroutine join_sections
+end module dg_hole_check

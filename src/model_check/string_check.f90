@@ -1,0 +1,108 @@
+!> Drillstrings: what goes together within a component, and of components one above the other.
+module dg_string_check
+   use dg_centralizer, only: centralizer_type
+   use dg_component, only: component_type, contact_diameter
+   use dg_kinds, only: wp
+   use dg_model_fault, only: diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
+   use dg_text, only: quoted, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: check_component, check_in_string, check_centralizer
+
+contains
+
+   !> Diameters and lengths of one component, each within its range.
+   subroutine check_component(component, place, units, found)
+      type(component_type), intent(in) :: component
+      integer, intent(in) :: place
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      associate (part => component)
+         if (part%length > 0.0_wp .and. part%bend_position > part%length) call fault('bend_position', 'bend_position = '// &
+            long(part%bend_position)//' is greater than length = '//long(part%length))
+         if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
+         if (part%joint_od > 0.0_wp .and. part%joint_od < part%od) call fault('joint_od', 'joint_od = '//wide(part%joint_od)// &
+            ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
+         if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) call fault('joint_length', 'joint_length = '// &
+            long(part%joint_length)//' is greater than joint_spacing = '//long(part%joint_spacing))
+      end associate
+   contains
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call note_fault(found, 'component', place, key, message)
+      end subroutine fault
+
+      function wide(diameter) result(text)
+         real(wp), intent(in) :: diameter
+         character(:), allocatable :: text
+         text = to_text(diameter/units%diameter, length_digits)
+      end function wide
+
+      function long(length) result(text)
+         real(wp), intent(in) :: length
+         character(:), allocatable :: text
+         text = to_text(length/units%length, length_digits)
+      end function long
+   end subroutine check_component
+
+   !> A component has a length unless it is the uppermost, and it sinks in the mud.
+   subroutine check_in_string(component, place, string, uppermost, units, found, heaviest)
+      type(component_type), intent(in) :: component
+      integer, intent(in) :: place
+      character(*), intent(in) :: string           !< its name
+      logical, intent(in) :: uppermost
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      real(wp), intent(in), optional :: heaviest   !< density of the heaviest fluid [kg/m3]; absent: there is none
+      if (component%length <= 0.0_wp .and. .not. uppermost) call note_fault(found, 'component', place, 'length', 'length of '// &
+         quoted(component%name)//' is missing or 0; only the last component of string '//quoted(string)// &
+         ' may reach to surface')
+      if (.not. present(heaviest)) return
+      if (heaviest >= component%density) call note_fault(found, 'component', place, 'density', quoted(component%name)// &
+         ' floats: the mud, '//dense(heaviest)//', is not lighter than the material, '//dense(component%density))
+   contains
+      function dense(density) result(text)
+         real(wp), intent(in) :: density
+         character(:), allocatable :: text
+         text = to_text(density/units%density, diameter_digits)
+      end function dense
+   end subroutine check_in_string
+
+   !> Centralisers fit the component that they are on, and a bow is wider than it where it was rated.
+   subroutine check_centralizer(centralizer, component, place, units, found)
+      type(centralizer_type), intent(in) :: centralizer
+      type(component_type), intent(in) :: component
+      integer, intent(in) :: place                 !< of the component
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      associate (part => component)
+         if (part%length > 0.0_wp .and. centralizer%first >= part%length) call fault('first', 'the lowest stands '// &
+            far(centralizer%first)//' above the lower end of '//quoted(part%name)//', which is '//far(part%length)//' long')
+         if (centralizer%od <= contact_diameter(part)) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
+            wide(centralizer%od)//' is not greater than that of '//quoted(part%name)//' (', 'component', place, '), '// &
+            wide(contact_diameter(part)))
+         if (.not. centralizer%bow) return
+         if (centralizer%rated_hole <= contact_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
+            wide(centralizer%rated_hole)//' is not greater than the diameter of '//quoted(part%name)//', '// &
+            wide(contact_diameter(part)))
+      end associate
+   contains
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call note_fault(found, 'centralizer', place, key, message)
+      end subroutine fault
+
+      function wide(diameter) result(text)
+         real(wp), intent(in) :: diameter
+         character(:), allocatable :: text
+         text = diameter_words(units, diameter, length_digits)
+      end function wide
+
+      function far(length) result(text)
+         real(wp), intent(in) :: length
+         character(:), allocatable :: text
+         text = to_text(length/units%length, length_digits)//' '//trim(units%length_label)
+      end function far
+   end subroutine check_centralizer
+end module dg_string_check
