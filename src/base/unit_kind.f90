@@ -53,24 +53,32 @@ contains
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: unit
       character(8) :: label
-      logical :: field
-      field = units%name == 'field'
       select case (unit)
-      case (unit_length); label = merge('ft', 'm ', field)
-      case (unit_diameter); label = merge('in', 'mm', field)
-      case (unit_angle); label = 'deg'
-      case (unit_mass); label = merge('lbm/ft', 'kg/m  ', field)
-      case (unit_density); label = merge('lbm/gal', 'kg/m3  ', field)
-      case (unit_force); label = merge('klbf', 'kN  ', field)
-      case (unit_moment); label = merge('kft.lbf', 'kN.m   ', field)
-      case (unit_modulus); label = merge('1e6 psi', 'GPa    ', field)
-      case (unit_stress); label = merge('ksi', 'MPa', field)
-      case (unit_wall); label = merge('klbf/ft2', 'kN/m2   ', field)
-      case (unit_rotation); label = 'rpm'
-      case (unit_speed); label = merge('ft/s', 'm/s ', field)
+      case (unit_length); label = pick('m', 'ft', 'm')
+      case (unit_diameter); label = pick('mm', 'in', 'm')
+      case (unit_angle); label = pick('deg', 'deg', 'rad')
+      case (unit_mass); label = pick('kg/m', 'lbm/ft', 'kg/m')
+      case (unit_density); label = pick('kg/m3', 'lbm/gal', 'kg/m3')
+      case (unit_force); label = pick('kN', 'klbf', 'N')
+      case (unit_moment); label = pick('kN.m', 'kft.lbf', 'N.m')
+      case (unit_modulus); label = pick('GPa', '1e6 psi', 'Pa')
+      case (unit_stress); label = pick('MPa', 'ksi', 'Pa')
+      case (unit_wall); label = pick('kN/m2', 'klbf/ft2', 'N/m2')
+      case (unit_rotation); label = pick('rpm', 'rpm', 'rad/s')
+      case (unit_speed); label = pick('m/s', 'ft/s', 'm/s')
       case (unit_gravity); label = 'm/s2'
       case default; label = ''
       end select
+   contains
+      pure function pick(si, field, base) result(one)
+         character(*), intent(in) :: si, field, base
+         character(8) :: one
+         select case (units%name)
+         case ('field'); one = field
+         case ('base'); one = base
+         case default; one = si
+         end select
+      end function pick
    end function padded_label
 
    pure function label_length(units, unit) result(length)

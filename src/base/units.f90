@@ -7,7 +7,7 @@ module dg_units
    use dg_constants, only: degree, pi, standard_gravity
    implicit none
    private
-   public :: unit_system_type, si_units, field_units
+   public :: unit_system_type, si_units, field_units, base_units
 
    real(wp), parameter :: foot = 0.3048_wp
    real(wp), parameter :: inch = 0.0254_wp
@@ -76,4 +76,27 @@ contains
       units%curvature_label = 'deg_100ft'
       units%wall_stiffness_label = 'klbf_ft2'
    end function field_units
+
+   !> Units of programs: those of SI without multiples, angles in radians. No deck has them.
+   pure function base_units() result(units)
+      type(unit_system_type) :: units
+      units%name = 'base'
+      units%diameter = 1.0_wp
+      units%angle = 1.0_wp
+      units%force = 1.0_wp
+      units%moment = 1.0_wp
+      units%modulus = 1.0_wp
+      units%stress = 1.0_wp
+      units%wall_stiffness = 1.0_wp
+      units%force_per_length = 1.0_wp
+      units%curvature = 1.0_wp
+      units%rotation_speed = 1.0_wp
+      units%diameter_label = 'm'
+      units%force_label = 'N'
+      units%moment_label = 'Nm'
+      units%force_per_length_label = 'N_m'
+      units%stress_label = 'Pa'
+      units%curvature_label = 'rad_m'
+      units%wall_stiffness_label = 'N_m2'
+   end function base_units
 end module dg_units

@@ -3,9 +3,10 @@ module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
-   use dg_deck_tie_on, only: begins_below, begins_vertical
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
+   use dg_model_fault, only: model_faults_type
+   use dg_survey_check, only: begins_below, begins_vertical, check_station_order
    use dg_survey_file, only: station_list_type, read_survey_file
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_factor
@@ -113,6 +114,7 @@ contains
       end subroutine uneven
 
       subroutine check_order()
+         type(model_faults_type) :: found
          integer :: i, n
          n = size(stations%md)
          if (n < 2) then
@@ -124,14 +126,13 @@ contains
             end if
             return
          end if
-         if (begins_below(stations) .and. .not. begins_vertical(stations) .and. text_of(group, 'tie_on', 'none') == 'none') &
+         if (begins_below(stations%md(1)) .and. .not. begins_vertical(stations%inclination(1)) .and. &
+             text_of(group, 'tie_on', 'none') == 'none') &
             call station_fault(1, 'the first station is at '//depth(1)//' and inclined; the survey must begin at surface, '// &
                                "md = 0, or where the hole is still vertical; or give tie_on = 'vertical'")
-         do i = 2, n
-            if (stations%md(i) > stations%md(i - 1)) cycle
-            call station_fault(i, 'station '//to_text(i)//' at '//depth(i)//' is not below station '//to_text(i - 1)// &
-                               ' at '//depth(i - 1)//'; measured depth must increase')
-            exit     ! one such fault makes many
+         call check_station_order(stations%md, units, found)
+         do i = 1, found%count
+            call station_fault(found%items(i)%place, found%items(i)%message)
          end do
          if (from_file) then         ! the table of keys has checked the deck's own numbers
             call check_range('md', stations%md)

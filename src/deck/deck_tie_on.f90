@@ -6,33 +6,15 @@ module dg_deck_tie_on
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_survey_file, only: station_list_type
+   use dg_survey_check, only: at_surface, begins_below
    use dg_text, only: append_text, to_text
    implicit none
    private
-   public :: begins_below, begins_vertical, tie_on
+   public :: tie_on
 
-   !> Depth within which the first station is at surface [m].
-   real(wp), parameter :: at_surface = 1.0e-6_wp
-   !> Inclination of a first station that is still vertical: what tools show in vertical holes [rad].
-   real(wp), parameter :: still_vertical = 0.5_wp*degree
    integer, parameter :: digits = 9, few_digits = 4
 
 contains
-
-   !> Whether a survey leaves out the hole next to surface.
-   pure function begins_below(stations) result(below)
-      type(station_list_type), intent(in) :: stations  !< one at least
-      logical :: below
-      below = stations%md(1) > at_surface
-   end function begins_below
-
-   !> Whether the hole is vertical at the first station.
-   pure function begins_vertical(stations) result(vertical)
-      type(station_list_type), intent(in) :: stations  !< one at least
-      logical :: vertical
-      vertical = stations%inclination(1) < still_vertical
-   end function begins_vertical
 
    !> Adds vertical stations, at surface and at the kick-off, to a survey that begins below surface, and notes what was added.
    !> Those of the survey stay as they are; between the lowest one added and the first of the survey the hole is the arc that
@@ -53,7 +35,7 @@ contains
                call fault('kick_off is not above the first station, '//depth(stations%md(1))//'; needs a depth above it')
             end if
          end if
-         if (.not. draft%has_stations .or. .not. begins_below(stations)) return
+         if (.not. draft%has_stations .or. .not. begins_below(stations%md(1))) return
          allocate (added(0))
          added = [0.0_wp]
          if (kick_off > at_surface) added = [0.0_wp, kick_off]

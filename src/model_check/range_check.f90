@@ -19,7 +19,7 @@ module dg_range_check
    use dg_units, only: si_units, unit_system_type
    implicit none
    private
-   public :: check_number, check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, &
+   public :: check_number, is_zero, check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, &
              check_case_ranges, check_numerics_ranges, check_rig_ranges
 
    !> Digits of a number that is out of range, and a wall left by wear that no class has less of.
@@ -30,14 +30,17 @@ module dg_range_check
 contains
 
    !> One number against the range of its key.
-   subroutine check_number(part, place, key, number, units, found)
+   subroutine check_number(part, place, key, number, units, found, called)
       character(*), intent(in) :: part              !< name of a group, and of one of its keys
       integer, intent(in) :: place
       character(*), intent(in) :: key
       real(wp), intent(in) :: number                !< [SI]
       type(unit_system_type), intent(in) :: units   !< of messages
       type(model_faults_type), intent(inout) :: found
-      call check_by(keys_of(part), part, place, key, number, units, found)
+      character(*), intent(in), optional :: called  !< name of the number in its type, where that is not the key
+      type(key_rule_type), allocatable :: rules(:)
+      allocate (rules, source=keys_of(part))
+      call check_by(rules, part, place, key, number, units, found, called)
    end subroutine check_number
 
    !> The same where the rules of the group are at hand.
@@ -284,4 +287,3 @@ contains
       if (yes) yes = abs(number) <= 0.0_wp
    end function is_zero
 end module dg_range_check
-   use, intrinsic :: iso_fortran_env, only: int64

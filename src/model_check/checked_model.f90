@@ -1,0 +1,343 @@
+!> Makes a model of parts that a program has filled in, and checks load cases of it: all that a deck's reading checks, and that
+!> everything is there. Messages are in SI units and name the component that is wrong: holes(2), strings(1)%components(3).
+module dg_checked_model
+   use dg_case_check, only: check_operation, check_passage, check_reach, check_string_length, check_string_name, name_shown
+   use dg_component, only: component_type
+   use dg_error, only: error_type, raise, status_bad_input
+   use dg_fluid, only: fluid_type, standing_mud
+   use dg_fluid_check, only: check_fluid, check_fluid_order
+   use dg_hole_check, only: check_section, join_sections
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: load_case_type
+   use dg_model, only: model_type, string_index
+   use dg_model_fault, only: fault_words, model_fault_type, model_faults_type, note_fault
+   use dg_model_parts, only: model_parts_type, survey_type
+   use dg_numerics, only: settings_of
+   use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
+      check_number, check_numerics_ranges, check_rig_ranges, check_section_ranges, is_zero
+   use dg_settings_check, only: check_numerics
+   use dg_string_check, only: check_centralizer, check_component, check_in_string
+   use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
+   use dg_text, only: quoted, to_text
+   use dg_trajectory, only: bottom_md, interpolation_minimum_curvature, interpolation_spline, new_trajectory, top_md
+   use dg_units, only: base_units
+   implicit none
+   private
+   public :: build_checked_model, check_load_case
+
+   !> Faults that a message tells; the rest are counted.
+   integer, parameter :: most_told = 20
+
+   !> What a program is told.
+   type :: report_type
+      character(:), allocatable :: text    !< one line a fault
+      integer :: count = 0
+   end type report_type
+
+contains
+
+   !> Makes the model, without load cases. Every part is checked; `error` tells all that is wrong, and then the model is none.
+   subroutine build_checked_model(parts, model, error)
+      type(model_parts_type), intent(in) :: parts
+      type(model_type), intent(out) :: model
+      type(error_type), allocatable, intent(out) :: error
+      type(report_type) :: report
+      logical :: sound_survey, sound_holes, sound_fluids
+      model%boundary = parts%boundary
+      model%rig = parts%rig
+      model%gravity = parts%gravity
+      model%numerics = settings_of('auto')
+      if (allocated(parts%numerics)) model%numerics = parts%numerics
+      call take_survey(parts%survey, model, report, sound_survey)
+      call take_holes(parts, sound_survey, model, report, sound_holes)
+      call take_fluids(parts, sound_survey, model, report, sound_fluids)
+      call take_strings(parts, sound_fluids, model, report)
+      call check_settings(model, report)
+      allocate (model%cases(0))
+      call report_error(report, error)
+   end subroutine build_checked_model
+
+   !> Checks a load case of a model, and fills in what it may leave out. A depth of the bit that is off by round-off becomes the
+   !> end of the hole.
+   subroutine check_load_case(model, load_case, error)
+      type(model_type), intent(in) :: model            !< from build_checked_model or from a deck
+      type(load_case_type), intent(inout) :: load_case
+      type(error_type), allocatable, intent(out) :: error
+      type(report_type) :: report
+      type(model_faults_type) :: found
+      character(name_shown) :: names(size(model%strings))
+      character(:), allocatable :: whose
+      integer :: i, k, string
+      if (.not. allocated(load_case%name)) load_case%name = 'case'
+      if (.not. allocated(load_case%section)) load_case%section = ''
+      if (.not. allocated(load_case%string)) load_case%string = model%strings(1)%name
+      whose = 'load case '//quoted(load_case%name)
+      do i = 1, size(names)
+         names(i) = model%strings(i)%name
+      end do
+      call check_case_ranges(load_case, 0, base_units(), found)
+      if (found%count == 0) then
+         call check_operation(load_case, 0, found)
+         call check_reach(load_case%bit_depth, 0, 'bit_depth', 'survey', bottom_md(model%trajectory), base_units(), found)
+         call check_reach(load_case%bit_depth, 0, 'bit_depth', 'lowest hole section', model%holes(size(model%holes))%md_bottom, &
+                          base_units(), found)
+         if (load_case%bit_depth <= top_md(model%trajectory)) call note_fault(found, 'load_case', 0, 'bit_depth', &
+            'bit_depth must lie below the first station')
+      end if
+      string = string_index(model%strings, load_case%string)
+      if (string == 0) call check_string_name(load_case%string, 0, names, found)
+      if (found%count == 0) then
+         associate (components => model%strings(string)%components)
+            call check_string_length(components, size(components), load_case, 0, 'bit_depth', base_units(), found)
+            call check_passage(components, [(k, k=1, size(components))], model%holes, load_case%bit_depth, &
+                               'case '//quoted(load_case%name), base_units(), found)
+         end associate
+      end if
+      call tell(found, whose, string, report)
+      call report_error(report, error)
+   end subroutine check_load_case
+
+   !> The path; a vertical hole is added above a survey that begins below surface.
+   subroutine take_survey(survey, model, report, sound)
+      type(survey_type), intent(in) :: survey
+      type(model_type), intent(inout) :: model
+      type(report_type), intent(inout) :: report
+      logical, intent(out) :: sound
+      type(model_faults_type) :: found
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: md(:), inclination(:), azimuth(:)
+      integer :: i, before
+      before = report%count
+      sound = .false.
+      if (.not. allocated(survey%md)) call tell_of(report, 'survey', 'md is not allocated; give depths of stations')
+      if (.not. allocated(survey%inclination)) call tell_of(report, 'survey', &
+         'inclination is not allocated; give that of each station')
+      if (.not. any(survey%interpolation == [interpolation_minimum_curvature, interpolation_spline])) &
+         call tell_of(report, 'survey', 'interpolation = '//to_text(survey%interpolation)//' is none')
+      if (report%count > before) return
+      md = survey%md
+      inclination = survey%inclination
+      if (allocated(survey%azimuth)) then
+         azimuth = survey%azimuth
+      else
+         azimuth = [(0.0_wp, i=1, size(md))]
+      end if
+      call check_station_numbers(md, inclination, azimuth, base_units(), found)
+      if (found%count == 0) call check_station_order(md, base_units(), found)
+      if (found%count == 0) then
+         if (begins_below(md(1)) .and. .not. begins_vertical(inclination(1))) call note_fault(found, 'trajectory', 0, 'md', &
+            'the first station is at '//to_text(md(1))//' m and inclined; the survey must begin at surface, md = 0, or where '// &
+            'the hole is still vertical')
+      end if
+      call tell(found, 'survey', 0, report)
+      if (report%count > before) return
+      if (begins_below(md(1))) then
+         md = [0.0_wp, md]
+         inclination = [0.0_wp, inclination]
+         azimuth = [azimuth(1), azimuth]
+      end if
+      call new_trajectory(model%trajectory, md, inclination, azimuth, survey%interpolation, error)
+      sound = .not. allocated(error)
+      if (.not. sound) call tell_of(report, 'survey', error%message)
+   end subroutine take_survey
+
+   subroutine take_holes(parts, sound_survey, model, report, sound)
+      type(model_parts_type), intent(in) :: parts
+      logical, intent(in) :: sound_survey
+      type(model_type), intent(inout) :: model
+      type(report_type), intent(inout) :: report
+      logical, intent(out) :: sound
+      type(model_faults_type) :: found
+      integer :: i, n, before
+      before = report%count
+      n = 0
+      if (allocated(parts%holes)) n = size(parts%holes)
+      if (n == 0) call tell_of(report, 'holes', 'there is none; give sections from surface down')
+      allocate (model%holes(n))
+      do i = 1, n
+         model%holes(i) = parts%holes(i)
+         associate (hole => model%holes(i))
+            if (.not. allocated(hole%name)) hole%name = 'hole '//to_text(i)
+            call check_section_ranges_of(i == n)
+            if (found%count == 0) call check_section(hole, i, base_units(), found)
+            call tell(found, 'holes('//to_text(i)//')', 0, report)
+         end associate
+      end do
+      if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
+      do i = 1, found%count
+         call tell_one(found%items(i), 'holes('//to_text(found%items(i)%place)//')', 0, report)
+      end do
+      sound = report%count == before
+   contains
+      !> The last section may leave its end open.
+      subroutine check_section_ranges_of(lowest)
+         logical, intent(in) :: lowest
+         if (lowest .and. sound_survey .and. is_zero(model%holes(i)%md_bottom)) model%holes(i)%md_bottom = &
+            bottom_md(model%trajectory)
+         call check_section_ranges(model%holes(i), i, base_units(), found)
+      end subroutine check_section_ranges_of
+   end subroutine take_holes
+
+   subroutine take_fluids(parts, sound_survey, model, report, sound)
+      type(model_parts_type), intent(in) :: parts
+      logical, intent(in) :: sound_survey
+      type(model_type), intent(inout) :: model
+      type(report_type), intent(inout) :: report
+      logical, intent(out) :: sound
+      type(model_faults_type) :: found
+      integer :: i, before
+      before = report%count
+      sound = .true.
+      model%mud = standing_mud(0.0_wp)
+      if (.not. allocated(parts%fluids)) return
+      if (size(parts%fluids) == 0) return
+      model%mud%fluids = parts%fluids
+      do i = 1, size(parts%fluids)
+         call check_fluid_ranges(parts%fluids(i), i, base_units(), found)
+         if (found%count == 0) call check_fluid(parts%fluids(i), i, found)
+         call tell(found, 'fluids('//to_text(i)//')', 0, report)
+      end do
+      sound = report%count == before
+      if (.not. (sound .and. sound_survey)) return
+      call check_fluid_order(model%mud%fluids, bottom_md(model%trajectory), found)
+      do i = 1, found%count
+         call tell_one(found%items(i), 'fluids('//to_text(found%items(i)%place)//')', 0, report)
+      end do
+   end subroutine take_fluids
+
+   subroutine take_strings(parts, sound_fluids, model, report)
+      type(model_parts_type), intent(in) :: parts
+      logical, intent(in) :: sound_fluids
+      type(model_type), intent(inout) :: model
+      type(report_type), intent(inout) :: report
+      character(:), allocatable :: where
+      integer :: i, j, n
+      n = 0
+      if (allocated(parts%strings)) n = size(parts%strings)
+      if (n == 0) call tell_of(report, 'strings', 'there is none; give one, its components from the bit upwards')
+      allocate (model%strings(n))
+      do i = 1, n
+         where = 'strings('//to_text(i)//')'
+         associate (string => model%strings(i))
+            string = parts%strings(i)
+            if (.not. allocated(string%name)) string%name = 'main'
+            do j = 1, i - 1
+               if (model%strings(j)%name == string%name) call tell_of(report, where, 'name '//quoted(string%name)// &
+                  ' is taken by strings('//to_text(j)//')')
+            end do
+            if (.not. allocated(string%components)) allocate (string%components(0))
+            if (size(string%components) == 0) call tell_of(report, where, 'it has no components; give them from the bit upwards')
+            do j = 1, size(string%components)
+               call take_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
+            end do
+         end associate
+      end do
+   end subroutine take_strings
+
+   !> Checks one component, and gives it the names that it has not.
+   subroutine take_component(fluids, sound_fluids, name, string, place, components, report)
+      type(fluid_type), allocatable, intent(in) :: fluids(:)
+      logical, intent(in) :: sound_fluids
+      character(*), intent(in) :: name                    !< of the string
+      integer, intent(in) :: string, place
+      type(component_type), intent(inout) :: components(:)
+      type(report_type), intent(inout) :: report
+      type(model_faults_type) :: found
+      character(:), allocatable :: where
+      real(wp) :: heaviest
+      logical :: weighs
+      associate (part => components(place))
+         where = 'strings('//to_text(string)//')%components('//to_text(place)//')'
+         if (.not. allocated(part%kind)) part%kind = 'drillpipe'
+         if (.not. allocated(part%name)) part%name = part%kind
+         call check_component_ranges(part, place, base_units(), found)
+         if (is_zero(part%mass)) call note_fault(found, 'component', place, 'mass', &
+            'mass = 0; give it per length, as add_component does by od, id and density')
+         if (found%count == 0) then
+            call check_component(part, place, base_units(), found)
+            weighs = .false.
+            if (allocated(fluids) .and. sound_fluids) weighs = size(fluids) > 0
+            if (weighs) then
+               heaviest = maxval(fluids%density)
+               call check_in_string(part, place, name, place == size(components), base_units(), found, heaviest)
+            else
+               call check_in_string(part, place, name, place == size(components), base_units(), found)
+            end if
+            call tell(found, where, string, report)
+            if (.not. part%centralizer%present) return
+            call check_centralizer_ranges(part%centralizer, place, base_units(), found)
+            if (found%count == 0) call check_centralizer(part%centralizer, part, place, base_units(), found)
+            where = where//'%centralizer'
+         end if
+         call tell(found, where, string, report)
+      end associate
+   end subroutine take_component
+
+   subroutine check_settings(model, report)
+      type(model_type), intent(in) :: model
+      type(report_type), intent(inout) :: report
+      type(model_faults_type) :: found
+      call check_numerics_ranges(model%numerics, base_units(), found)
+      if (found%count == 0) call check_numerics(model%numerics, found)
+      call tell(found, 'numerics', 0, report)
+      call check_rig_ranges(model%rig, base_units(), found)
+      call tell(found, 'rig', 0, report)
+      call check_number('job', 0, 'gravity', model%gravity, base_units(), found)
+      call tell(found, 'model', 0, report)
+   end subroutine check_settings
+
+   !> Tells what was found of the part `where`, and empties the list.
+   subroutine tell(found, where, string, report)
+      type(model_faults_type), intent(inout) :: found
+      character(*), intent(in) :: where
+      integer, intent(in) :: string           !< whose components are meant; 0: none
+      type(report_type), intent(inout) :: report
+      integer :: i
+      do i = 1, found%count
+         call tell_one(found%items(i), where, string, report)
+      end do
+      found%count = 0
+   end subroutine tell
+
+   subroutine tell_one(fault, where, string, report)
+      type(model_fault_type), intent(in) :: fault
+      character(*), intent(in) :: where
+      integer, intent(in) :: string
+      type(report_type), intent(inout) :: report
+      character(:), allocatable :: words, mention
+      select case (fault%other)
+      case ('hole')
+         mention = 'holes('//to_text(fault%other_place)//')'
+      case ('fluid')
+         mention = 'fluids('//to_text(fault%other_place)//')'
+      case default
+         mention = 'strings('//to_text(string)//')%components('//to_text(fault%other_place)//')'
+      end select
+      call fault_words(fault, mention, words)
+      call tell_of(report, where, words)
+   end subroutine tell_one
+
+   subroutine tell_of(report, where, words)
+      type(report_type), intent(inout) :: report
+      character(*), intent(in) :: where, words
+      report%count = report%count + 1
+      if (report%count > most_told) return
+      if (allocated(report%text)) then
+         report%text = report%text//new_line('a')//where//': '//words
+      else
+         report%text = where//': '//words
+      end if
+   end subroutine tell_of
+
+   subroutine report_error(report, error)
+      type(report_type), intent(in) :: report
+      type(error_type), allocatable, intent(out) :: error
+      if (report%count == 0) return
+      if (report%count > most_told) then
+         call raise(error, status_bad_input, report%text//new_line('a')//'and '//to_text(report%count - most_told)//' more')
+      else
+         call raise(error, status_bad_input, report%text)
+      end if
+   end subroutine report_error
+end module dg_checked_model

@@ -1,0 +1,75 @@
+!> Surveys: stations in order, from surface on or from where the hole is still vertical.
+module dg_survey_check
+   use dg_constants, only: degree
+   use dg_kinds, only: wp
+   use dg_model_fault, only: depth_words, model_faults_type, note_fault
+   use dg_range_check, only: check_number
+   use dg_text, only: to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: check_station_numbers, check_station_order, begins_below, begins_vertical, at_surface
+
+   !> Depth within which the first station is at surface [m].
+   real(wp), parameter :: at_surface = 1.0e-6_wp
+   !> Inclination of a first station that is still vertical: what tools show in vertical holes [rad].
+   real(wp), parameter :: still_vertical = 0.5_wp*degree
+
+contains
+
+   !> Numbers of stations: as many angles as depths, each in its range.
+   subroutine check_station_numbers(md, inclination, azimuth, units, found)
+      real(wp), intent(in) :: md(:)                          !< [m]
+      real(wp), intent(in) :: inclination(:), azimuth(:)     !< [rad]
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      integer :: i
+      if (size(md) < 2) call note_fault(found, 'trajectory', 0, 'md', 'md holds '//to_text(size(md))// &
+         ' station(s); at least two are needed')
+      call count_of('inclination', size(inclination))
+      call count_of('azimuth', size(azimuth))
+      if (found%count > 0) return
+      do i = 1, size(md)
+         call check_number('trajectory', i, 'md', md(i), units, found)
+         call check_number('trajectory', i, 'inc', inclination(i), units, found, 'inclination')
+         call check_number('trajectory', i, 'azi', azimuth(i), units, found, 'azimuth')
+         if (found%count > 0) return       ! one such fault makes many
+      end do
+   contains
+      subroutine count_of(key, number)
+         character(*), intent(in) :: key
+         integer, intent(in) :: number
+         if (number /= size(md)) call note_fault(found, 'trajectory', 0, key, key//' has '//to_text(number)//' values, md has '// &
+                                                 to_text(size(md))//'; give one for each station')
+      end subroutine count_of
+   end subroutine check_station_numbers
+
+   !> Every station lies below the one before it; the first that does not is told.
+   subroutine check_station_order(md, units, found)
+      real(wp), intent(in) :: md(:)          !< [m]
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      integer :: i
+      do i = 2, size(md)
+         if (md(i) > md(i - 1)) cycle
+         call note_fault(found, 'trajectory', i, 'md', 'station '//to_text(i)//' at '//depth_words(units, md(i))// &
+                         ' is not below station '//to_text(i - 1)//' at '//depth_words(units, md(i - 1))// &
+                         '; measured depth must increase')
+         return
+      end do
+   end subroutine check_station_order
+
+   !> Whether a survey leaves out the hole next to surface.
+   elemental function begins_below(md) result(below)
+      real(wp), intent(in) :: md             !< of the first station [m]
+      logical :: below
+      below = md > at_surface
+   end function begins_below
+
+   !> Whether the hole is vertical at the first station.
+   elemental function begins_vertical(inclination) result(vertical)
+      real(wp), intent(in) :: inclination    !< there [rad]
+      logical :: vertical
+      vertical = inclination < still_vertical
+   end function begins_vertical
+end module dg_survey_check
