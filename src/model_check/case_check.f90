@@ -18,18 +18,25 @@ module dg_case_check
 contains
 
    !> Reaming needs both speeds, whose ratio divides the friction.
-   subroutine check_operation(load_case, place, found)
+   subroutine check_operation(load_case, place, found, speed)
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
       type(model_faults_type), intent(inout) :: found
+      character(*), intent(in), optional :: speed  !< what the caller calls the speed of rotation; absent: rpm, as decks do
       if (.not. any(load_case%operation == [operation_ream, operation_backream])) return
-      if (.not. load_case%angular_speed > 0.0_wp) call need('rpm')
-      if (.not. load_case%trip_speed > 0.0_wp) call need('trip_speed')
+      if (.not. load_case%angular_speed > 0.0_wp) then
+         if (present(speed)) then
+            call need('rpm', speed)
+         else
+            call need('rpm', 'rpm')
+         end if
+      end if
+      if (.not. load_case%trip_speed > 0.0_wp) call need('trip_speed', 'trip_speed')
    contains
-      subroutine need(key)
-         character(*), intent(in) :: key
+      subroutine need(key, called)
+         character(*), intent(in) :: key, called
          call note_fault(found, 'load_case', place, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
-                         key//' > 0')
+                         called//' > 0')
       end subroutine need
    end subroutine check_operation
 

@@ -78,7 +78,7 @@ contains
       end do
       call check_case_ranges(load_case, 0, base_units(), found)
       if (found%count == 0) then
-         call check_operation(load_case, 0, found)
+         call check_operation(load_case, 0, found, 'angular_speed')
          call check_reach(load_case%bit_depth, 0, 'bit_depth', 'survey', bottom_md(model%trajectory), base_units(), found)
          call check_reach(load_case%bit_depth, 0, 'bit_depth', 'lowest hole section', model%holes(size(model%holes))%md_bottom, &
                           base_units(), found)

@@ -1,0 +1,517 @@
+!> The door for programs of others: what it solves is what a deck solves, and nonsense that a program fills in comes back as an
+!> error, whatever it is. The nonsense is tried under run-time checks and traps, too (.ci/run), where it must not stop the program.
+module dg_test_library
+   use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_file_system, only: delete_file, write_text_file
+   use dg_text, only: append_text, text_type, to_text
+   use drillgap, only: add_component, add_fluid, add_hole, case_result_type, collar_closed, deck_type, degree, error_type, given, &
+      load_case_type, method_name, model_parts_type, model_type, new_model, operation_ream, operation_rotary_drilling, &
+      operation_trip_out, outcome_type, read_deck, result_converged, result_not_converged, settings_of, solve, solve_cases, &
+      status_bad_input, wp
+   implicit none
+   private
+   public :: library_suite
+
+   character(*), parameter :: path = 'build/test_library.nml'
+   integer, parameter :: quantities = 36   !< that `spoil` knows
+   integer, parameter :: loads = 8         !< that `spoil_case` knows
+
+contains
+
+   function library_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('library')
+      call suite%addTest(TestMethod('parts_and_deck_give_the_same', test_same_as_deck, tearDown=remove_deck))
+      call suite%addTest(TestMethod('deck_with_faults', test_deck_faults, tearDown=remove_deck))
+      call suite%addTest(TestMethod('numbers_that_are_none', test_not_finite))
+      call suite%addTest(TestMethod('numbers_out_of_range', test_ranges))
+      call suite%addTest(TestMethod('nothing_filled_in', test_empty))
+      call suite%addTest(TestMethod('surveys', test_surveys))
+      call suite%addTest(TestMethod('holes', test_holes))
+      call suite%addTest(TestMethod('strings', test_strings))
+      call suite%addTest(TestMethod('fluids_and_settings', test_fluids))
+      call suite%addTest(TestMethod('load_cases', test_load_cases))
+      call suite%addTest(TestMethod('all_faults_at_once', test_all_faults))
+      call suite%addTest(TestMethod('threads', test_threads))
+   end function library_suite
+
+   subroutine remove_deck()
+      call delete_file(path)
+   end subroutine remove_deck
+
+   !> A well of 2400 m with a string of collars and drill pipe.
+   subroutine fill(parts)
+      type(model_parts_type), intent(out) :: parts
+      parts%survey%md = [0.0_wp, 600.0_wp, 1500.0_wp, 2400.0_wp]
+      parts%survey%inclination = [0.0_wp, 0.0_wp, 60.0_wp, 60.0_wp]*degree
+      parts%survey%azimuth = [45.0_wp, 45.0_wp, 45.0_wp, 45.0_wp]*degree
+      call add_hole(parts, diameter=0.2245_wp, friction=0.2_wp, md_bottom=1500.0_wp)
+      call add_hole(parts, diameter=0.2159_wp, friction=0.25_wp)
+      call add_fluid(parts, density=1200.0_wp)
+      call add_component(parts, 'collar', od=0.1651_wp, id=0.0714_wp, length=120.0_wp)
+      call add_component(parts, 'drillpipe', od=0.127_wp, id=0.1086_wp, mass=31.9_wp, joint_od=0.1619_wp)
+   end subroutine fill
+
+   !> Rotary drilling at the end of that well.
+   function drilling() result(load_case)
+      type(load_case_type) :: load_case
+      load_case%operation = operation_rotary_drilling
+      load_case%bit_depth = 2400.0_wp
+      load_case%wob = 50.0e3_wp
+      load_case%tob = 3.0e3_wp
+   end function drilling
+
+   !> A model of parts must be refused with a message that holds `expected`, and then solves nothing.
+   subroutine refuse(parts, expected)
+      type(model_parts_type), intent(in) :: parts
+      character(*), intent(in) :: expected
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call new_model(model, parts, error)
+      call assertTrue(allocated(error), message='refused: '//expected)
+      if (.not. allocated(error)) return
+      call assertEqual(status_bad_input, error%status)
+      call assertTrue(index(error%message, expected) > 0, message=error%message//' holds '//expected)
+      call solve(model, drilling(), 'soft', result, error)
+      call assertTrue(allocated(error), message='solves nothing: '//expected)
+      call assertEqual(result_not_converged, result%status)
+   end subroutine refuse
+
+   !> A load case must be refused by every method with a message that holds `expected`.
+   subroutine refuse_case(load_case, expected)
+      type(load_case_type), intent(in) :: load_case
+      character(*), intent(in) :: expected
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      integer :: i
+      call fill(parts)
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      do i = 1, size(method_name)
+         call solve(model, load_case, method_name(i), result, error)
+         call assertTrue(allocated(error), message='refused: '//expected)
+         if (.not. allocated(error)) return
+         call assertTrue(index(error%message, expected) > 0, message=error%message//' holds '//expected)
+         call assertEqual(result_not_converged, result%status)
+      end do
+   end subroutine refuse_case
+
+   subroutine test_same_as_deck()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(deck_type) :: deck
+      type(case_result_type) :: from_parts, from_deck
+      type(error_type), allocatable :: error
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      call append_text(lines, "&job models = 'soft', 'mcge' /")
+      call append_text(lines, '&trajectory md = 0, 600, 1500, 2400, inc = 0, 0, 60, 60, azi = 45, 45, 45, 45 /')
+      call append_text(lines, '&hole diameter = 224.5, friction = 0.2, md_bottom = 1500 /')
+      call append_text(lines, '&hole diameter = 215.9, friction = 0.25 /')
+      call append_text(lines, '&fluid density = 1200 /')
+      call append_text(lines, "&component kind = 'collar', length = 120, od = 165.1, id = 71.4 /")
+      call append_text(lines, '&component od = 127.0, id = 108.6, mass = 31.9, joint_od = 161.9 /')
+      call append_text(lines, "&load_case name = 'drill', operation = 'rotary', bit_depth = 2400, wob = 50, tob = 3 /")
+      call write_text_file(path, lines, error)
+      call read_deck(path, deck, error)
+      call assertFalse(allocated(error), message='deck read')
+      if (allocated(error)) return
+      call assertEqual(1, size(deck%cases))
+      call assertTrue(all(deck%methods == [character(5) :: 'soft', 'mcge']))
+      call assertEqual('', deck%notes)
+      call fill(parts)
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error), message='model made')
+      do i = 1, size(method_name)
+         call solve(model, drilling(), method_name(i), from_parts, error)
+         call assertFalse(allocated(error), message='solved')
+         call solve(deck%model, deck%cases(1), method_name(i), from_deck, error)
+         call assertEqual(result_converged, from_parts%status)
+         call assertEqual(from_deck%hookload, from_parts%hookload, 1.0e-9_wp*from_deck%hookload, message=method_name(i))
+         call assertEqual(from_deck%torque, from_parts%torque, 1.0e-9_wp*from_deck%torque, message=method_name(i))
+      end do
+   end subroutine test_same_as_deck
+
+   subroutine test_deck_faults()
+      type(deck_type) :: deck
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      type(text_type), allocatable :: lines(:)
+      call append_text(lines, '&trajectory md = 0, 600, inc = 0, 0 /')
+      call append_text(lines, '&hole diameter = -1 /')
+      call append_text(lines, '&component od = 127 /')
+      call append_text(lines, "&load_case name = 'a', operation = 'up', bit_depth = 700 /")
+      call write_text_file(path, lines, error)
+      call read_deck(path, deck, error)
+      call assertTrue(allocated(error), message='refused')
+      if (.not. allocated(error)) return
+      call assertTrue(index(error%message, path//':2: group &hole') == 1, message=error%message)
+      call assertTrue(index(error%message, new_line('a')//path//':4: ') > 0, message=error%message)
+      call solve(deck%model, drilling(), 'soft', result, error)
+      call assertTrue(allocated(error), message='solves nothing')
+      call read_deck('build/no_such_deck.nml', deck, error)
+      call assertTrue(allocated(error), message='no deck')
+   end subroutine test_deck_faults
+
+   !> Puts a number into one of the quantities of parts.
+   subroutine spoil(parts, quantity, number)
+      type(model_parts_type), intent(inout) :: parts
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: number
+      if (.not. allocated(parts%numerics)) parts%numerics = settings_of('auto')
+      associate (part => parts%strings(1)%components(1), hole => parts%holes(1), numerics => parts%numerics)
+         select case (quantity)
+         case (1); parts%survey%md(3) = number
+         case (2); parts%survey%inclination(3) = number
+         case (3); parts%survey%azimuth(3) = number
+         case (4); hole%md_bottom = number
+         case (5); hole%diameter = number
+         case (6); hole%friction_axial = number
+         case (7); hole%friction_rotary = number
+         case (8); hole%wall_stiffness = number
+         case (9); hole%mud_sheath = number
+         case (10); part%length = number
+         case (11); part%od = number
+         case (12); part%id = number
+         case (13); part%mass = number
+         case (14); part%density = number
+         case (15); part%youngs = number
+         case (16); part%poisson = number
+         case (17); part%joint_od = number
+         case (18); part%joint_spacing = number
+         case (19); part%yield = number
+         case (20); part%friction_axial = number
+         case (21); part%scale_rotary = number
+         case (22); part%wall_left = number
+         case (23); part%bend = number
+         case (24); parts%fluids(1)%density = number
+         case (25); parts%fluids(1)%md_top = number
+         case (26); parts%fluids(1)%above_bit = number
+         case (27); parts%rig%block_weight = number
+         case (28); parts%rig%sheave_efficiency = number
+         case (29); parts%gravity = number
+         case (30); numerics%element_length = number
+         case (31); numerics%tolerance = number
+         case (32); numerics%gk_contact = number
+         case (33); numerics%eps_nmax = number
+         case (34); numerics%step_limit = number
+         case (35)
+            part%centralizer%present = .true.
+            part%centralizer%spacing = 10.0_wp
+            part%centralizer%od = number
+         case (36)
+            part%centralizer%present = .true.
+            part%centralizer%od = 0.2_wp
+            part%centralizer%spacing = number
+         case default
+         end select
+      end associate
+   end subroutine spoil
+
+   !> Puts a number into one of the quantities of a load case.
+   subroutine spoil_case(load_case, quantity, number)
+      type(load_case_type), intent(inout) :: load_case
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: number
+      select case (quantity)
+      case (1); load_case%bit_depth = number
+      case (2); load_case%wob = number
+      case (3); load_case%tob = number
+      case (4); load_case%friction_axial = given(number)
+      case (5); load_case%friction_rotary = given(number)
+      case (6); load_case%pump_pressure = number
+      case (7); load_case%toolface = number
+      case (8); load_case%trip_speed = number
+      case default
+      end select
+   end subroutine spoil_case
+
+   subroutine test_not_finite()
+      type(model_parts_type) :: parts
+      type(load_case_type) :: load_case
+      real(wp) :: number
+      integer :: i, k
+      do k = 1, 2
+         number = ieee_value(number, ieee_quiet_nan)
+         if (k == 2) number = ieee_value(number, ieee_positive_inf)
+         do i = 1, quantities
+            call fill(parts)
+            call spoil(parts, i, number)
+            if (i == 22) then
+               call refuse(parts, 'wall_left')
+            else
+               call refuse(parts, 'not a finite number')
+            end if
+         end do
+         do i = 1, loads
+            load_case = drilling()
+            call spoil_case(load_case, i, number)
+            call refuse_case(load_case, 'not a finite number')
+         end do
+      end do
+   end subroutine test_not_finite
+
+   !> What is negative, or a thousand times what it may be: millimetres, kilometres, per cent.
+   subroutine test_ranges()
+      integer, parameter :: may_be_negative(1) = [3]
+      type(model_parts_type) :: parts
+      type(load_case_type) :: load_case
+      integer :: i
+      do i = 1, quantities
+         if (any(i == may_be_negative)) cycle
+         call fill(parts)
+         call spoil(parts, i, -1.0_wp)
+         call refuse(parts, ': ')
+         call fill(parts)
+         call spoil(parts, i, 1.0e30_wp)
+         call refuse(parts, ': ')
+      end do
+      do i = 1, loads
+         load_case = drilling()
+         call spoil_case(load_case, i, 1.0e30_wp)
+         call refuse_case(load_case, 'out of range')
+         if (i == 2) cycle            ! a bit that is pulled
+         load_case = drilling()
+         call spoil_case(load_case, i, -10.0_wp)
+         call refuse_case(load_case, 'out of range')
+      end do
+      call fill(parts)
+      parts%holes(2)%diameter = 215.9_wp
+      call refuse(parts, 'holes(2): diameter = 215.9 m is out of range; needs a number, 0.001 to 5 m')
+      call fill(parts)
+      parts%strings(1)%components(2)%od = 127.0_wp
+      call refuse(parts, 'strings(1)%components(2): od = 127 m is out of range')
+   end subroutine test_ranges
+
+   subroutine test_empty()
+      type(model_parts_type) :: empty, parts
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(load_case_type) :: load_case
+      type(error_type), allocatable :: error
+      call refuse(empty, 'survey: md is not allocated')
+      call refuse(empty, 'holes: there is none')
+      call refuse(empty, 'strings: there is none')
+      call fill(parts)
+      deallocate (parts%survey%inclination)
+      call refuse(parts, 'survey: inclination is not allocated')
+      call fill(parts)
+      deallocate (parts%strings(1)%components)
+      call refuse(parts, 'strings(1): it has no components')
+      call refuse_case(load_case, 'bit_depth')
+      call solve(model, drilling(), 'soft', result, error)
+      call assertTrue(allocated(error), message='no model was made')
+      call fill(parts)
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      call solve(model, drilling(), 'finite elements', result, error)
+      call assertTrue(allocated(error), message='no such method')
+      call solve(model, drilling(), 'MCGE', result, error)
+      call assertFalse(allocated(error), message='large letters')
+      deallocate (parts%survey%azimuth, parts%fluids)
+      deallocate (parts%strings(1)%name, parts%strings(1)%components(1)%name, parts%strings(1)%components(1)%kind)
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error), message='what has a default')
+      call solve(model, drilling(), 'soft', result, error)
+      call assertFalse(allocated(error), message='solves with names left out')
+   end subroutine test_empty
+
+   subroutine test_surveys()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call fill(parts)
+      parts%survey%md(3) = 300.0_wp
+      call refuse(parts, 'survey: station 3 at 300 m is not below station 2 at 600 m')
+      call fill(parts)
+      parts%survey%md = [0.0_wp]
+      parts%survey%inclination = [0.0_wp]
+      parts%survey%azimuth = [0.0_wp]
+      call refuse(parts, 'survey: md holds 1 station(s)')
+      call fill(parts)
+      parts%survey%inclination = [0.0_wp, 1.0_wp]
+      call refuse(parts, 'survey: inclination has 2 values, md has 4')
+      call fill(parts)
+      parts%survey%inclination(:2) = 10.0_wp*degree
+      parts%survey%md(1) = 100.0_wp
+      call refuse(parts, 'survey: the first station is at 100 m and inclined')
+      call fill(parts)
+      parts%survey%interpolation = 7
+      call refuse(parts, 'survey: interpolation = 7')
+      call fill(parts)
+      parts%survey%inclination(3) = 60.0_wp      ! degrees
+      call refuse(parts, 'inclination = 60 rad is out of range')
+      call fill(parts)
+      parts%survey%md(1) = 100.0_wp
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error), message='vertical above the first station')
+      call solve(model, drilling(), 'soft', result, error)
+      call assertFalse(allocated(error))
+      call assertEqual(0.0_wp, result%profile%md(1))
+   end subroutine test_surveys
+
+   subroutine test_holes()
+      type(model_parts_type) :: parts
+      call fill(parts)
+      parts%holes(2)%md_top = 1600.0_wp
+      call refuse(parts, 'holes(2): md_top = 1600 m leaves a gap below the section above (holes(1)), which ends at 1500 m')
+      call fill(parts)
+      parts%holes(2)%md_top = 1400.0_wp
+      call refuse(parts, 'leaves an overlap with')
+      call fill(parts)
+      parts%holes(1)%md_top = 10.0_wp
+      call refuse(parts, 'holes(1): the uppermost section begins at 10 m')
+      call fill(parts)
+      parts%holes(1)%md_top = 1600.0_wp
+      call refuse(parts, 'holes(1): md_bottom = 1500 m is not below md_top = 1600 m')
+      call fill(parts)
+      parts%holes = parts%holes([2, 1])
+      call refuse(parts, 'holes(1): md_bottom = 0 m is out of range')      ! only the last may leave its end open
+   end subroutine test_holes
+
+   subroutine test_strings()
+      type(model_parts_type) :: parts
+      call fill(parts)
+      parts%strings(1)%components(2)%mass = 0.0_wp
+      call refuse(parts, 'strings(1)%components(2): mass = 0')
+      call fill(parts)
+      parts%strings(1)%components(1)%length = 0.0_wp
+      call refuse(parts, 'only the last component')
+      call fill(parts)
+      parts%strings(1)%components(1)%id = 0.2_wp
+      call refuse(parts, 'id = 0.2 is not smaller than od = 0.1651')
+      call fill(parts)
+      parts%strings(1)%components(2)%joint_od = 0.1_wp
+      call refuse(parts, 'joint_od = 0.1 is smaller than od = 0.127')
+      call fill(parts)
+      parts%strings(1)%components(2)%density = 1100.0_wp
+      call refuse(parts, 'floats')
+      call fill(parts)
+      parts%strings(1)%components(1)%centralizer%present = .true.
+      parts%strings(1)%components(1)%centralizer%spacing = 10.0_wp
+      parts%strings(1)%components(1)%centralizer%od = 0.16_wp
+      call refuse(parts, 'strings(1)%components(1)%centralizer: od = 0.16 m is not greater than that of ''collar'' ')
+      call fill(parts)
+      call add_component(parts, 'drillpipe', od=0.127_wp, id=0.1086_wp, string='main')
+      call refuse(parts, 'components(2): length of ''drillpipe'' is missing or 0')
+      call fill(parts)
+      call add_component(parts, 'drillpipe', od=0.127_wp, id=0.1086_wp, string='other')
+      parts%strings(2)%name = 'main'
+      call refuse(parts, 'strings(2): name ''main'' is taken by strings(1)')
+   end subroutine test_strings
+
+   subroutine test_fluids()
+      type(model_parts_type) :: parts
+      call fill(parts)
+      call add_fluid(parts, density=1300.0_wp)
+      call refuse(parts, 'fluids(1): the fluid in fluids(2) takes all of its place')
+      call fill(parts)
+      parts%fluids(1)%collar = collar_closed
+      call refuse(parts, 'fluids(1): a float_collar')
+      call fill(parts)
+      parts%fluids(1)%collar = 17
+      call refuse(parts, 'fluids(1): collar = 17')
+      call fill(parts)
+      parts%numerics = settings_of('auto')
+      parts%numerics%gk_min = 1.0e9_wp
+      call refuse(parts, 'numerics: gk_min must be smaller')
+      parts%numerics = settings_of('auto')
+      parts%numerics%max_iterations = 0
+      call refuse(parts, 'numerics: max_iterations')
+      parts%numerics = settings_of('auto')
+      parts%numerics%linear_solver = 0
+      call refuse(parts, 'numerics: linear_solver')
+      call fill(parts)
+      parts%rig%lines = 0
+      call refuse(parts, 'rig: lines')
+   end subroutine test_fluids
+
+   subroutine test_load_cases()
+      type(load_case_type) :: load_case
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      load_case = drilling()
+      load_case%string = 'mian'
+      call refuse_case(load_case, 'no component belongs to string ''mian''; did you mean ''main''?')
+      load_case%string = ''
+      call refuse_case(load_case, 'no component belongs to string ''''')
+      load_case = drilling()
+      load_case%bit_depth = 2500.0_wp
+      call refuse_case(load_case, 'bit_depth = 2500 m lies below the survey, which ends at 2400 m')
+      load_case = drilling()
+      load_case%operation = 99
+      call refuse_case(load_case, 'operation = 99')
+      load_case = drilling()
+      load_case%operation = operation_ream
+      call refuse_case(load_case, 'operation ream needs angular_speed > 0')
+      call fill(parts)
+      parts%strings(1)%components(2)%length = 1000.0_wp
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      call solve(model, drilling(), 'mcge', result, error)
+      call assertTrue(allocated(error), message='too short')
+      if (allocated(error)) call assertTrue(index(error%message, 'does not reach surface') > 0, message=error%message)
+      call fill(parts)
+      parts%strings(1)%components(1)%od = 0.22_wp
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      call solve(model, drilling(), 'mcge', result, error)
+      call assertTrue(allocated(error), message='too wide')
+      if (allocated(error)) call assertTrue(index(error%message, 'does not pass the hole of 0.2159 m (holes(2))') > 0, &
+                                            message=error%message)
+   end subroutine test_load_cases
+
+   subroutine test_all_faults()
+      type(model_parts_type) :: parts
+      integer :: i
+      call fill(parts)
+      parts%holes(2)%diameter = 215.9_wp
+      parts%strings(1)%components(1)%mass = 0.0_wp
+      parts%gravity = -1.0_wp
+      call refuse(parts, 'holes(2): ')
+      call refuse(parts, new_line('a')//'strings(1)%components(1): ')
+      call refuse(parts, new_line('a')//'model: gravity')
+      do i = 1, 60
+         call add_component(parts, 'drillpipe', od=127.0_wp, id=108.0_wp)
+      end do
+      call refuse(parts, 'and ')
+   end subroutine test_all_faults
+
+   !> Cases solved by several threads are those solved one after another, the refused among them, too.
+   subroutine test_threads()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(load_case_type) :: cases(40)
+      type(outcome_type), allocatable :: one(:), four(:)
+      type(error_type), allocatable :: error
+      integer :: i
+      call fill(parts)
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      do i = 1, size(cases)
+         cases(i)%operation = operation_trip_out
+         cases(i)%bit_depth = 2400.0_wp
+         cases(i)%friction_axial = given(0.01_wp*i)
+         if (mod(i, 3) == 0) cases(i)%bit_depth = 2400.0_wp + i
+         if (mod(i, 4) == 0) cases(i)%string = 'string '//to_text(i)
+      end do
+      call solve_cases(model, cases, 'soft', one, threads=1)
+      call solve_cases(model, cases, 'soft', four, threads=4)
+      call assertEqual(size(cases), size(four))
+      do i = 1, size(cases)
+         call assertTrue(allocated(four(i)%error) .eqv. (mod(i, 3) == 0 .or. mod(i, 4) == 0), message='refused '//to_text(i))
+         call assertEqual(one(i)%result%hookload, four(i)%result%hookload, message='same')
+         call assertEqual(one(i)%result%message, four(i)%result%message, message='same words')
+         call assertEqual(i, four(i)%result%case_index)
+      end do
+      call solve_cases(model, cases(:0), 'soft', one)
+      call assertEqual(0, size(one))
+   end subroutine test_threads
+end module dg_test_library
