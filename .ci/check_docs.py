@@ -132,7 +132,7 @@ def deck_units():
     """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
     kinds, units = source("base/unit_kind.f90"), source("base/units.f90")
     labels = {name: (si, field or si) for name, si, field in
-              re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)'\))?", kinds)}
+              re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)', '[^']*'\))?", kinds)}
     factors = dict(re.findall(r"real\(wp\) :: (\w+) = ([\d.e]+)_wp", units))
     used = dict(re.findall(r"case \((unit_\w+)\); factor = units%(\w+)", kinds))
     return labels, {name: float(factors.get(field, 1.0)) for name, field in used.items()}
