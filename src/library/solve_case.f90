@@ -1,14 +1,11 @@
 !> One load case by the model of a given number: the one place that knows the doors of all models.
 module dg_solve_case
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use dg_case_result, only: case_result_type, result_not_converged
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
-   use dg_kinds, only: wp
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
-   use dg_profile, only: profile_type
    use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
@@ -31,7 +28,6 @@ contains
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< .true.: no profile is asked for; models that save time so leave it out
       integer, parameter :: nothing = 0
-      type(profile_type) :: nothing_to_show
       select case (merge(nothing, number, is_interrupted()))
       case (nothing)
          result%message = 'not begun'
@@ -49,15 +45,6 @@ contains
       if (allocated(error)) then
          result%status = result_not_converged
          result%message = error%message
-      end if
-      if (.not. is_finite(result)) then
-         result%profile = nothing_to_show
-         result%hookload = 0.0_wp
-         result%friction = 0.0_wp
-         result%torque = 0.0_wp
-         result%normal_force = 0.0_wp
-         result%status = result_not_converged
-         result%message = 'numbers beyond all bounds: the iteration ran away; try shorter elements or more load_steps'
       end if
       if (.not. allocated(result%message)) result%message = ''
       if (is_interrupted() .and. result%status == result_not_converged) then
@@ -78,21 +65,4 @@ contains
       type(case_result_type), intent(out) :: result
       result%status = result_not_converged
    end subroutine empty
-
-   !> Whether every number of a result is one: no NaN, no infinity.
-   pure function is_finite(result) result(is)
-      type(case_result_type), intent(in) :: result
-      logical :: is
-      real(wp) :: numbers(6)
-      numbers = [result%hookload, result%friction, result%torque, result%normal_force, result%equilibrium_force, &
-                 result%equilibrium_moment]
-      is = all(ieee_is_finite(numbers))
-      if (.not. (is .and. allocated(result%profile%md))) return
-      associate (profile => result%profile)
-         is = all(ieee_is_finite(profile%axial)) .and. all(ieee_is_finite(profile%torque)) .and. &
-              all(ieee_is_finite(profile%side_force)) .and. all(ieee_is_finite(profile%bending)) .and. &
-              all(ieee_is_finite(profile%displacement)) .and. all(ieee_is_finite(profile%clock)) .and. &
-              all(ieee_is_finite(profile%shear))
-      end associate
-   end function is_finite
 end module dg_solve_case

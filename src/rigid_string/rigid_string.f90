@@ -8,6 +8,7 @@ module dg_rigid_string
    use dg_case_result, only: case_result_type
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
+   use dg_finite_result, only: refuse_runaway
    use dg_job, only: model_rigid
    use dg_model, only: model_type
    use dg_rigid_string_loads, only: rigid_string_at
@@ -52,5 +53,6 @@ contains
       call take_profile(model, case_index, md, axial, torque, contact, result)
       result%profile%bending = bending
       result%profile%shear = shear
+      call refuse_runaway(result)
    end subroutine solve_at_changes
 end module dg_rigid_string

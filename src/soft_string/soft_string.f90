@@ -6,6 +6,7 @@ module dg_soft_string
    use dg_component, only: bending_stiffness, contact_diameter
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: error_type, raise, status_bad_input
+   use dg_finite_result, only: refuse_runaway
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
@@ -51,10 +52,12 @@ contains
       call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
       call take_totals(model, case_index, md, axial, torque, totals, result)
       result%model = model_soft
-      if (.not. with_profile) return
-      call take_profile(model, case_index, md, axial, torque, contact, result)
-      call system_clock(finish)
-      result%seconds = real(finish - start, wp)/real(rate, wp)
+      if (with_profile) then
+         call take_profile(model, case_index, md, axial, torque, contact, result)
+         call system_clock(finish)
+         result%seconds = real(finish - start, wp)/real(rate, wp)
+      end if
+      call refuse_runaway(result)
    end subroutine solve_soft_string
 
    !> Refuses (bad input) a load case without a string or with the bit above the first station.

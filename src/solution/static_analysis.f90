@@ -17,6 +17,7 @@ module dg_static_analysis
    use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
+   use dg_finite_result, only: refuse_runaway
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type
@@ -115,6 +116,7 @@ contains
       end if
       if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
+      call refuse_runaway(result)
       call system_clock(ticks)
       result%seconds = real(ticks - start, wp)/real(rate, wp)
    end subroutine solve_static_analysis

@@ -3,6 +3,7 @@
 module dg_test_library
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_finite_result, only: refuse_runaway
    use dg_file_system, only: delete_file, write_text_file
    use dg_text, only: append_text, text_type, to_text
    use drillgap, only: add_component, add_fluid, add_hole, case_result_type, collar_closed, deck_type, degree, error_type, given, &
@@ -34,6 +35,7 @@ contains
       call suite%addTest(TestMethod('load_cases', test_load_cases))
       call suite%addTest(TestMethod('all_faults_at_once', test_all_faults))
       call suite%addTest(TestMethod('threads', test_threads))
+      call suite%addTest(TestMethod('results_that_are_no_numbers', test_runaway))
    end function library_suite
 
    subroutine remove_deck()
@@ -514,4 +516,34 @@ contains
       call solve_cases(model, cases(:0), 'soft', one)
       call assertEqual(0, size(one))
    end subroutine test_threads
+
+   !> A model's last step: a number that is none, of the whole or of a row, is not converged.
+   subroutine test_runaway()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(case_result_type) :: result, spoilt
+      type(error_type), allocatable :: error
+      real(wp) :: nan
+      integer :: i
+      nan = ieee_value(nan, ieee_quiet_nan)
+      call fill(parts)
+      call new_model(model, parts, error)
+      call solve(model, drilling(), 'soft', result, error)
+      call assertEqual(result_converged, result%status)
+      spoilt = result
+      call refuse_runaway(spoilt)
+      call assertEqual(result_converged, spoilt%status, message='numbers stay')
+      call assertEqual(result%hookload, spoilt%hookload)
+      do i = 1, 4
+         spoilt = result
+         if (i == 1) spoilt%hookload = nan
+         if (i == 2) spoilt%torque = ieee_value(nan, ieee_positive_inf)
+         if (i == 3) spoilt%profile%axial(2) = nan
+         if (i == 4) spoilt%profile%bending(3) = nan
+         call refuse_runaway(spoilt)
+         call assertEqual(result_not_converged, spoilt%status)
+         call assertEqual(0.0_wp, spoilt%hookload)
+         call assertFalse(allocated(spoilt%profile%md))
+      end do
+   end subroutine test_runaway
 end module dg_test_library
