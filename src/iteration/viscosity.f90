@@ -1,4 +1,4 @@
-!> Viscosity: what holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
+!> Viscosity holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
 !> axial compression F can make a beam's lateral stiffness negative, EI v'''' + F v'' + F^2/(4 EI) v being never so. One is
 !> therefore enough where the string is uniform; each zone gets what it needs, and weakly compressed ones grow as fast as
 !> others.

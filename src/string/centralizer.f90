@@ -1,4 +1,4 @@
-!> Centralisers: what keeps a component off the wall at places along it. A rigid one touches at its diameter. A bow spring presses
+!> Centralisers keep a component off the wall at places along it. A rigid one touches at its diameter. A bow spring presses
 !> as an elastic gap does, from where its bows reach the wall until the body itself touches.
 module dg_centralizer
    use dg_kinds, only: wp
