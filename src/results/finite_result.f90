@@ -13,9 +13,8 @@ contains
    !> Marks a result that holds a NaN or an infinity as not converged, without numbers to show. Every model ends with it.
    pure subroutine refuse_runaway(result)
       type(case_result_type), intent(inout) :: result
-      type(profile_type) :: nothing_to_show
       if (is_finite(result)) return
-      result%profile = nothing_to_show
+      call clear(result%profile)
       result%hookload = 0.0_wp
       result%friction = 0.0_wp
       result%torque = 0.0_wp
@@ -23,6 +22,12 @@ contains
       result%status = result_not_converged
       result%message = 'numbers beyond all bounds: the iteration ran away; try shorter elements or more load_steps'
    end subroutine refuse_runaway
+
+   !> Leaves no row: all arrays are deallocated on entry.
+   pure subroutine clear(profile)
+      type(profile_type), intent(out) :: profile
+      if (allocated(profile%md)) deallocate (profile%md)
+   end subroutine clear
 
    !> Whether every number of a result is one: no NaN, no infinity.
    pure function is_finite(result) result(is)
