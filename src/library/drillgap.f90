@@ -24,6 +24,7 @@ module drillgap
    use dg_load_case, only: given, load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
       operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, operation_trip_in, &
       operation_trip_out, optional_real
+   use dg_memory, only: check_case_memory
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type, copy_without_cases, inner_type => model_type
    use dg_model_parts, only: model_parts_type, survey_type
@@ -130,7 +131,7 @@ contains
    end subroutine read_deck
 
    !> Solves one load case. Error (status_bad_input): the model was not made, no such method, or a load case that cannot be meant;
-   !> (status_failure): out of memory or the like. Without an error `result%status` tells whether the numbers are a solution.
+   !> more memory than there is; (status_failure): anything else. Without an error `result%status` tells whether the numbers are a solution.
    subroutine solve(model, load_case, method, result, error, totals_only)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -151,6 +152,7 @@ contains
          ! words of faults are made by one thread at a time: see to_text in dg_text
          !$omp critical (drillgap_words)
          call check_load_case(one, one%cases(1), error)
+         if (.not. allocated(error)) call check_case_memory(one, error)
          !$omp end critical (drillgap_words)
          if (.not. allocated(error)) call solve_case(one, number, 1, result, error, totals_only)
       end if

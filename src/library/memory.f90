@@ -1,4 +1,4 @@
-!> Whether there is the memory that a deck asks for: told before anything is begun, not by the system's killing the program in
+!> Whether there is the memory that a deck, or one load case, asks for: told before anything is begun, not by the system's killing the program in
 !> the middle of it.
 module dg_memory
    use dg_component, only: has_joints
@@ -16,7 +16,7 @@ module dg_memory
    use dg_uncertainty, only: piece_count
    implicit none
    private
-   public :: check_memory
+   public :: check_memory, check_case_memory
 
    !> What a case takes while it is solved, and what its result and the files of it keep, an element [bytes]: 5.4 kB in all
    !> were seen with 100 000 elements. What a point of a sweep or Monte Carlo keeps, with its line in a record.
@@ -26,6 +26,8 @@ module dg_memory
    !> Work space of a thread in OpenBLAS [bytes]: where it does not get that it tries for ever.
    real(wp), parameter :: bytes_of_blas = 1.35e8_wp
    real(wp), parameter :: gigabyte = 1.0e9_wp
+   !> Less than this is there: the system is not asked for each case of thousands [bytes].
+   real(wp), parameter :: surely_there = 1.0e8_wp
    integer, parameter :: digits = 3
    !> Elements from one tool joint to the next where joints are discrete, and the part of an element's length within which
    !> stations are one node (dg_mesh) [-].
@@ -81,6 +83,20 @@ contains
                  ' GB more than the program itself takes; allow more (ulimit -v), set OPENBLAS_NUM_THREADS=1, which spares '// &
                  'some, or give '//need%remedy)
    end subroutine check_memory
+
+   !> An error (bad input) where the first load case of a model needs more memory than there is.
+   subroutine check_case_memory(model, error)
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: elements, wanted, room
+      elements = elements_in(model, model%cases(1)%string, model%cases(1)%bit_depth, model%numerics%element_length)
+      wanted = (bytes_solving + bytes_kept)*elements
+      if (wanted < surely_there) return
+      room = min(memory_of_machine(), address_room())
+      if (wanted > room) call raise(error, status_bad_input, 'the case has '//to_text(elements, digits)//' elements and needs '// &
+         to_text(wanted/gigabyte, digits)//' GB of memory, there are '//to_text(max(room, 0.0_wp)/gigabyte, digits)//'; give '// &
+         finer_text(model, model%numerics%element_length))
+   end subroutine check_case_memory
 
    !> Load cases, one a model and case, and what calibrations do with them.
    subroutine add_cases(job, model, need)

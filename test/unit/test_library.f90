@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('fluids_and_settings', test_fluids))
       call suite%addTest(TestMethod('load_cases', test_load_cases))
       call suite%addTest(TestMethod('all_faults_at_once', test_all_faults))
+      call suite%addTest(TestMethod('more_memory_than_there_is', test_memory))
       call suite%addTest(TestMethod('threads', test_threads))
       call suite%addTest(TestMethod('results_that_are_no_numbers', test_runaway))
    end function library_suite
@@ -469,6 +470,28 @@ contains
       if (allocated(error)) call assertTrue(index(error%message, 'does not pass the hole of 0.2159 m (holes(2))') > 0, &
                                             message=error%message)
    end subroutine test_load_cases
+
+   !> Tool joints every five millimetres in a hole of 49 km: elements of a millimetre, 300 GB.
+   subroutine test_memory()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(load_case_type) :: load_case
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call fill(parts)
+      parts%survey%md(4) = 49.0e3_wp
+      parts%numerics = settings_of('reference')
+      parts%numerics%element_length = 0.01_wp
+      parts%numerics%discrete_joints = .true.
+      parts%strings(1)%components%joint_spacing = 0.005_wp
+      call new_model(model, parts, error)
+      call assertFalse(allocated(error))
+      load_case = drilling()
+      load_case%bit_depth = 49.0e3_wp
+      call solve(model, load_case, 'mcge', result, error)
+      call assertTrue(allocated(error), message='hundreds of gigabytes')
+      if (allocated(error)) call assertTrue(index(error%message, 'GB of memory') > 0, message=error%message)
+   end subroutine test_memory
 
    subroutine test_all_faults()
       type(model_parts_type) :: parts
