@@ -45,7 +45,7 @@ MAY_USE = {
               "system", "trajectory", "uncertainty"},
     "tables": {"base", "buckling", "calibration", "columns", "files", "legacy", "model", "results", "string_limits", "study",
                "uncertainty"},
-    "pictures": {"base", "columns", "files", "model", "results", "string_limits", "system", "tables"},
+    "pictures": {"base", "columns", "files", "hole", "model", "results", "string", "string_limits", "system", "tables"},
     "page": {"base", "columns", "files", "model", "pictures", "results", "string_limits", "system"},
     "library": {"base", "system", "trajectory", "string", "hole", "model", "results", "soft_string", "solution", "rigid_string",
                 "mixed_string", "deck_text", "model_check", "deck"},

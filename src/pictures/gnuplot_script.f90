@@ -112,31 +112,44 @@ contains
       end if
    end subroutine panel
 
-   !> Range of the x axis of the panel [shown units], with about `intervals` round steps between its tics: as many as labels fit.
-   pure subroutine x_range(lines, low, high, intervals)
+   !> Range of the x axis of the panel [shown units], with round steps between its tics: five or as many as labels have room for.
+   pure subroutine x_range(lines, low, high, room)
       type(text_type), allocatable, intent(inout) :: lines(:)
       real(wp), intent(in) :: low, high
-      integer, intent(in) :: intervals
-      real(wp), parameter :: round(3) = [1.0_wp, 2.0_wp, 5.0_wp]
-      real(wp) :: step, power
-      integer :: i
-      step = (high - low)/real(intervals, wp)
-      if (.not. step > tiny(step)) then
+      real(wp), intent(in) :: room        !< width of the panel [px]
+      !> Most steps and fewest: two labels tell a scale.
+      integer, parameter :: most = 5, fewest = 2
+      !> Letters between two labels.
+      integer, parameter :: blank = 2
+      real(wp) :: step
+      integer :: intervals, letters
+      if (.not. high - low > tiny(step)) then
          call append_text(lines, 'set xrange [-1:1]; set xtics 1')
          return
       end if
-      power = 10.0_wp**floor(log10(step))
-      do i = 1, size(round)
-         if (step <= round(i)*power) exit
+      do intervals = most, fewest, -1
+         step = round_step((high - low)/real(intervals, wp))
+         letters = max(len(to_text(step*aint(high/step), digits)), len(to_text(step*aint(low/step), digits)), &
+                       len(to_text(step, digits))) + blank
+         if (((high - low)/step)*letters*letter_width <= room) exit
       end do
-      if (i <= size(round)) then
-         step = round(i)*power
-      else
-         step = 10.0_wp*power
-      end if
       call append_text(lines, 'set xrange ['//to_text(low, digits)//':'//to_text(high, digits)//']; set xtics '// &
                        to_text(step, digits))
    end subroutine x_range
+
+   !> The next larger of 1, 2 and 5 times a power of ten.
+   pure function round_step(least) result(step)
+      real(wp), intent(in) :: least       !< > 0
+      real(wp) :: step
+      real(wp), parameter :: round(4) = [1.0_wp, 2.0_wp, 5.0_wp, 10.0_wp]
+      real(wp) :: power
+      integer :: i
+      power = 10.0_wp**floor(log10(least))
+      do i = 1, size(round)
+         step = round(i)*power
+         if (least <= step) return
+      end do
+   end function round_step
 
    pure subroutine margins(lines, left, right, bottom, top)
       type(text_type), allocatable, intent(inout) :: lines(:)

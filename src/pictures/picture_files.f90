@@ -3,17 +3,18 @@
 module dg_picture_files
    use dg_along_string, only: along_string_type
    use dg_calibration_picture, only: calibration_script
-   use dg_case_pictures, only: forces_script, path_script
    use dg_case_result, only: case_result_type, result_converged
    use dg_child_process, only: find_program
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder
+   use dg_forces_picture, only: forces_script
    use dg_gnuplot_script, only: spelled
    use dg_hookload_picture, only: hookload_script
    use dg_job, only: job_type, model_mcge, model_name
    use dg_legacy_picture, only: legacy_script
    use dg_model, only: model_type
+   use dg_path_picture, only: path_script
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
    use dg_result_name, only: picture_folder
    use dg_study_picture, only: study_script
@@ -135,7 +136,7 @@ contains
          call path_script(name, job, model%cases(i), results(k), lines)
          call add(name, 'Well path with contact of the string', i)
          name = free_name('forces_'//model%cases(i)%name)
-         call forces_script(name, job, model%cases(i), results(rows), alongs(rows), left_out, lines)
+         call forces_script(name, job, model, results(rows), alongs(rows), left_out, lines)
          call add(name, 'Along the string', i)
       end do
       if (.not. allocated(error)) call draw(job, list, error)

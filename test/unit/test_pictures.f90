@@ -3,9 +3,10 @@ module dg_test_pictures
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_along_string, only: new_along_string
-   use dg_case_pictures, only: forces_script, path_script
    use dg_case_result, only: case_result_type
    use dg_column, only: field_list_type, put, put_none
+   use dg_component, only: component_type
+   use dg_forces_picture, only: forces_script
    use dg_gnuplot_script, only: spelled, x_range
    use dg_hookload_picture, only: hookload_script
    use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe, page_type
@@ -14,6 +15,7 @@ module dg_test_pictures
       optional_real
    use dg_limits_file, only: limits_columns
    use dg_model, only: model_type
+   use dg_path_picture, only: path_script
    use dg_rig, only: rig_type
    use dg_study_picture, only: study_script
    use dg_study_plan, only: study_plan_type
@@ -47,7 +49,7 @@ contains
       call assertEqual('"it\047s a \140b\140"', spelled("it's a `b`"))
    end subroutine test_quotes
 
-   !> Steps are 1, 2 or 5 times a power of ten, and no more of them than asked for.
+   !> Steps are 1, 2 or 5 times a power of ten, and no more of them than their labels have room for.
    subroutine test_round_steps()
       call assertEqual('set xrange [0:830]; set xtics 200', range_of(0.0_wp, 830.0_wp))
       call assertEqual('set xrange [0:0.09]; set xtics 0.02', range_of(0.0_wp, 0.09_wp))
@@ -55,6 +57,7 @@ contains
       call assertEqual('set xrange [0:5.5]; set xtics 2', range_of(0.0_wp, 5.5_wp))
       call assertEqual('set xrange [0:36]; set xtics 10', range_of(0.0_wp, 36.0_wp), message='7.2: the next power of ten')
       call assertEqual('set xrange [-1:1]; set xtics 1', range_of(0.0_wp, 0.0_wp), message='nothing to show')
+      call assertEqual('set xrange [0:0.0125]; set xtics 0.005', range_of(0.0_wp, 0.0125_wp), message='long labels')
    end subroutine test_round_steps
 
    function range_of(low, high) result(line)
@@ -62,7 +65,7 @@ contains
       character(:), allocatable :: line
       type(text_type), allocatable :: lines(:)
       allocate (lines(0))
-      call x_range(lines, low, high, 5)
+      call x_range(lines, low, high, 240.0_wp)
       line = lines(1)%text
    end function range_of
 
@@ -129,19 +132,40 @@ contains
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
       type(model_type) :: model
-      model = sample_model()
+      model = model_with_string()
       allocate (results, source=sample_results())
-      call forces_script('forces_i_up', sample_job(), model%cases(1), results(:1), [new_along_string(2)], ' rigid', lines)
+      call forces_script('forces_i_up', sample_job(), model, results(:1), [new_along_string(2)], ' rigid', lines)
       call assertTrue(has_text(lines, 'up at 2075 m; no solution: rigid'))
       call assertTrue(has_line(lines, "set output 'forces_i_up.svg'.unfinished"))
       call assertTrue(has_line(lines, "set xlabel 'effective axial force [kN]'"))
       call assertTrue(has_line(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
       call assertTrue(has_line(lines, 'set yrange [2075:0]'), message='depth downwards')
-      call assertTrue(has_text(lines, "'../profile_i_up_mcge.csv' using (column('axial_kN')):(column('md_m'))"))
+      call assertTrue(has_text(lines, '$c1 using 1:2'))
+      call assertTrue(has_line(lines, "set xlabel 'side force on 9.5 m [kN]'"), message='on the length of a joint')
+      call assertTrue(has_text(lines, 'from graph 0, first 1000 to graph 1, first 1000 nohead'), message='the shoe')
+      call assertTrue(has_text(lines, 'set label 101 '//spelled("9-5/8 in 'casing'")//' at'), message='a text of the deck')
       call path_script('path_i_up', sample_job(), model%cases(1), results(1), lines)
       call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
       call assertTrue(has_text(lines, "touches('rigid', "))
    end subroutine test_case_scripts
+
+   !> The sample with pipe that has joints, in a cased hole.
+   function model_with_string() result(model)
+      type(model_type) :: model
+      integer :: i
+      model = sample_model()
+      allocate (model%strings(1), model%holes(2))
+      allocate (model%strings(1)%components(1))
+      model%strings(1)%name = 'string'
+      model%strings(1)%components(1) = component_type(name='pipe', kind='drillpipe', od=0.127_wp, id=0.1086_wp, &
+                                                      joint_od=0.162_wp, joint_spacing=9.5_wp)
+      do i = 1, size(model%cases)
+         model%cases(i)%string = 'string'
+      end do
+      model%holes%md_bottom = [1000.0_wp, 2075.0_wp]
+      model%holes(1)%name = "9-5/8 in 'casing'"
+      model%holes(2)%name = 'open hole'
+   end function model_with_string
 
    !> A curve an operation and friction factor, from the rows of the model that converged.
    subroutine test_sweep()

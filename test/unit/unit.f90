@@ -53,6 +53,7 @@ contains
       use dg_test_model_table, only: model_table_suite
       use dg_test_legacy, only: legacy_suite
       use dg_test_picture_drawing, only: picture_drawing_suite
+      use dg_test_depth_curve, only: depth_curve_suite
       use dg_test_pictures, only: pictures_suite
       use dg_test_pipe_stress, only: pipe_stress_suite
       use dg_test_buckled_shape, only: buckled_shape_suite
@@ -116,6 +117,7 @@ contains
       call suite%addTest(curvature_change_suite())
       call suite%addTest(model_table_suite())
       call suite%addTest(legacy_suite())
+      call suite%addTest(depth_curve_suite())
       call suite%addTest(pictures_suite())
       call suite%addTest(picture_drawing_suite())
       call suite%addTest(pipe_stress_suite())

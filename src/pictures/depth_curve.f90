@@ -1,0 +1,179 @@
+!> Values along the string as a picture shows them: no more points than the eye tells apart and no peak lost, contact forces on the
+!> length of a joint, bands where a curve goes to and fro too often to be a line.
+module dg_depth_curve
+   use dg_kinds, only: wp
+   use dg_missing, only: is_missing, missing
+   implicit none
+   private
+   public :: kept_points, force_on_length, least_around, bands_of, lone_angles
+
+contains
+
+   !> Which points of a curve are drawn: straight lines between them are within `tolerance` of all others (a door that swings about
+   !> the last point kept, as process computers store their signals). Points beside missing values are kept.
+   pure function kept_points(depth, values, tolerance) result(kept)
+      real(wp), intent(in) :: depth(:)     !< never decreasing
+      real(wp), intent(in) :: values(:)    !< as many
+      real(wp), intent(in) :: tolerance    !< of values
+      logical :: kept(size(depth))
+      real(wp) :: low, high, slope, step
+      integer :: anchor, i, n
+      n = size(depth)
+      kept = .false.
+      if (n == 0) return
+      kept([1, n]) = .true.
+      anchor = 1
+      low = -huge(low)
+      high = huge(high)
+      i = 1
+      do while (i < n)
+         i = i + 1
+         if (is_missing(values(i)) .or. is_missing(values(i - 1))) then
+            kept(i - 1:i) = .true.
+            anchor = i
+            low = -huge(low)
+            high = huge(high)
+            cycle
+         end if
+         step = depth(i) - depth(anchor)
+         if (step > 0.0_wp) then
+            slope = (values(i) - values(anchor))/step
+            if (slope >= low .and. slope <= high) then
+               low = max(low, (values(i) - tolerance - values(anchor))/step)
+               high = min(high, (values(i) + tolerance - values(anchor))/step)
+               cycle
+            end if
+         end if
+         if (anchor == i - 1) then       ! a jump
+            kept(i) = .true.
+            anchor = i
+         else
+            kept(i - 1) = .true.
+            anchor = i - 1
+            i = i - 1
+         end if
+         low = -huge(low)
+         high = huge(high)
+      end do
+   end function kept_points
+
+   !> Force [N] that a line load [N/m] has on `length` [m] of string, half of it above and half below each place. The string ends
+   !> where its rows do.
+   pure function force_on_length(md, load, length, places) result(force)
+      real(wp), intent(in) :: md(:)        !< [m], never decreasing
+      real(wp), intent(in) :: load(:)      !< as many, straight between rows
+      real(wp), intent(in) :: length
+      real(wp), intent(in) :: places(:)    !< [m], never decreasing
+      real(wp) :: force(size(places))
+      real(wp) :: total(size(md)), upper(size(places)), lower(size(places))
+      integer :: i
+      total(1) = 0.0_wp
+      do i = 2, size(md)
+         total(i) = total(i - 1) + 0.5_wp*(md(i) - md(i - 1))*(load(i) + load(i - 1))
+      end do
+      upper = totals_at(md, load, total, places - 0.5_wp*length)
+      lower = totals_at(md, load, total, places + 0.5_wp*length)
+      force = lower - upper
+   end function force_on_length
+
+   !> The integral from the first row to each place.
+   pure function totals_at(md, load, total, places) result(totals)
+      real(wp), intent(in) :: md(:), load(:), total(:), places(:)
+      real(wp) :: totals(size(places))
+      real(wp) :: step, share
+      integer :: i, row
+      row = 1
+      do i = 1, size(places)
+         do while (row < size(md) - 1)
+            if (md(row + 1) > places(i)) exit
+            row = row + 1
+         end do
+         if (places(i) <= md(1)) then
+            totals(i) = 0.0_wp
+         else if (places(i) >= md(size(md))) then
+            totals(i) = total(size(md))
+         else
+            step = places(i) - md(row)
+            share = step/(md(row + 1) - md(row))
+            totals(i) = total(row) + step*(load(row) + 0.5_wp*share*(load(row + 1) - load(row)))
+         end if
+      end do
+   end function totals_at
+
+   !> Least of the values that are within half a width of each depth; `missing` where none of them is there.
+   pure function least_around(depth, values, width) result(least)
+      real(wp), intent(in) :: depth(:)     !< never decreasing
+      real(wp), intent(in) :: values(:)    !< as many
+      real(wp), intent(in) :: width        !< in units of depth
+      real(wp) :: least(size(depth))
+      integer :: i, first, last
+      first = 1
+      last = 0
+      do i = 1, size(depth)
+         do while (depth(first) < depth(i) - 0.5_wp*width)
+            first = first + 1
+         end do
+         do while (last < size(depth))
+            if (depth(last + 1) > depth(i) + 0.5_wp*width) exit
+            last = last + 1
+         end do
+         least(i) = missing
+         if (any(.not. is_missing(values(first:last)))) &
+            least(i) = minval(values(first:last), mask=.not. is_missing(values(first:last)))
+      end do
+   end function least_around
+
+   !> Least, mean and greatest value in each of equal parts of the depth; of parts without a row those of the part above.
+   pure subroutine bands_of(depth, values, least, mean, greatest)
+      real(wp), intent(in) :: depth(:)     !< never decreasing
+      real(wp), intent(in) :: values(:)    !< as many, all there
+      real(wp), intent(out) :: least(:), mean(:), greatest(:)   !< as many as parts
+      real(wp) :: sums(size(least)), lengths(size(least)), step
+      integer :: i, part, n
+      n = size(least)
+      sums = 0.0_wp
+      lengths = 0.0_wp
+      least = huge(1.0_wp)
+      greatest = -huge(1.0_wp)
+      do i = 1, size(depth)
+         part = 1 + min(int(n*(depth(i) - depth(1))/(depth(size(depth)) - depth(1))), n - 1)
+         least(part) = min(least(part), values(i))
+         greatest(part) = max(greatest(part), values(i))
+         if (i == 1) cycle
+         step = depth(i) - depth(i - 1)
+         sums(part) = sums(part) + 0.5_wp*step*(values(i) + values(i - 1))
+         lengths(part) = lengths(part) + step
+      end do
+      do i = 1, n
+         if (least(i) > greatest(i)) then
+            least(i) = least(max(1, i - 1))
+            greatest(i) = greatest(max(1, i - 1))
+         end if
+         mean(i) = 0.5_wp*(least(i) + greatest(i))
+         if (lengths(i) > 0.0_wp) mean(i) = sums(i)/lengths(i)
+      end do
+   end subroutine bands_of
+
+   !> Which angles [rad] of those that count have none near them in the row above or below. All of them stay where they are many:
+   !> then the string does turn from row to row.
+   pure function lone_angles(angle, counts) result(lone)
+      real(wp), intent(in) :: angle(:)
+      logical, intent(in) :: counts(:)     !< as many
+      logical :: lone(size(angle))
+      !> What is near [rad], and the part of all that is few [-].
+      real(wp), parameter :: near = 0.5_wp, few = 0.05_wp
+      integer :: i
+      lone = .false.
+      do i = 1, size(angle)
+         if (.not. counts(i)) cycle
+         lone(i) = .true.
+         if (i > 1) lone(i) = .not. (counts(i - 1) .and. cos(angle(i) - angle(i - 1)) > cos(near))
+         if (i < size(angle)) lone(i) = lone(i) .and. .not. (counts(i + 1) .and. cos(angle(i) - angle(i + 1)) > cos(near))
+      end do
+      ! one that touches between two that do not is no stray
+      do i = 2, size(angle) - 1
+         if (.not. (counts(i - 1) .or. counts(i + 1))) lone(i) = .false.
+      end do
+      if (count(lone) > few*count(counts)) lone = .false.
+   end function lone_angles
+end module dg_depth_curve
