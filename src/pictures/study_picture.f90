@@ -7,7 +7,7 @@ module dg_study_picture
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, rotates
    use dg_study_plan, only: study_plan_type
-   use dg_text, only: append_text, text_type
+   use dg_text, only: append_text, text_type, to_text
    implicit none
    private
    public :: study_script
@@ -19,10 +19,12 @@ module dg_study_picture
       'normal_force_error_pct', 'bending_error_pct']
    character(*), parameter :: names(panels) = [character(20) :: 'hook load', 'torque', 'contact force', 'bending moment']
 
-   !> Ways that the picture calls by name, and where the name stands: they lie close together.
+   !> Ways that the picture calls by name, in its legend: they lie too close together for names beside their marks.
    character(*), parameter :: told(3) = [character(8) :: 'auto', 'fast', 'standard']
-   character(*), parameter :: beside(3) = [character(24) :: 'center offset 0,-1.1', 'right offset -1.2,0', &
-      'left offset 1.2,0']
+   integer, parameter :: told_marks(3) = [4, 8, 12]
+
+   !> Errors less than this are drawn as this [%]: one that is round-off leaves no room for the others.
+   real(wp), parameter :: least_error = 1.0e-5_wp
 
 contains
 
@@ -44,7 +46,8 @@ contains
       end if
       call start_script(lines, name, width, height)
       call append_text(lines, "this(value) = stringcolumn('case') eq "//spelled(load_case%name)// &
-                       " && stringcolumn('status') eq 'converged' && value > 0 ? value : NaN")
+                       " && stringcolumn('status') eq 'converged' && value > 0 ? (value > "// &
+                       to_text(least_error)//' ? value : '//to_text(least_error)//') : NaN')
       call append_text(lines, "made(model, value) = stringcolumn('model') eq model ? this(value) : NaN")
       call append_text(lines, "best(value) = stringcolumn('pareto') eq 'yes' ? this(value) : NaN")
       call append_text(lines, "told(name, value) = stringcolumn('fidelity') eq name ? this(value) : NaN")
@@ -52,9 +55,12 @@ contains
          call add_series(series, 'NaN', mark_style(i, 0.8_wp), trim(model_name(models(i))))
       end do
       call add_series(series, 'NaN', best_look(), 'nothing is more accurate and faster (Pareto)')
+      do i = 1, size(told)
+         call add_series(series, 'NaN', told_look(i), 'fidelity '//trim(told(i)))
+      end do
       call legend(lines, 'Study of '//load_case%name//': error against the finest way, and what it costs', series, &
                   legend_bottom, legend_top)
-      call append_text(lines, 'set logscale xy')
+      call append_text(lines, 'set logscale xy; set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05')
       drawn = 0
       do k = 1, panels
          if (columns(k) == 'torque_error_pct' .and. .not. rotates(load_case%operation)) cycle
@@ -65,8 +71,7 @@ contains
          end do
          call add_series(series, marks_of('best('//value(k)//')'), best_look(), '')
          do i = 1, size(told)
-            call add_series(series, marks_of("told('"//trim(told(i))//"', "//value(k)//')')//":('"//trim(told(i))//"')", &
-                            'with labels '//trim(beside(i))//" font ',10' textcolor rgb '"//colour_black//"'", '')
+            call add_series(series, marks_of("told('"//trim(told(i))//"', "//value(k)//')'), told_look(i), '')
          end do
          column = 1 + mod(drawn, 2)
          row = 1 + drawn/2
@@ -96,6 +101,13 @@ contains
          using = results_file('study')//" using (column('seconds')):("//expression//')'
       end function marks_of
    end subroutine study_script
+
+   !> Around the mark of the model.
+   pure function told_look(number) result(look)
+      integer, intent(in) :: number
+      character(:), allocatable :: look
+      look = 'with points pt '//to_text(told_marks(number))//" ps 1.9 lw 1.0 lc rgb '"//colour_black//"'"
+   end function told_look
 
    pure function best_look() result(look)
       character(:), allocatable :: look
