@@ -8,8 +8,8 @@ module dg_gnuplot_script
    implicit none
    private
    public :: colour_of, dash_of, mark_of
-   public :: start_script, end_script, panel, legend, plot, x_range, line_style, mark_style, marked_line_style, row_tics, spelled, &
-             results_file, cut_text, style_count, series_type, add_series
+   public :: start_script, end_script, panel, legend, plot, x_range, y_range, line_style, mark_style, marked_line_style, &
+             row_tics, spelled, results_file, cut_text, style_count, series_type, add_series
    public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width, ending_variable
 
    !> Different curves that can be told apart.
@@ -136,6 +136,20 @@ contains
       call append_text(lines, 'set xrange ['//to_text(low, digits)//':'//to_text(high, digits)//']; set xtics '// &
                        to_text(step, digits))
    end subroutine x_range
+
+   !> Range of the y axis of a low panel [shown units] with some air, and about four round steps between its tics.
+   pure subroutine y_range(lines, low, high)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      real(wp), intent(in) :: low, high
+      real(wp), parameter :: air = 0.08_wp, steps = 4.0_wp
+      if (.not. high - low > tiny(low)) then
+         call append_text(lines, 'set yrange [-1:1]; set ytics 1')
+      else
+         call append_text(lines, 'set yrange ['//to_text(low - air*(high - low), digits)//':'// &
+                          to_text(high + air*(high - low), digits)//']; set ytics '// &
+                          to_text(round_step((high - low)/steps), digits))
+      end if
+   end subroutine y_range
 
    !> The next larger of 1, 2 and 5 times a power of ten.
    pure function round_step(least) result(step)

@@ -2,6 +2,7 @@
 !> them, and tells which are there. Without gnuplot the scripts stay, to be drawn elsewhere.
 module dg_picture_files
    use dg_along_string, only: along_string_type
+   use dg_assembly_picture, only: assembly_script
    use dg_calibration_picture, only: calibration_script
    use dg_case_result, only: case_result_type, result_converged
    use dg_child_process, only: find_program
@@ -17,6 +18,7 @@ module dg_picture_files
    use dg_path_picture, only: path_script
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
    use dg_result_name, only: picture_folder
+   use dg_strength_picture, only: strength_script
    use dg_study_picture, only: study_script
    use dg_sweep_picture, only: sweep_script
    use dg_uncertainty_picture, only: uncertainty_script
@@ -138,6 +140,14 @@ contains
          name = free_name('forces_'//model%cases(i)%name)
          call forces_script(name, job, model, results(rows), alongs(rows), left_out, lines)
          call add(name, 'Along the string', i)
+         name = free_name('strength_'//model%cases(i)%name)
+         call strength_script(name, job, model, results(rows), alongs(rows), lines)
+         call add(name, 'Stress, safety factor and torque against what the string bears', i)
+         if (results(k)%model == model_mcge) then
+            name = free_name('assembly_'//model%cases(i)%name)
+            call assembly_script(name, job, model, results(k), lines)
+            call add(name, 'The lowest part of the string in its hole; forces across it, angles as clock angles', i)
+         end if
       end do
       if (.not. allocated(error)) call draw(job, list, error)
 

@@ -3,6 +3,7 @@ module dg_test_pictures
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_along_string, only: new_along_string
+   use dg_assembly_picture, only: assembly_script
    use dg_case_result, only: case_result_type
    use dg_column, only: field_list_type, put, put_none
    use dg_component, only: component_type
@@ -17,6 +18,7 @@ module dg_test_pictures
    use dg_model, only: model_type
    use dg_path_picture, only: path_script
    use dg_rig, only: rig_type
+   use dg_strength_picture, only: strength_script
    use dg_study_picture, only: study_script
    use dg_study_plan, only: study_plan_type
    use dg_sweep, only: sweep_type
@@ -144,6 +146,15 @@ contains
       call assertTrue(has_line(lines, "set xlabel 'side force on 9.5 m [kN]'"), message='on the length of a joint')
       call assertTrue(has_text(lines, 'from graph 0, first 1000 to graph 1, first 1000 nohead'), message='the shoe')
       call assertTrue(has_text(lines, 'set label 101 '//spelled("9-5/8 in 'casing'")//' at'), message='a text of the deck')
+      call strength_script('strength_i_up', sample_job(), model, results(:1), [new_along_string(2)], lines)
+      call assertTrue(has_line(lines, "set xlabel 'bending stress [MPa]'"))
+      call assertFalse(has_text(lines, 'make-up torque'), message='no torque going up')
+      call assertFalse(has_text(lines, 'safety factor'), message='no yield strength')
+      results(1)%bit_side_force = 14.2e3_wp
+      call assembly_script('assembly_i_up', sample_job(), model, results(1), lines)
+      call assertTrue(has_text(lines, 'model mcge; bit presses 14.2 kN'))
+      call assertTrue(has_text(lines, "set label 'pipe' at first 20"), message='the part by name')
+      call assertTrue(has_text(lines, 'set xrange [40:0]'), message='the bit at the right')
       call path_script('path_i_up', sample_job(), model%cases(1), results(1), lines)
       call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
       call assertTrue(has_text(lines, "touches('rigid', "))
