@@ -17,7 +17,7 @@ module dg_assembly_picture
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: assembly_script
+   public :: assembly_script, shown_length
 
    integer, parameter :: digits = 8
    integer, parameter :: width = 1120, height = 700   !< [px]

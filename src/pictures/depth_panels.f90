@@ -158,18 +158,25 @@ contains
 
    !> A line across all panels that follow where a hole section ends above the bit, its name above it in the first. Where lines are
    !> too close for names the deeper one has its name.
-   pure subroutine put_sections(lines, holes, units, deepest, place)
+   pure subroutine put_sections(lines, holes, units, deepest, place, names_left)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(hole_section_type), intent(in) :: holes(:)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: deepest                 !< end of the axis [m], which begins at 0
       type(panel_place_type), intent(in) :: place     !< of the first panel
-      character(:), allocatable :: depth
+      logical, intent(in) :: names_left               !< names stand at its left edge, else at its right
+      character(:), allocatable :: depth, edge, side
       real(wp) :: pixel, named
       integer :: i, most
       pixel = deepest/((place%top - place%bottom)*place%height)
       most = int((place%right - place%left)*place%width/letter_width)
       named = huge(named)
+      edge = '0.98'
+      side = 'right'
+      if (names_left) then
+         edge = '0.02'
+         side = 'left'
+      end if
       do i = size(holes) - 1, 1, -1
          if (holes(i)%md_bottom >= deepest) cycle
          depth = to_text(holes(i)%md_bottom/units%length, digits)
@@ -178,7 +185,7 @@ contains
          if (named - holes(i)%md_bottom < name_height*pixel .or. holes(i)%md_bottom < name_height*pixel) cycle
          named = holes(i)%md_bottom
          call append_text(lines, 'set label '//to_text(first_number + i)//' '//spelled(cut_text(holes(i)%name, most))// &
-                          ' at graph 0.98, first '//depth//" right offset 0,0.4 font ',9' textcolor rgb '#555555'")
+                          ' at graph '//edge//', first '//depth//' '//side//" offset 0,0.4 font ',9' textcolor rgb '#555555'")
       end do
    end subroutine put_sections
 

@@ -54,7 +54,7 @@ contains
          deepest = load_case%bit_depth
          allocate (body(0), key(0))
          call append_text(body, 'set yrange ['//to_text(deepest/length, digits)//':0]')
-         call put_sections(body, model%holes, job%units, deepest, place(1))
+         call put_sections(body, model%holes, job%units, deepest, place(1), .false.)
          call draw_axial()
          any_band = banded
          call name_no_sections(body)

@@ -3,10 +3,13 @@ module dg_path_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_grey, end_script, legend, mark_style, panel, plot, results_file, series_type, &
-                                start_script
+   use dg_depth_panels, only: add_points
+   use dg_drillstring, only: component_tops
+   use dg_gnuplot_script, only: add_series, colour_black, colour_grey, cut_text, end_script, legend, letter_width, mark_style, &
+                                panel, plot, results_file, series_type, spelled, start_script
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_label
+   use dg_model, only: model_type, string_index
    use dg_profile_columns, only: profile_columns
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -26,22 +29,24 @@ module dg_path_picture
 contains
 
    !> Vertical section and plan, neither distorted, with the state of contact along the string. `result` has a profile.
-   subroutine path_script(name, job, load_case, result, lines)
+   subroutine path_script(name, job, model, result, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
-      type(load_case_type), intent(in) :: load_case
+      type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
-      real(wp), allocatable :: section(:)
+      real(wp), allocatable :: section(:), shoes(:), joins(:)   ! [m]; of hole sections and components the depth
       real(wp) :: azimuth, scale
+      real(wp) :: taken(2, 40)     ! places of names
+      integer :: names
       !> Panels side by side, or one above the other for wells much wider than deep: places in parts of the picture.
       real(wp), parameter :: wide_well = 2.0_wp
       real(wp) :: left(2), bottom(2), wide, tall, legend_bottom, title
       integer :: pixels
       character(:), allocatable :: data, across, unit
       integer :: n
-      associate (profile => result%profile)
+      associate (profile => result%profile, load_case => model%cases(result%case_index))
          n = size(profile%md)
          azimuth = 0.0_wp
          if (hypot(profile%north(n), profile%east(n)) > 0.0_wp) azimuth = atan2(profile%east(n), profile%north(n))
@@ -68,8 +73,10 @@ contains
             title = legend_top
          end if
          call start_script(lines, name, width, pixels)
+         call add_places()
          call append_text(lines, "touches(state, value) = stringcolumn('gap_state') eq state ? value : NaN")
          call add_curves(across, value('tvd'))
+         call add_marks(1)
          call legend(lines, case_title(job%units, load_case)//', model '//trim(model_name(result%model)), series, &
                      legend_bottom, title)
          scale = per_pixel(section, profile%tvd)
@@ -78,8 +85,11 @@ contains
                     'true vertical depth'//unit)
          call append_text(lines, 'set xrange ['//window(section, wide*width, .false.)//']; set yrange ['// &
                           window(profile%tvd, tall*pixels, .true.)//']')
+         call name_places()
          call plot(lines, series)
+         call append_text(lines, 'unset label')
          call add_curves(value('east'), value('north'))
+         call add_marks(3)
          ! the plan of a vertical hole is a point: a hundredth of its depth shows that
          scale = max(per_pixel(profile%east, profile%north), 0.01_wp*profile%md(n)/(wide*width))
          call panel(lines, left(2), left(2) + wide, bottom(2), bottom(2) + tall, 'east'//unit, 'north'//unit)
@@ -105,6 +115,105 @@ contains
          call add_series(series, data//" using (touches('rigid', "//x//')):('//y//')'//thinned, mark_style(2, 0.6_wp), &
                          'rigid contact')
       end subroutine add_curves
+
+      !> Blocks of points: where hole sections end above the bit and where parts of the string begin, in section and plan.
+      subroutine add_places()
+         integer :: i, k
+         associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
+                    bit => model%cases(result%case_index)%bit_depth, md => result%profile%md)
+            shoes = pack(model%holes%md_bottom, model%holes%md_bottom < bit .and. model%holes%md_bottom > md(1))
+            joins = bit - component_tops(string, bit - md(1))
+            joins = pack(joins, joins > md(1))
+            do k = 1, 3, 2
+               call add_points(lines, '$shoe'//to_text(k), [(across_at(shoes(i), k), i=1, size(shoes))]/job%units%length, &
+                               [(down_at(shoes(i), k), i=1, size(shoes))]/job%units%length)
+               call add_points(lines, '$join'//to_text(k), [(across_at(joins(i), k), i=1, size(joins))]/job%units%length, &
+                               [(down_at(joins(i), k), i=1, size(joins))]/job%units%length)
+            end do
+         end associate
+      end subroutine add_places
+
+      subroutine add_marks(view)
+         integer, intent(in) :: view      !< 1: vertical section; 3: plan
+         character(*), parameter :: shoe = "with points pt 9 ps 1.0 lc rgb '"//colour_black//"'", &
+                                    join = "with points pt 1 ps 1.0 lw 1.6 lc rgb '"//colour_black//"'"
+         if (size(shoes) > 0) call add_series(series, '$shoe'//to_text(view)//' using 1:2', shoe, 'hole section ends')
+         if (size(joins) > 0) call add_series(series, '$join'//to_text(view)//' using 1:2', join, 'part of the string begins')
+      end subroutine add_marks
+
+      !> Names in the vertical section: of hole sections to the left of the hole, of parts to its right. Where they would lie over
+      !> each other the upper of two stays.
+      subroutine name_places()
+         integer :: i
+         names = 0
+         do i = 1, size(model%holes) - 1
+            if (any(abs(shoes - model%holes(i)%md_bottom) <= 0.0_wp)) call put_name(model%holes(i)%name//', '// &
+               to_text(model%holes(i)%md_bottom/job%units%length, 6)//' '//trim(job%units%length_label), &
+               model%holes(i)%md_bottom, 'right offset -1.2,-0.8')
+         end do
+         names = 0
+         associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
+            do i = size(joins), 1, -1
+               call put_name(string%components(i)%name, joins(i), 'left offset 0.8,0.8')
+            end do
+         end associate
+      end subroutine name_places
+
+      subroutine put_name(text, md, where_to)
+         character(*), intent(in) :: text, where_to
+         real(wp), intent(in) :: md
+         real(wp) :: at(2)
+         real(wp), parameter :: row = 14.0_wp          ! height of a name [px]
+         integer, parameter :: longest = 28            ! letters
+         at = [across_at(md, 1), down_at(md, 1)]
+         if (names == size(taken, 2)) return
+         if (any(abs(taken(1, :names) - at(1)) < longest*letter_width*scale .and. &
+                 abs(taken(2, :names) - at(2)) < row*scale)) return
+         names = names + 1
+         taken(:, names) = at
+         call append_text(lines, 'set label '//spelled(cut_text(text, longest))//' at first '// &
+                          to_text(at(1)/job%units%length, digits)//', first '//to_text(at(2)/job%units%length, digits)//' '// &
+                          where_to//" font ',10'")
+      end subroutine put_name
+
+      !> What stands to the right in a view, at a depth [m].
+      pure function across_at(md, view) result(place)
+         real(wp), intent(in) :: md
+         integer, intent(in) :: view
+         real(wp) :: place
+         if (view == 1) then
+            place = value_at(section, md)
+         else
+            place = value_at(result%profile%east, md)
+         end if
+      end function across_at
+
+      pure function down_at(md, view) result(place)
+         real(wp), intent(in) :: md
+         integer, intent(in) :: view
+         real(wp) :: place
+         if (view == 1) then
+            place = value_at(result%profile%tvd, md)
+         else
+            place = value_at(result%profile%north, md)
+         end if
+      end function down_at
+
+      pure function value_at(values, md) result(found)
+         real(wp), intent(in) :: values(:), md
+         real(wp) :: found, share
+         integer :: i
+         associate (depth => result%profile%md)
+            i = 2
+            do while (i < size(depth))
+               if (depth(i) >= md) exit
+               i = i + 1
+            end do
+            share = 1.0_wp
+            if (depth(i) > depth(i - 1)) share = (md - depth(i - 1))/(depth(i) - depth(i - 1))
+            found = values(i - 1) + share*(values(i) - values(i - 1))
+         end associate
+      end function value_at
 
       pure function value(column) result(text)
          character(*), intent(in) :: column

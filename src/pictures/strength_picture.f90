@@ -63,7 +63,7 @@ contains
          panels = 2 + count([strong, twisted])
          allocate (body(0), key(0))
          call append_text(body, 'set yrange ['//to_text(deepest/length, digits)//':0]')
-         call put_sections(body, model%holes, job%units, deepest, place(1))
+         call put_sections(body, model%holes, job%units, deepest, place(1), .false.)
          any_band = .false.
          do k = 1, size(results)
             call add_curve(curves, results(k)%profile%md, length, alongs(k)%von_mises, job%units%stress, line_style(k), &

@@ -2,12 +2,14 @@
 !> colour, a friction factor a dash; what was measured is laid over it.
 module dg_sweep_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: add_limits, draw_broomstick, start_broomstick
+   use dg_broomstick_panels, only: add_limits, broomstick_limits_type, draw_broomstick, locked_look, measured_look, start_broomstick
+   use dg_case_result, only: result_locked_up, result_status_name
    use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type
+   use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type, style_count
+   use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
-   use dg_load_case, only: operation_label, operation_name, rotates
-   use dg_rig, only: rig_type
+   use dg_load_case, only: operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
+   use dg_rig, only: indicated_load, rig_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
@@ -17,20 +19,20 @@ module dg_sweep_picture
    public :: sweep_script
 
    integer, parameter :: digits = 8
-   !> Marks of measured points: open forms, one an operation.
-   integer, parameter :: open_marks(8) = [6, 4, 8, 12, 10, 14, 2, 1]
 
 contains
 
    !> One model's curves.
-   subroutine sweep_script(name, units, sweep, model, rig, lines)
+   subroutine sweep_script(name, units, sweep, model, rig, holes, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model          !< number of the model
       type(rig_type), intent(in) :: rig     !< where it is given hook loads are as it shows them
+      type(hole_section_type), intent(in) :: holes(:)
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: key(:), hookload(:), torque(:)
+      type(broomstick_limits_type) :: limits
       integer :: i, k
       call start_broomstick(lines, name)
       call append_text(lines, 'pick(operation, is_friction, value) = stringcolumn(''model'') eq '''//trim(model_name(model))// &
@@ -46,12 +48,16 @@ contains
          call add_series(key, 'NaN', "with lines lw 1.5 dt "//dash_of(k)//" lc rgb '"//colour_black//"'", &
                          friction_label(sweep, k))
       end do
+      call append_text(lines, "stuck(operation, is_friction, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
+                       "' && stringcolumn('operation') eq operation && is_friction && stringcolumn('status') eq '"// &
+                       trim(result_status_name(result_locked_up))//"' ? value : NaN")
+      if (any(is_pushed(sweep%operations))) call add_series(key, 'NaN', locked_look(style_count), 'locks up: nothing on the hook')
       hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), 'measured_hookload', .false.)
       torque = curves('torque', 'measured_torque', .true.)
-      call add_limits(key, hookload, torque, units, rig, sweep, results_file('sweep_'//sweep%name), &
+      call add_limits(hookload, torque, limits, units, rig, sweep, results_file('sweep_'//sweep%name), &
                       column_header(column_named(sweep_columns, 'bit_depth'), units))
-      call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, maxval(sweep%depths), &
-                           hookload, torque, rig%given)
+      call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, holes, &
+                           sweep, hookload, torque, limits)
 
    contains
 
@@ -66,6 +72,8 @@ contains
             if (turning .and. .not. (rotates(sweep%operations(operation)) .or. &
                                      abs(at_operation(sweep%tob, operation)) > 0.0_wp)) cycle
             do friction = 1, size(sweep%frictions)
+               if (is_pushed(sweep%operations(operation)) .and. .not. turning) &
+                  call add_series(series, locked(operation, friction_test(sweep, friction)), locked_look(operation), '')
                call add_series(series, curve(operation, friction_test(sweep, friction), column), &
                                marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
             end do
@@ -73,6 +81,19 @@ contains
                curve(operation, friction_test(sweep, 1), measured), measured_look(operation), '')
          end do
       end function curves
+
+      !> Depths at which the string locks up, at what is shown of an empty hook.
+      pure function locked(operation, test) result(using)
+         integer, intent(in) :: operation
+         character(*), intent(in) :: test
+         character(:), allocatable :: using
+         real(wp) :: slack
+         slack = 0.0_wp
+         if (rig%given) slack = indicated_load(rig, sweep%operations(operation), 0.0_wp)
+         using = results_file('sweep_'//sweep%name)//" using (stuck('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            test//', '//to_text(slack/units%force, digits)//")):(column('"// &
+            column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
+      end function locked
 
       pure function curve(operation, test, column) result(using)
          integer, intent(in) :: operation
@@ -83,13 +104,6 @@ contains
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function curve
    end subroutine sweep_script
-
-   pure function measured_look(operation) result(look)
-      integer, intent(in) :: operation
-      character(:), allocatable :: look
-      look = 'with points pt '//to_text(open_marks(1 + mod(operation - 1, size(open_marks))))//" ps 1.2 lw 1.6 lc rgb '"// &
-         colour_black//"'"
-   end function measured_look
 
    pure function friction_label(sweep, number) result(text)
       type(sweep_type), intent(in) :: sweep
@@ -111,4 +125,10 @@ contains
       if (allocated(sweep%frictions_cased)) text = '('//text//" && abs(column('friction_cased') - "// &
          to_text(sweep%frictions_cased(number))//') < 1e-9)'
    end function friction_test
+   !> Whether an operation lowers a string that does not turn: only that one locks up.
+   elemental function is_pushed(operation) result(is)
+      integer, intent(in) :: operation
+      logical :: is
+      is = operation == operation_trip_in .or. operation == operation_sliding_drilling
+   end function is_pushed
 end module dg_sweep_picture

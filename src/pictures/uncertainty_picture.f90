@@ -1,10 +1,11 @@
 !> What uncertain data make of hook load and torque against bit depth, from uncertainty_<name>.csv: half of the samples lie below
-!> the middle line, a tenth beyond each of the outer ones.
+!> the middle line, a tenth beyond each of the outer ones; what was measured is laid over it.
 module dg_uncertainty_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: add_limits, draw_broomstick, start_broomstick
+   use dg_broomstick_panels, only: add_limits, add_measured, broomstick_limits_type, draw_broomstick, start_broomstick
    use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_of, dash_of, marked_line_style, results_file, series_type
+   use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, operation_name, rotates
    use dg_rig, only: rig_type
@@ -21,14 +22,16 @@ module dg_uncertainty_picture
 contains
 
    !> One model's curves.
-   subroutine uncertainty_script(name, units, range, model, rig, lines)
+   subroutine uncertainty_script(name, units, range, model, rig, holes, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: range !< operations and depths
       integer, intent(in) :: model          !< number of the model
       type(rig_type), intent(in) :: rig     !< where it is given hook loads are as it shows them
+      type(hole_section_type), intent(in) :: holes(:)
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: key(:), hookload(:), torque(:)
+      type(broomstick_limits_type) :: limits
       integer :: i
       call start_broomstick(lines, name)
       call append_text(lines, "pick(operation, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
@@ -39,10 +42,11 @@ contains
       end do
       hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), .false.)
       torque = curves('torque', .true.)
-      call add_limits(key, hookload, torque, units, rig, range, results_file('uncertainty_'//range%name), &
+      call add_measured(lines, key, hookload, torque, units, range)
+      call add_limits(hookload, torque, limits, units, rig, range, results_file('uncertainty_'//range%name), &
                       column_header(column_named(uncertainty_columns, 'bit_depth'), units))
-      call draw_broomstick(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), key, units, &
-                           maxval(range%depths), hookload, torque, rig%given)
+      call draw_broomstick(lines, 'Uncertainty '//range%name//', model '//trim(model_name(model)), key, units, holes, &
+                           range, hookload, torque, limits)
 
    contains
 

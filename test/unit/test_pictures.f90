@@ -9,6 +9,7 @@ module dg_test_pictures
    use dg_component, only: component_type
    use dg_forces_picture, only: forces_script
    use dg_gnuplot_script, only: spelled, x_range
+   use dg_hole_section, only: hole_section_type
    use dg_hookload_picture, only: hookload_script
    use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe, page_type
    use dg_job, only: job_type, model_soft
@@ -155,7 +156,7 @@ contains
       call assertTrue(has_text(lines, 'model mcge; bit presses 14.2 kN'))
       call assertTrue(has_text(lines, "set label 'pipe' at first 20"), message='the part by name')
       call assertTrue(has_text(lines, 'set xrange [40:0]'), message='the bit at the right')
-      call path_script('path_i_up', sample_job(), model%cases(1), results(1), lines)
+      call path_script('path_i_up', sample_job(), model, results(1), lines)
       call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
       call assertTrue(has_text(lines, "touches('rigid', "))
    end subroutine test_case_scripts
@@ -182,6 +183,7 @@ contains
    subroutine test_sweep()
       type(text_type), allocatable :: lines(:)
       type(sweep_type) :: sweep
+      type(hole_section_type) :: holes(1)
       type(rig_type) :: rig
       type(unit_system_type) :: units
       real(wp) :: field_force, field_moment
@@ -195,7 +197,7 @@ contains
       sweep%depths = [100.0_wp, 2000.0_wp]
       allocate (sweep%measured(1))
       sweep%measured(1)%operation = operation_trip_out
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
       call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
@@ -204,22 +206,24 @@ contains
       call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
       call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
       sweep%frictions = [optional_real()]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
       call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
       call assertFalse(has_text(lines, 'limit of the rig'))
       ! sheaves that do not rub: one line at what the rig may carry; one of torque
       rig = rig_type(given=.true., block_weight=50.0_wp*field_force, max_hookload=given(400.0_wp*field_force), &
                      max_torque=given(30.0_wp*field_moment))
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
       call assertTrue(has_text(lines, "'../sweep_broom.csv' using (400):(column('bit_depth_ft'))"), message='hook load')
       call assertTrue(has_text(lines, "'../sweep_broom.csv' using (30):(column('bit_depth_ft'))"), message='torque')
-      call assertTrue(has_text(lines, 'limit of the rig'), message='legend')
+      call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
       ! sheaves that rub: the indicator shows less or more than the load as blocks move
       rig%lines = 8
       rig%sheave_efficiency = 0.98_wp
       sweep%operations = [operation_trip_out, operation_trip_in]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
       call assertFalse(has_text(lines, 'using (400):'))
+      call assertTrue(has_text(lines, 'klbf, up'' at first 3'), message='less is shown going up')
+      call assertTrue(has_text(lines, 'klbf, down'' at first 4'), message='more going down')
       call assertEqual(2, count([(index(lines(i)%text, 'using (3') + index(lines(i)%text, 'using (4') > 0, i=1, size(lines))]))
    end subroutine test_sweep
 
