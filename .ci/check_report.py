@@ -45,6 +45,13 @@ def faults_of_files(folder):
     marks = [name for name in names if "gpPt" in name]
     if len(marks) != len(set(marks)):
         faults.append("two pictures of the page share names of marks")
+    opened = page.count("<details>") + page.count('<p class="data">')
+    if opened != len(pictures):
+        faults.append(f"{opened} pictures of {len(pictures)} have their numbers")
+    faults += [f"the page links to {name}, which is not there" for name in set(re.findall(r'<a href="([^"]*)"', page))
+               if not (folder / name).exists()]
+    if "prefers-color-scheme:dark" not in page:
+        faults.append("no dark form")
     for word in ("<h2>Limits</h2>", "<h3>Assumptions</h3>", "<h2>Deck</h2>", "&amp;load_case"):
         if word not in page:
             faults.append(f"the page lacks {word}")
@@ -105,12 +112,13 @@ def sheets_of(pdf, faults):
 
 def faults_of_paper(folder, paper):
     page = (folder / "report.html").read_text(encoding="utf-8")
+    whole_page, page = page, re.sub(r"<details>.*?</details>", "", page, flags=re.S)     # closed on paper
     faults = []
     with tempfile.TemporaryDirectory() as scratch:
         copy, pdf = pathlib.Path(scratch) / "page.html", pathlib.Path(scratch) / "page.pdf"
         if page.count("@page{size:landscape") != 1:
             return ["the page does not say how paper lies"]
-        copy.write_text(page.replace("@page{size:landscape", f"@page{{size:{paper} landscape"), encoding="utf-8")
+        copy.write_text(whole_page.replace("@page{size:landscape", f"@page{{size:{paper} landscape"), encoding="utf-8")
         run = browser(copy, "--no-pdf-header-footer", f"--print-to-pdf={pdf}")
         if run.returncode != 0 or not pdf.exists():
             return ["the browser printed nothing: " + run.stderr[-500:]]

@@ -11,6 +11,7 @@ module dg_html_report
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_model, only: model_type
+   use dg_picture_data, only: picture_data_type
    use dg_picture_files, only: folder_in, picture_list_type, picture_type
    use dg_column, only: field_list_type
    use dg_results_h5, only: time_stamp
@@ -32,6 +33,9 @@ module dg_html_report
    character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin']
+   character(*), parameter :: most_shown(14) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
+      'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'shape', 'snaking_length', 'coiled_length', &
+      'coil_turns', 'bit_side_force', 'bit_side_clock', 'bit_tilt']
 
 contains
 
@@ -172,6 +176,9 @@ contains
                     'the top before anything yields, bending included. wob buckling, no hookload, lockup: weight on bit '// &
                     'at which the string begins to buckle, that leaves nothing on the hook, and the same with the friction '// &
                     'of a coiled string.</p>')
+      call add_line(lines, '<p>governing limit: the strength that is used most, how much of it, where. shape, snaking and '// &
+                    'coiled length, coil turns: what the string was found to do by mcge. bit side force and bit tilt: of the '// &
+                    'bit on the formation, and between bit and hole axis; clock angles count from the high side.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])
@@ -182,6 +189,7 @@ contains
          end do
          call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
          call append_table(lines, limits_columns, limits_shown, job%units, fields, results(rows)%status /= result_converged)
+         call append_table(lines, limits_columns, most_shown, job%units, fields, results(rows)%status /= result_converged)
       end do
    end subroutine append_limits
 
@@ -223,8 +231,33 @@ contains
       else
          call add_line(lines, '<p class="note warn">Picture '//html_safe(failure)//'</p>')
       end if
-      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption></figure>')
+      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
+      call append_data(lines, job, picture%data)
+      call add_line(lines, '</figure>')
    end subroutine append_picture
+
+   !> The numbers of a picture, in a table that opens beneath it; the file that has all.
+   subroutine append_data(lines, job, data)
+      type(page_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(picture_data_type), intent(in) :: data
+      character(:), allocatable :: link
+      character(len(data%columns%name)) :: shown(size(data%columns))
+      logical :: marked(size(data%rows))
+      integer :: i
+      link = '<a href="'//html_safe(data%file)//'">'//html_safe(data%file)//'</a>'
+      if (size(data%rows) == 0) then
+         call add_line(lines, '<p class="data">Numbers: '//link//'</p>')
+         return
+      end if
+      marked = .false.
+      do i = 1, size(shown)
+         shown(i) = data%columns(i)%name
+      end do
+      call add_line(lines, '<details><summary>Numbers</summary>')
+      call append_table(lines, data%columns, shown, job%units, data%rows, marked)
+      call add_line(lines, '<p>All: '//link//'</p></details>')
+   end subroutine append_data
 
    !> What every result rests on, and what each model adds.
    subroutine append_assumptions(lines, job)

@@ -18,7 +18,15 @@ module dg_html_style
       '.note{border-left:4px solid #0072B2;padding:.3em .8em;background:#f3f7fa}.warn{border-color:#D55E00;background:#fdf4ee}', &
       'pre{font-size:.78em;background:#f6f6f6;padding:.8em;overflow-x:auto;line-height:1.35}svg{width:100%;height:auto}', &
       'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
-      'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}']
+      'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}', &
+      'details,.data{font-size:.9em;margin:.3em 0}summary{cursor:pointer;color:#0072B2}a{color:#0072B2}']
+
+   !> A screen that is set dark. Pictures are turned about in lightness, so that paper becomes black and colours stay what they are.
+   character(*), parameter :: dark(*) = [character(128) :: &
+      '@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{background:#14181c;color:#dde2e6}', &
+      'h2{border-color:#555}th,td{border-color:#333a40}th{border-color:#777}.note{background:#1b2a35}.warn{background:#35261b}', &
+      'pre{background:#1c2126}tr.bad td{color:#ff9c8c}figcaption{color:#aab2b9}summary,a{color:#6cb8e6}', &
+      'th:first-child,td:first-child{background:#14181c}svg{filter:invert(.92) hue-rotate(180deg)}}']
 
    !> A phone: the first column stays while the others scroll.
    character(*), parameter :: narrow(*) = [character(128) :: &
@@ -50,6 +58,9 @@ contains
       end do
       do i = 1, size(narrow)
          call add_line(lines, trim(narrow(i)))
+      end do
+      do i = 1, size(dark)
+         call add_line(lines, trim(dark(i)))
       end do
       call add_line(lines, '@page{size:landscape;margin:16mm 12mm 14mm;font:8pt "DejaVu Sans",Arial,sans-serif;color:#555;')
       call add_line(lines, '@top-left{content:'//css_string(title)//';width:66%;text-align:left}')
