@@ -137,9 +137,9 @@ contains
             end if
             where (is_missing(values))
                values = missing
-            elsewhere (-values < least*job%units%force)
+            else where (-values < least*job%units%force)
                values = missing
-            elsewhere
+            else where
                values = -values
             end where
             call add_curve(curves, md, length, values, job%units%force, look, '')

@@ -64,11 +64,11 @@ contains
       call execute_command_line('chmod +x '//scratch//'/gnuplot')
       run = run_program(deck_path//' --output '//results_path, environment='PATH="'//scratch//':$PATH"')
       call assertEqual(1, run%status)
-      call assertTrue(index(run%diagnostics, 'gnuplot failed: 5 of 6 pictures') > 0 .and. &
+      call assertTrue(index(run%diagnostics, 'gnuplot failed: 6 of 7 pictures') > 0 .and. &
                       index(run%diagnostics, ', path_u is not') > 0, message=run%diagnostics)
       call assertEqual('', content('pictures/path_u.svg'))
       call assertEqual('<svg></svg>'//newline, content('pictures/forces_u.svg'))
-      call assertTrue(index(content('report.html'), '1 of 6 pictures are not drawn') > 0)
+      call assertTrue(index(content('report.html'), '1 of 7 pictures are not drawn') > 0)
    end subroutine test_fails_at_one
 
    !> The good deck with calibrations of these names, the first of which a hole section has, too.
