@@ -34,6 +34,8 @@ NAMES = ["Bob's fit", "a,b", 'x"y', r"a\b", "`touch made`", 'system("touch made"
          "é" * 300, "y" * 5000, "'" * 7, "ab", "]]]>>", "&amp;<b>", "{", "}", "[", "first'", "../made", "a/b"]
 #: Marks of the two calibrations: legend, two factors before and after, an offset, three errors before and after.
 MARKS = {"first": 2 + 4 + 6, "other": 2 + 4 + 1 + 6}
+#: Pictures of a deck with names.
+PICTURES = 12
 MOST_OF_TIC, MOST_OF_TITLE = 28, 200
 CONTROL = re.compile("[\x00-\x1f\x7f]")
 PLAIN_DECK_NAME = "plain"
@@ -149,7 +151,7 @@ def faults_of_name(program, name):
         return place, [*faults, f"fails: {place.told[:300]}"]
     faults += faults_of_pictures(place)
     scripts, pictures = place.out.glob("pictures/*.gp"), place.pictures()
-    if {p.stem for p in scripts} - {"all"} != {p.stem for p in pictures} or len(pictures) != 9:
+    if {p.stem for p in scripts} - {"all"} != {p.stem for p in pictures} or len(pictures) != PICTURES:
         faults.append(f"{len(pictures)} pictures")
     for path in place.out.glob("pictures/calibration_*.svg") if not faults else []:
         own = "first" if path.stem == "calibration_first_soft" else "other"
@@ -196,7 +198,7 @@ def old_pictures(program):
     place.use_gnuplot("exit 0\n")
     faults += faults_of_failure(place, place.run(), 0)
     del place.environment["PATH"]
-    faults += [f"exit status {status}"] if place.run() or len(place.pictures()) != 9 else []
+    faults += [f"exit status {status}"] if place.run() or len(place.pictures()) != PICTURES else []
     place.environment["PATH"] = "/nonexistent"
     if place.run() or place.pictures() or "no gnuplot here" not in place.told:
         faults.append(f"without gnuplot: {len(place.pictures())} pictures, {place.told[:300]}")
@@ -228,7 +230,7 @@ def ended_by(program, number, body):
     process.send_signal(number)
     status = place.end_of(process)
     took = time.monotonic() - begin
-    if status != 1 or f"ended by {number.name}: 2 of 9 pictures" not in place.told:
+    if status != 1 or f"ended by {number.name}: 2 of {PICTURES} pictures" not in place.told:
         faults.append(f"exit status {status}: {place.told[:300]}")
     if took > TIME_LIMIT / 2:
         faults.append(f"ends after {took:.0f} s")
@@ -321,7 +323,7 @@ def lacking_data(program, what):
     place = Place(program)
     text = re.sub("(?m)^&calibrate.*\n", "", deck(PLAIN_DECK_NAME))
     text += "&legacy label = 'l', case = 'u', file = 'l.csv' /\n"
-    depths, wanted, pictures = "2000,300\n2900,0\n", 0, 8
+    depths, wanted, pictures = "2000,300\n2900,0\n", 0, PICTURES - 1
     if what == "nothing converged":
         text = text.replace("'soft'", "'mcge'")
         text = text.replace("element_length = 30", "element_length = 30, fidelity = 'reference', max_iterations = 1")
@@ -359,9 +361,9 @@ def main():
     hang, deaf = "sleep {seconds}", "trap '' TERM INT HUP; sleep {seconds} & sleep {seconds}; sleep {seconds}"
     tries = [(f"name {name[:40]!r}", faults_of_name, (name,)) for name in NAMES]
     tries += [(f"gnuplot {what}", faults_of_fake, (what,)) for what in FAKES]
-    tries += [("one crash", one_bad_picture, ("case \"$names\" in *path_d*) kill -SEGV $$ ;; esac\n", 8)),
-              ("one without picture", one_bad_picture, ("sed -i 's/^set output.*/unset output/' path_d.gp\n", 8)),
-              ("one with a fault", one_bad_picture, ("sed -i '/^unset output/i plot nonsense' path_d.gp\n", 8)),
+    tries += [("one crash", one_bad_picture, ("case \"$names\" in *path_d*) kill -SEGV $$ ;; esac\n", PICTURES - 1)),
+              ("one without picture", one_bad_picture, ("sed -i 's/^set output.*/unset output/' path_d.gp\n", PICTURES - 1)),
+              ("one with a fault", one_bad_picture, ("sed -i '/^unset output/i plot nonsense' path_d.gp\n", PICTURES - 1)),
               ("an earlier run", old_pictures, ()), ("children", leaves_children, ()), ("by hand", by_hand, ()),
               ("shared names", shared_names, ()), ("joined parts", joined_parts, ())]
     tries += [(what, lacking_data, (what,)) for what in ("nothing converged", "legacy elsewhere")]

@@ -54,7 +54,7 @@ contains
       shown = min(shown_length, bit - result%profile%md(1))
       allocate (key(0), body(0))
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
-         part_tops = component_tops(string, bit - result%profile%md(1))
+         allocate (part_tops, source=component_tops(string, bit - result%profile%md(1)))
          call draw_view(string%components)
       end associate
       call draw_moment()
@@ -116,8 +116,8 @@ contains
             call name_part(components(k), ends, half)
          end do
          associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
-            joints = joint_ends(string, part_tops)
-            rings = all_centralizer_ends(string, part_tops)
+            allocate (joints, source=joint_ends(string, part_tops))
+            allocate (rings, source=all_centralizer_ends(string, part_tops))
          end associate
          do i = 1, size(rings) - 1, 2
             if (rings(i) >= shown .or. rings(i + 1) <= rings(i)) cycle

@@ -129,7 +129,7 @@ contains
       real(wp), intent(in) :: values(:)    !< as many, all there
       real(wp), intent(out) :: least(:), mean(:), greatest(:)   !< as many as parts
       real(wp) :: sums(size(least)), lengths(size(least)), step
-      integer :: i, part, n
+      integer :: i, above, part, n
       n = size(least)
       sums = 0.0_wp
       lengths = 0.0_wp
@@ -139,9 +139,9 @@ contains
          part = 1 + min(int(n*(depth(i) - depth(1))/(depth(size(depth)) - depth(1))), n - 1)
          least(part) = min(least(part), values(i))
          greatest(part) = max(greatest(part), values(i))
-         if (i == 1) cycle
-         step = depth(i) - depth(i - 1)
-         sums(part) = sums(part) + 0.5_wp*step*(values(i) + values(i - 1))
+         above = max(1, i - 1)
+         step = depth(i) - depth(above)
+         sums(part) = sums(part) + 0.5_wp*step*(values(i) + values(above))
          lengths(part) = lengths(part) + step
       end do
       do i = 1, n
@@ -162,13 +162,15 @@ contains
       logical :: lone(size(angle))
       !> What is near [rad], and the part of all that is few [-].
       real(wp), parameter :: near = 0.5_wp, few = 0.05_wp
-      integer :: i
+      integer :: i, above, below
       lone = .false.
       do i = 1, size(angle)
          if (.not. counts(i)) cycle
+         above = max(1, i - 1)
+         below = min(size(angle), i + 1)
          lone(i) = .true.
-         if (i > 1) lone(i) = .not. (counts(i - 1) .and. cos(angle(i) - angle(i - 1)) > cos(near))
-         if (i < size(angle)) lone(i) = lone(i) .and. .not. (counts(i + 1) .and. cos(angle(i) - angle(i + 1)) > cos(near))
+         if (above < i .and. counts(above)) lone(i) = cos(angle(i) - angle(above)) <= cos(near)
+         if (below > i .and. counts(below)) lone(i) = lone(i) .and. cos(angle(i) - angle(below)) <= cos(near)
       end do
       ! one that touches between two that do not is no stray
       do i = 2, size(angle) - 1

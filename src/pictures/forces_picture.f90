@@ -208,7 +208,8 @@ contains
             associate (profile => results(k)%profile)
                first = profile%md(1)
                n = max(2, min(most_places, ceiling((deepest - first)/(joint/16.0_wp))))
-               places = first + (deepest - first)*[(real(i, wp)/n, i=0, n)]
+               if (allocated(places)) deallocate (places)
+               allocate (places, source=first + (deepest - first)*[(real(i, wp)/n, i=0, n)])
                call add_curve(curves, places, length, force_on_length(profile%md, profile%side_force, joint, places), &
                               job%units%force, line_style(k), colour_of(k))
             end associate
@@ -227,11 +228,12 @@ contains
          ! the first model on top, those below it larger, so that all can be seen
          do k = size(results), 1, -1
             associate (profile => results(k)%profile, block => '$clock'//to_text(k))
-               shown = profile%gap_state /= state_free
+               if (allocated(shown)) deallocate (shown, angles)
+               allocate (shown, source=profile%gap_state /= state_free)
                shown = shown .and. .not. lone_angles(profile%clock, shown)
                n = (count(shown) + most_marks - 1)/most_marks
                if (n > 1) shown = shown .and. [(modulo(i, n) == 0, i=1, size(shown))]
-               angles = pack(profile%clock, shown)/job%units%angle
+               allocate (angles, source=pack(profile%clock, shown)/job%units%angle)
                ! cut open at 270 deg, not at the high side: a string that lies there is one curve
                where (angles > 270.0_wp) angles = angles - 360.0_wp
                call add_points(body, block, angles, pack(profile%md, shown)/length)

@@ -118,12 +118,14 @@ contains
 
       !> Blocks of points: where hole sections end above the bit and where parts of the string begin, in section and plan.
       subroutine add_places()
+         real(wp), allocatable :: tops(:)
          integer :: i, k
          associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
                     bit => model%cases(result%case_index)%bit_depth, md => result%profile%md)
-            shoes = pack(model%holes%md_bottom, model%holes%md_bottom < bit .and. model%holes%md_bottom > md(1))
-            joins = bit - component_tops(string, bit - md(1))
-            joins = pack(joins, joins > md(1))
+            allocate (shoes, source=pack(model%holes%md_bottom, model%holes%md_bottom < bit .and. &
+                                         model%holes%md_bottom > md(1)))
+            allocate (tops, source=component_tops(string, bit - md(1)))
+            allocate (joins, source=pack(bit - tops, bit - tops > md(1)))
             do k = 1, 3, 2
                call add_points(lines, '$shoe'//to_text(k), [(across_at(shoes(i), k), i=1, size(shoes))]/job%units%length, &
                                [(down_at(shoes(i), k), i=1, size(shoes))]/job%units%length)

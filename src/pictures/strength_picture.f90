@@ -56,7 +56,7 @@ contains
          turns = rotates(load_case%operation)
          twisted = turns .or. abs(load_case%tob) > 0.0_wp
          associate (string => model%strings(string_index(model%strings, load_case%string)))
-            tops = component_tops(string, deepest - results(1)%profile%md(1))
+            allocate (tops, source=component_tops(string, deepest - results(1)%profile%md(1)))
             call steps(string%components, tops, deepest, depths, yields, makeups, torsions)
          end associate
          strong = any(.not. is_missing(alongs(1)%safety_factor))

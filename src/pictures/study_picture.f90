@@ -54,7 +54,7 @@ contains
       do i = 1, size(models)
          call add_series(series, 'NaN', mark_style(i, 0.8_wp), trim(model_name(models(i))))
       end do
-      call add_series(series, 'NaN', best_look(), 'nothing is more accurate and faster (Pareto)')
+      call add_series(series, 'NaN', best_look(), 'Pareto: none better and faster')
       do i = 1, size(told)
          call add_series(series, 'NaN', told_look(i), 'fidelity '//trim(told(i)))
       end do
@@ -106,7 +106,7 @@ contains
    pure function told_look(number) result(look)
       integer, intent(in) :: number
       character(:), allocatable :: look
-      look = 'with points pt '//to_text(told_marks(number))//" ps 1.9 lw 1.0 lc rgb '"//colour_black//"'"
+      look = 'with points pt '//to_text(told_marks(number))//" ps 1.6 lw 1.0 lc rgb '"//colour_black//"'"
    end function told_look
 
    pure function best_look() result(look)
