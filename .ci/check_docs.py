@@ -5,7 +5,8 @@
                     (src/deck_text/deck_keys.f90, defaults of &solver from src/model/numerics.f90); all operations named
   output/README.md  one table a file, between marks; must be the table that the writer's own columns give
                     (OUTPUT_ROOMS), units of SI decks
-  src/README.md     one row a folder, with the arrows of check_arrows.py; files and procedures that it cites exist
+  src/README.md     one row a folder, with the arrows of check_arrows.py; files and procedures that it cites exist; what a new
+                    operation, key, column or model touches is what the example of its row touches
 
 Usage: check_docs.py [--write]     --write brings the tables of input/ and output/README.md up to date
 """
@@ -315,7 +316,14 @@ def check_src():
             for one in re.findall(r"\d+", numbers):
                 if one not in conventions:
                     faults.append(f"{path.relative_to(ROOT)}: src/README.md has no convention {one}")
-    print(f"  src/README.md: {len(rows)} folders, {cited} citations of files, {len(conventions)} conventions")
+    added = re.findall(r"^\| [^|]* \| ([^|]*) \| `(\w+)` \|$", text[text.index("## How to add"):], re.M)
+    for files, example in added:
+        told = {name if name.startswith("app/") else f"src/{name}" for name in re.findall(r"`(\w+/\w+\.f90)`", files)}
+        there = {str(path.relative_to(ROOT)) for folder in ("src", "app") for path in (ROOT / folder).rglob("*.f90")
+                 if re.search(rf"\b{example}\b", without_comments(path))}
+        faults += [f"src/README.md, How to add: {example} stands in {name}, too" for name in sorted(there - told)]
+        faults += [f"src/README.md, How to add: {name} does not know {example}" for name in sorted(told - there)]
+    print(f"  src/README.md: {len(rows)} folders, {cited} citations of files, {len(conventions)} conventions, {len(added)} things to add")
     return faults
 
 

@@ -6,9 +6,9 @@ module dg_deck_sweep
    use dg_deck_draft, only: draft_case_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_job, only: model_count, model_name
-   use dg_load_case, only: given, operation_backream, operation_from_name, operation_name, operation_ream, &
+   use dg_load_case, only: given, moves_axially, operation_from_name, operation_name, &
       operation_rotate_off_bottom, operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, &
-      operation_trip_out
+      operation_trip_out, rotates
    use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
    use dg_text, only: append_text, is_separator_free, lower_case, quoted, text_type, to_text
    implicit none
@@ -167,7 +167,7 @@ contains
       call take('rpm', sweep%angular_speed)
       call take('trip_speed', sweep%trip_speed)
       do o = 1, size(sweep%operations)
-         if (.not. any(sweep%operations(o) == [operation_ream, operation_backream])) cycle
+         if (.not. (rotates(sweep%operations(o)) .and. moves_axially(sweep%operations(o)))) cycle
          call need_speed('rpm', at_operation(sweep%angular_speed, o))
          call need_speed('trip_speed', at_operation(sweep%trip_speed, o))
          exit

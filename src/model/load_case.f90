@@ -29,6 +29,9 @@ module dg_load_case
    character(*), parameter, public :: operation_alias(operation_count) = [character(18) :: 'up', 'down', &
       '', 'rotary', 'sliding', '', '', '']
 
+   !> Way of the block, in the order of the numbers above: 1 it is raised, -1 lowered, 0 it stands.
+   integer, parameter, public :: block_way(operation_count) = [1, -1, 0, -1, -1, -1, 1, 0]
+
    !> A number that may be absent.
    type :: optional_real
       logical :: present = .false.

@@ -7,8 +7,7 @@
 !> determination of true hook-and-line tension under dynamic conditions: inactive and active dead-line sheave).
 module dg_rig
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
-      operation_trip_in, operation_trip_out, optional_real
+   use dg_load_case, only: block_way, optional_real
    implicit none
    private
    public :: rig_type, indicated_load, string_load, indicator_factor
@@ -54,14 +53,9 @@ contains
       real(wp) :: factor
       real(wp) :: growth, load
       integer :: line
-      select case (operation)
-      case (operation_trip_out, operation_backream)
-         growth = 1.0_wp/rig%sheave_efficiency
-      case (operation_trip_in, operation_sliding_drilling, operation_rotary_drilling, operation_ream)
-         growth = rig%sheave_efficiency
-      case default
-         growth = 1.0_wp
-      end select
+      growth = 1.0_wp
+      if (block_way(operation) > 0) growth = 1.0_wp/rig%sheave_efficiency
+      if (block_way(operation) < 0) growth = rig%sheave_efficiency
       load = 0.0_wp
       do line = 1, rig%lines
          load = 1.0_wp + growth*load

@@ -4,7 +4,7 @@ module dg_case_check
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_backream, operation_name, operation_ream
+   use dg_load_case, only: load_case_type, moves_axially, operation_name, rotates
    use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
    use dg_text, only: quoted, suggestion
    use dg_units, only: unit_system_type
@@ -23,7 +23,7 @@ contains
       integer, intent(in) :: place
       type(model_faults_type), intent(inout) :: found
       character(*), intent(in), optional :: speed  !< what the caller calls the speed of rotation; absent: rpm, as decks do
-      if (.not. any(load_case%operation == [operation_ream, operation_backream])) return
+      if (.not. (rotates(load_case%operation) .and. moves_axially(load_case%operation))) return
       if (.not. load_case%angular_speed > 0.0_wp) then
          if (present(speed)) then
             call need('rpm', speed)

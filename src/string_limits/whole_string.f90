@@ -9,7 +9,7 @@ module dg_whole_string
    use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_job, only: model_mcge
-   use dg_load_case, only: given, operation_backream, operation_trip_out, optional_real
+   use dg_load_case, only: block_way, given, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: tension_capacity
@@ -262,7 +262,7 @@ contains
       real(wp) :: high, at_none, at_high, narrowness, wob
       integer :: k, n
       k = result%case_index
-      if (any(model%cases(k)%operation == [operation_trip_out, operation_backream])) return
+      if (block_way(model%cases(k)%operation) > 0) return
       n = size(result%profile%md)
       if (.not. is_missing(along%sinusoidal(n))) then
          high = along%sinusoidal(n)   ! here the bit end itself buckles
