@@ -128,7 +128,7 @@ contains
       end if
       points = ((last - first)/step + 1.0_wp)*size(sweep%operations)*size(sweep%frictions)*size(sweep%models)
       if (points > real(most_points, wp)) then
-         call fault('bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 3)// &
+         call fault('bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 7)// &
                     ' points; at most '//to_text(most_points)//' can be solved in one sweep')
          return
       end if

@@ -3,6 +3,7 @@ module dg_html_text
    use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
+   use dg_load_case, only: operation_from_name, operation_label
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
    use dg_text, only: plain_utf8, put_piece, text_type, to_text
@@ -14,6 +15,7 @@ module dg_html_text
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
+   character(*), parameter :: operation_column = 'operation'
    !> A text longer than this is a sentence, which may be broken.
    integer, parameter :: longest_name = 40
 
@@ -139,10 +141,17 @@ contains
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: cell
       integer, parameter :: widest = 14
+      integer :: place
       cell = '<td>&ndash;</td>'
       if (.not. has_value(field)) return
       select case (field%kind)
       case (field_text)
+         place = 0
+         if (column%name == operation_column) place = operation_from_name(field%text)
+         if (place > 0) then
+            cell = '<td class="text">'//trim(operation_label(place))//'</td>'      ! as in Table 1
+            return
+         end if
          cell = '<td class="text'//trim(merge(' long', '     ', len(field%text) > longest_name))//'">'//html_safe(field%text)// &
                 '</td>'
       case (field_integer)

@@ -134,26 +134,23 @@ contains
       character(8) :: unit
       integer :: i, c
       call append_text(lines, repeat('-', width_of(layout)))
-      do i = 1, head_lines + 1
-         if (i <= head_lines) then
-            line = left_aligned(section(i), layout%section)//left_aligned(operation(i), layout%operation)// &
-               left_aligned(name(i), layout%name)
-         else
-            line = repeat(' ', layout%section + layout%operation + layout%name)
-         end if
+      do i = 1, head_lines
+         line = left_aligned(section(i), layout%section)//left_aligned(operation(i), layout%operation)// &
+            left_aligned(name(i), layout%name)
          do c = 1, col_count
-            if (.not. layout%shown(c)) cycle
-            if (i <= head_lines) then
-               line = line//right_aligned(trim(heads(i, c)), widths(c))
-               cycle
-            end if
-            unit = unit_label(units, unit_force)
-            if (c == col_error .or. c == col_reference_error) unit = '%'
-            if (c == col_moment) unit = unit_label(units, unit_moment)
-            line = line//right_aligned(trim(unit), widths(c))
+            if (layout%shown(c)) line = line//right_aligned(trim(heads(i, c)), widths(c))
          end do
          call append_text(lines, trim(line))
       end do
+      line = repeat(' ', layout%section + layout%operation + layout%name)
+      do c = 1, col_count
+         if (.not. layout%shown(c)) cycle
+         unit = unit_label(units, unit_force)
+         if (c == col_error .or. c == col_reference_error) unit = '%'
+         if (c == col_moment) unit = unit_label(units, unit_moment)
+         line = line//right_aligned(trim(unit), widths(c))
+      end do
+      call append_text(lines, trim(line))
       call append_text(lines, repeat('-', width_of(layout)))
    end subroutine append_head
 
