@@ -131,7 +131,8 @@ contains
    end subroutine read_deck
 
    !> Solves one load case. Error (status_bad_input): the model was not made, no such method, or a load case that cannot be meant;
-   !> more memory than there is; (status_failure): anything else. Without an error `result%status` tells whether the numbers are a solution.
+   !> more memory than there is; (status_failure): anything else. Without an error `result%status` tells whether the numbers are a
+   !> solution.
    subroutine solve(model, load_case, method, result, error, totals_only)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -1,5 +1,5 @@
-!> Whether there is the memory that a deck, or one load case, asks for: told before anything is begun, not by the system's killing the program in
-!> the middle of it.
+!> Whether there is the memory that a deck, or one load case, asks for: told before anything is begun, not by the system's killing
+!> the program in the middle of it.
 module dg_memory
    use dg_component, only: has_joints
    use dg_drillstring, only: component_tops

@@ -44,6 +44,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(report_type) :: report
       logical :: sound_survey, sound_holes, sound_fluids
+      model%units = base_units()
       model%boundary = parts%boundary
       model%rig = parts%rig
       model%gravity = parts%gravity

@@ -122,8 +122,9 @@ contains
          integer :: i, k
          associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
                     bit => model%cases(result%case_index)%bit_depth, md => result%profile%md)
-            allocate (shoes, source=pack(model%holes%md_bottom, model%holes%md_bottom < bit .and. &
-                                         model%holes%md_bottom > md(1)))
+            allocate (tops, source=[(model%holes(i)%md_bottom, i=1, size(model%holes))])   ! a component as an argument is a copy
+            allocate (shoes, source=pack(tops, tops < bit .and. tops > md(1)))
+            deallocate (tops)
             allocate (tops, source=component_tops(string, bit - md(1)))
             allocate (joins, source=pack(bit - tops, bit - tops > md(1)))
             do k = 1, 3, 2

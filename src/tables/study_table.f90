@@ -212,6 +212,7 @@ contains
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:, :)
       character(:), allocatable :: text
+      real(wp) :: orders(size(records, 2))
       logical :: first, headed
       integer :: i, j, k
       headed = .false.
@@ -236,7 +237,8 @@ contains
             text = text//repeat(' ', gap_width + solver_width)
          end if
          do k = error_hookload, error_bending
-            text = text//right_aligned(range_text(pack(records(i, :)%orders(k), .not. is_missing(records(i, :)%orders(k)))), 2*cell)
+            orders = [(records(i, j)%orders(k), j=1, size(records, 2))]
+            text = text//right_aligned(range_text(pack(orders, .not. is_missing(orders))), 2*cell)
          end do
          call append_text(lines, text)
       end do
