@@ -25,7 +25,7 @@ module dg_run_sweeps
    use dg_sweep_table, only: sweep_table
    use dg_sweep_work, only: in_part
    use dg_text, only: quoted, text_type, to_text
-   use dg_unit_kind, only: quantity_text, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_units, only: unit_system_type
    implicit none
@@ -314,7 +314,7 @@ contains
          ' points did not converge; the first: '//trim(model_name(sweep%models(first%model)))//', '// &
          trim(operation_name(sweep%operations(first%operation)))
       if (sweep%frictions(first%friction)%present) text = text//', friction '//to_text(sweep%frictions(first%friction)%value)
-      text = text//', bit at '//quantity_text(units, unit_length, sweep%depths(first%depth), 7)
+      text = text//', bit at '//trim(in_units(units, unit_length, sweep%depths(first%depth), 7))
       if (allocated(points(i)%message)) text = text//': '//points(i)%message
       call tell(text)
    end subroutine tell_lost

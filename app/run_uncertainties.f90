@@ -23,7 +23,7 @@ module dg_run_uncertainties
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part
    use dg_text, only: quoted, text_type, to_text
-   use dg_unit_kind, only: quantity_text, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
    use dg_uncertainty_file, only: write_uncertainty
@@ -249,7 +249,7 @@ contains
          text = what//' '//quoted(range%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(pieces)))// &
                 ' solutions did not converge and are left out of the quantiles; the first: '// &
                 trim(model_name(range%models(point%model)))//', '//trim(operation_name(range%operations(point%operation)))// &
-                ', bit at '//quantity_text(units, unit_length, range%depths(point%depth), 7)//', sample '//to_text(sample)
+                ', bit at '//trim(in_units(units, unit_length, range%depths(point%depth), 7))//', sample '//to_text(sample)
       end associate
       if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message
       call tell(text)

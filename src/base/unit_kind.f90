@@ -5,9 +5,12 @@ module dg_unit_kind
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, quantity_text
+   public :: unit_factor, unit_label, in_units
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+
+   !> Room for a number and the name of its unit.
+   integer, parameter :: told_width = 40
 
    integer, parameter :: unit_none = 0
    integer, parameter :: unit_length = 1
@@ -88,15 +91,6 @@ contains
       length = len_trim(padded_label(units, unit))
    end function label_length
 
-   pure function quantity_length(units, unit, value, digits) result(length)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: unit
-      real(wp), intent(in) :: value
-      integer, intent(in) :: digits
-      integer :: length
-      length = len(to_text(value/unit_factor(units, unit), digits)) + 1 + label_length(units, unit)
-   end function quantity_length
-
    !> Name of a unit for messages; '' for plain numbers. It tells the length of its result, as threads call it (see to_text).
    pure function unit_label(units, unit) result(label)
       type(unit_system_type), intent(in) :: units
@@ -105,13 +99,14 @@ contains
       label = padded_label(units, unit)
    end function unit_label
 
-   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name.
-   pure function quantity_text(units, unit, value, digits) result(text)
+   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name and blanks behind it. Of a
+   !> fixed length, as threads call it (see to_text).
+   pure function in_units(units, unit, value, digits) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: unit
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(quantity_length(units, unit, value, digits)) :: text
+      character(told_width) :: text
       text = to_text(value/unit_factor(units, unit), digits)//' '//padded_label(units, unit)
-   end function quantity_text
+   end function in_units
 end module dg_unit_kind

@@ -7,7 +7,7 @@ module dg_outside_hole
    use dg_mesh, only: mesh_type
    use dg_profile, only: profile_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: quantity_text, unit_diameter, unit_length, unit_wall
+   use dg_unit_kind, only: in_units, unit_diameter, unit_length, unit_wall
    use dg_units, only: unit_system_type
    use dg_trajectory, only: closest_point, trajectory_type
    use dg_workspace, only: workspace_type
@@ -118,17 +118,17 @@ contains
       type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside
       character(:), allocatable, intent(out) :: text
-      text = quantity_text(units, unit_diameter, outside%excess*outside%clearance, shown)//outside_place// &
-             quantity_text(units, unit_length, outside%md, shown_depth)//', of '// &
-             quantity_text(units, unit_diameter, outside%clearance, shown)//' clearance'
+      text = trim(in_units(units, unit_diameter, outside%excess*outside%clearance, shown))//outside_place// &
+             trim(in_units(units, unit_length, outside%md, shown_depth))//', of '// &
+             trim(in_units(units, unit_diameter, outside%clearance, shown))//' clearance'
       if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
       if (outside%gives_way) then
          text = 'the wall gives way: the string stands '//text//'; with a wall_stiffness of '// &
-                quantity_text(units, unit_wall, as_good_as_rigid, shown)//' it is as good as rigid'
+                trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' it is as good as rigid'
       else
          text = 'between its contact points the string stands '//text//': contact there may be off'
          if (outside%length > short) text = text//'; an element_length of '// &
-            quantity_text(units, unit_length, advised*outside%length, shown)//' brings most such strings inside'
+            trim(in_units(units, unit_length, advised*outside%length, shown))//' brings most such strings inside'
       end if
    end subroutine outside_message
 end module dg_outside_hole

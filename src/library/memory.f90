@@ -11,7 +11,7 @@ module dg_memory
    use dg_process_memory, only: address_room, memory_of_machine
    use dg_sweep, only: point_count, sweep_type
    use dg_text, only: quoted, to_text
-   use dg_unit_kind, only: quantity_text, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_uncertainty, only: piece_count
    implicit none
@@ -172,7 +172,7 @@ contains
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: element_length   !< [m]
       character(:), allocatable :: text
-      text = 'a larger element_length than '//quantity_text(model%units, unit_length, element_length, digits)
+      text = 'a larger element_length than '//trim(in_units(model%units, unit_length, element_length, digits))
       if (model%numerics%discrete_joints) text = text//', tool_joints = ''smeared'''
    end function finer_text
 

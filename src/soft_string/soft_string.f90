@@ -14,7 +14,7 @@ module dg_soft_string
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type, breakpoints
    use dg_string_range, only: range_warning
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, inclination_of, point_on_arc, position_at, top_md
-   use dg_unit_kind, only: quantity_text, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: solve_soft_string
@@ -119,7 +119,7 @@ contains
          if (totals%runaway) then
             result%status = result_locked_up
             result%message = 'friction grows without bound in the bend above '// &
-               quantity_text(model%units, unit_length, totals%runaway_md, shown_depth)// &
+               trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))// &
                '; lower the friction or the curvature'
          end if
       end associate

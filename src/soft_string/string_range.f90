@@ -5,7 +5,7 @@ module dg_string_range
    use dg_model, only: model_type
    use dg_soft_string_loads, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: quantity_text, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    use dg_trajectory, only: point_on_arc
    implicit none
    private
@@ -40,7 +40,7 @@ contains
          worst_md = md(i)
       end do
       if (worst > 1.0_wp) warning = 'outside the range of this model: compression is '//to_text(worst, shown)// &
-         ' times the helical buckling load at '//quantity_text(model%units, unit_length, worst_md, shown)// &
+         ' times the helical buckling load at '//trim(in_units(model%units, unit_length, worst_md, shown))// &
          '; contact there is underrated, use mcge'
       if (axial(1) < 0.0_wp) then
          if (warning /= '') warning = warning//'; '

@@ -35,7 +35,7 @@ module dg_static_analysis
    use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, touched
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
-   use dg_unit_kind, only: quantity_text, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
    use dg_workspace, only: new_workspace, workspace_type
@@ -111,7 +111,7 @@ contains
          most = min(most, given_up + model%numerics%tuning%attempt(1)%longest)
          call solve_on_mesh(model, case_index, length, most, moments, history, result)
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
-            quantity_text(model%units, unit_length, length, shown)//': longer ones found no equilibrium in '// &
+            trim(in_units(model%units, unit_length, length, shown))//': longer ones found no equilibrium in '// &
             to_text(given_up)//' iterations')
       end if
       if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
@@ -145,7 +145,7 @@ contains
       if (abs(other%hookload - result%hookload) < worth_telling*largest) return
       call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria: from '// &
                        'another start, on the low side of the hole, the hook load is '// &
-                       quantity_text(model%units, unit_force, other%hookload, digits))
+                       trim(in_units(model%units, unit_force, other%hookload, digits)))
    end subroutine find_range
 
    !> Whether a mesh has had the work that it may have, but for its last iteration.
@@ -256,7 +256,7 @@ contains
       if (is_missing(result%moment_error)) then
          call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
                           'this one was found on short elements, so they are those of elements of up to '// &
-                          quantity_text(model%units, unit_length, maxval(mesh%length), shown)// &
+                          trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
                           '; a smaller element_length makes them better')
       else if (result%moment_error > doubtful) then
          call add_message(result, 'moments along the string may be off by '// &

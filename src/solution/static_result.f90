@@ -16,7 +16,7 @@ module dg_static_result
    use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
-   use dg_unit_kind, only: quantity_text, unit_force, unit_length, unit_wall
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_wall
    use dg_units, only: unit_system_type
    use dg_walls, only: left_by_walls
    use dg_weight_on_bit, only: most_weight_on_bit
@@ -77,18 +77,18 @@ contains
          result%status = result_not_converged
          write (text, '(f0.1)') worst
          result%message = 'the string lies outside the hole by '//trim(text)//' clearances at '// &
-            quantity_text(model%units, unit_length, mesh%md(place), shown_depth)// &
+            trim(in_units(model%units, unit_length, mesh%md(place), shown_depth))// &
             ', between two gap elements; try shorter elements'
       case (outcome_exhausted)
          result%status = result_not_converged
          result%message = 'no equilibrium found after '
          if (equations%iterations >= model%numerics%max_iterations) result%message = 'iterations used up after '
          result%message = result%message//to_text(equations%iterations)//' iterations in load step '//to_text(last%increment)// &
-            ': residual '//quantity_text(model%units, unit_force, last%residual_force, shown_residual)//', '// &
+            ': residual '//trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//', '// &
             to_text(last%flips)//' gaps still changing; try '
          if (equations%iterations >= model%numerics%max_iterations) result%message = result%message//'more max_iterations, or '
          result%message = result%message//'another element_length (half, or '// &
-            quantity_text(model%units, unit_length, other_length, shown)//other_ways
+            trim(in_units(model%units, unit_length, other_length, shown))//other_ways
       case default
          result%status = result_not_converged
          write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &
@@ -139,7 +139,7 @@ contains
       real(wp) :: friction, length
       friction = maxval(mesh%rotary, mask=work%climb < 1.0_wp)
       length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'the string whirls: over '//quantity_text(units, unit_length, length, shown)// &
+      call add_message(result, 'the string whirls: over '//trim(in_units(units, unit_length, length, shown))// &
                        ', where it is compressed in a vertical '// &
                        'hole or near its buckling load, friction does not hold it on one side of the hole and is left out of '// &
                        'its balance across, without inertia; the hook load is firm, contact force and friction torque there '// &
@@ -164,15 +164,15 @@ contains
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
       stiff = left_by_walls(gaps, force_scale) > numerics%tolerance
-      left = 'forces are '//quantity_text(units, unit_force, result%equilibrium_force, shown)//' out of balance'
+      left = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))//' out of balance'
       if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
          result%status = result_not_converged
          if (part <= most_out_of_balance) left = 'walls pull the string with '// &
-            quantity_text(units, unit_force, pulling, shown)//' in all'
+            trim(in_units(units, unit_force, pulling, shown))//' in all'
          if (stiff) then
             result%message = left//': a wall this stiff presses with the round-off of places; give a smaller wall_stiffness, '// &
                              'gk_contact and gk_max (the wall of '// &
-                             quantity_text(units, unit_wall, as_good_as_rigid, shown)//' is as good as rigid)'
+                             trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' is as good as rigid)'
          else if (part > most_out_of_balance) then
             result%message = left//': residuals add up; give a smaller tolerance'
          else
@@ -228,20 +228,20 @@ contains
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
          result%message = 'friction holds the string: the force that moves it, '// &
-                          quantity_text(model%units, unit_force, axial(1), shown)//' at surface, would stretch it by '// &
+                          trim(in_units(model%units, unit_force, axial(1), shown))//' at surface, would stretch it by '// &
                           to_text(100.0_wp*strained, shown)//' %, which no pipe bears; '// &
                           'forces are those of the soft string'
          return
       end if
       result%message = 'friction of the coiled string grows without bound above '// &
-                       quantity_text(model%units, unit_length, totals%runaway_md, shown)//'; '
+                       trim(in_units(model%units, unit_length, totals%runaway_md, shown))//'; '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
          result%message = result%message//'no push at the top brings more than '// &
-                          quantity_text(model%units, unit_force, most, shown)// &
+                          trim(in_units(model%units, unit_force, most, shown))// &
                           ' to the bit, and without a push '// &
-                          quantity_text(model%units, unit_force, &
-                                        most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown)
+                          trim(in_units(model%units, unit_force, &
+                                        most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown))
       else
          result%message = result%message//'no push at the top brings the string down to this depth'
       end if
