@@ -8,7 +8,7 @@ module dg_run_sweeps
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name, model_soft
-   use dg_load_case, only: operation_name
+   use dg_load_case, only: operation_label
    use dg_missing, only: is_missing, missing
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_model_text, only: sweep_lines
@@ -312,7 +312,7 @@ contains
       first = point_at(sweep, i)
       text = 'sweep '//quoted(sweep%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(points)))// &
          ' points did not converge; the first: '//trim(model_name(sweep%models(first%model)))//', '// &
-         trim(operation_name(sweep%operations(first%operation)))
+         trim(operation_label(sweep%operations(first%operation)))
       if (sweep%frictions(first%friction)%present) text = text//', friction '//to_text(sweep%frictions(first%friction)%value)
       text = text//', bit at '//trim(in_units(units, unit_length, sweep%depths(first%depth), 7))
       if (allocated(points(i)%message)) text = text//': '//points(i)%message

@@ -7,7 +7,7 @@ module dg_run_uncertainties
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: operation_name
+   use dg_load_case, only: operation_label
    use dg_model, only: model_type
    use dg_model_text, only: uncertainty_lines
    use dg_part_faults, only: part_faults_type
@@ -248,7 +248,7 @@ contains
          point = point_at(range, (first - 1)/uncertainty%samples + 1)
          text = what//' '//quoted(range%name)//': '//to_text(lost)//' of '//to_text(count(is_solved(pieces)))// &
                 ' solutions did not converge and are left out of the quantiles; the first: '// &
-                trim(model_name(range%models(point%model)))//', '//trim(operation_name(range%operations(point%operation)))// &
+                trim(model_name(range%models(point%model)))//', '//trim(operation_label(range%operations(point%operation)))// &
                 ', bit at '//trim(in_units(units, unit_length, range%depths(point%depth), 7))//', sample '//to_text(sample)
       end associate
       if (allocated(pieces(first)%message)) text = text//': '//pieces(first)%message

@@ -375,12 +375,12 @@ contains
       end do
       call assertGreaterThan(lost, 0, message='points lost')
       call assertTrue(index(run%diagnostics, 'sweep ''b'': '//to_text(lost)//' of 3 points did not converge; the first: mcge, '// &
-                            'trip_out, friction 0.3, bit at') > 0, message=run%diagnostics)
+                            'up, friction 0.3, bit at') > 0, message=run%diagnostics)
       call assertTrue(index(run%output, '! no solution') > 0, message=run%output)
       page = content(results_path//'/report.html')
       call assertTrue(index(page, to_text(lost)//' of 3 solutions did not converge (exit status 3)') > 0)
       call assertEqual(lost, rows_of(page, &
-                                     '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">trip_out</td>'))
+                                     '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">up</td>'))
       call assertTrue(index(run%output, to_text(lost)//' of 3 points did not converge; the file says why'//newline) > 0, &
                       message=run%output)
       call assertFalse(index(run%output, ' of '//to_text(lost)//'; the file has them all') > 0, message=run%output)
