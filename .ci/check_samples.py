@@ -21,7 +21,7 @@ import time
 
 # Checked with more care elsewhere: gp1 by check_gp1.py, sweep_gp1 with its parts by .ci/run.
 ELSEWHERE = {"gp1.nml", "sweep_gp1.nml"}
-ROUNDING = 2.1e-6       # [-]: --convert writes numbers to 1e-6, twice here
+ROUNDING = 2.1e-7       # [-]: --convert writes numbers to 1e-7, twice here
 MODELS_APART = 5.0      # % of the largest hook load of the deck
 # Groups whose tables the page shows as they were printed, and its heading above them.
 PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&steering", "&legacy", "&uncertainty"), "<h2>Calibrations, sweeps, studies, comparisons</h2>"

@@ -18,10 +18,10 @@ module dg_deck_convert
    private
    public :: convert_deck
 
-   !> A number is written with the fewest digits that are this near to it [-]: 3 mm in 3000 m, and 1500 m is 1500 m again after a
+   !> A number is written with the fewest digits that are this near to it [-]: 0.3 mm in 3000 m, and 1500 m is 1500 m again after a
    !> conversion to and fro.
-   real(wp), parameter :: near = 1.0e-6_wp
-   integer, parameter :: most_digits = 8
+   real(wp), parameter :: near = 1.0e-7_wp
+   integer, parameter :: most_digits = 9
 
 contains
 
