@@ -5,6 +5,7 @@ module dg_calibration_echo
    use dg_job, only: job_type, model_name
    use dg_sticking, only: find_free_point, sticking_name
    use dg_text, only: append_text, joined, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: add_calibrations
@@ -37,7 +38,7 @@ contains
             if (sticking%kind == find_free_point) where = sticking%stretch
             call append_text(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
                trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
-               to_text(where/job%units%length, digits)//' '//trim(job%units%length_label)//'; '// &
+               trim(in_units(job%units, unit_length, where, digits))//'; '// &
                joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
          end associate
       end do

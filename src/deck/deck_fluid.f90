@@ -10,6 +10,7 @@ module dg_deck_fluid
    use dg_model_fault, only: model_faults_type
    use dg_text, only: to_text
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: draft_fluid, place_fluids
@@ -76,8 +77,8 @@ contains
          mud%fluids(i)%md_top = measured_depth_at(trajectory, draft%fluids(i)%tvd_top)
          if (mud%fluids(i)%md_top <= bottom_md(trajectory)) cycle
          call add_fault(faults, draft%path, draft%fluids(i)%line_tvd, 'group &fluid: tvd_top = '// &
-                        to_text(draft%fluids(i)%tvd_top/draft%units%length, depth_digits)//' '// &
-                        trim(draft%units%length_label)//' is deeper than the hole; leave this fluid out')
+                        trim(in_units(draft%units, unit_length, draft%fluids(i)%tvd_top, depth_digits))// &
+                        ' is deeper than the hole; leave this fluid out')
       end do
       call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
       call tell_faults(draft, found, faults)

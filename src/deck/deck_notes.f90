@@ -12,6 +12,7 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
+   use dg_unit_kind, only: in_units, unit_diameter, unit_length
    implicit none
    private
    public :: note_oddities
@@ -124,13 +125,13 @@ contains
             curvature = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(below - above)))/(stations%md(i) - stations%md(before))
             if (curvature <= sharpest) cycle
             call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
-                             to_text(stations%md(i)/units%length, digits)//' '//trim(units%length_label)//' the hole turns by '// &
+                             trim(in_units(units, unit_length, stations%md(i), digits))//' the hole turns by '// &
                              to_text(curvature/units%curvature, few_digits)//' '//trim(units%curvature_label)// &
                              ', more than results were ever checked for; is a depth or an angle mistyped?')
             exit
          end do
          if (stations%md(size(stations%md)) > deepest) call append_text(notes, 'group &trajectory: the last station lies at '// &
-            to_text(stations%md(size(stations%md))/units%length, digits)//' '//trim(units%length_label)// &
+            trim(in_units(units, unit_length, stations%md(size(stations%md)), digits))// &
             ', deeper than any hole so far; mind the units')
       end associate
    end subroutine note_path
@@ -151,8 +152,8 @@ contains
          if (difference%direction <= sparse) return
          call append_text(notes, "group &trajectory: interpolation = 'spline' swings between sparse stations: it leaves "// &
             'minimum curvature by up to '//to_text(difference%direction/degree, angle_digits)//' deg in direction, near '// &
-            to_text(difference%direction_md/units%length, few_digits)//' '//trim(units%length_label)//', and by up to '// &
-            to_text(difference%position/units%length, angle_digits)//' '//trim(units%length_label)//' in position. It turns '// &
+            trim(in_units(units, unit_length, difference%direction_md, few_digits))//', and by up to '// &
+            trim(in_units(units, unit_length, difference%position, angle_digits))//' in position. It turns '// &
             'by '//to_text(difference%turns(1)/degree, angle_digits)//' deg in all instead of '// &
             to_text(difference%turns(2)/degree, angle_digits)//'; friction and moments go by that. Give stations where bends '// &
             "begin and end and between, or interpolation = 'minimum_curvature'")
@@ -168,10 +169,10 @@ contains
       associate (part => item%component, units => draft%units)
          hole = minval(draft%holes%section%diameter)
          if (hole > widest_hole*contact_diameter(part)) call note('it is '// &
-            to_text(contact_diameter(part)/units%diameter, digits)//' '//trim(units%diameter_label)//' wide in holes of '// &
-            to_text(hole/units%diameter, digits)//' '//trim(units%diameter_label)//' and more; mind the units')
+            trim(in_units(units, unit_diameter, contact_diameter(part), digits))//' wide in holes of '// &
+            trim(in_units(units, unit_diameter, hole, digits))//' and more; mind the units')
          if (has_blades(part) .and. .not. part%joint_od > part%od) call note('a stabilizer without joint_od touches at its od, '// &
-            to_text(part%od/units%diameter, digits)//' '//trim(units%diameter_label)//', and bends as a pipe of that od; '// &
+            trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
          if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) call note( &
@@ -221,7 +222,7 @@ contains
          else if (below >= deepest_bit) then
             call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
                              ' never enters the hole: the components below it are '// &
-                             to_text(below/draft%units%length, digits)//' '//trim(draft%units%length_label)//' long')
+                             trim(in_units(draft%units, unit_length, below, digits))//' long')
          end if
       end associate
    end subroutine note_unused

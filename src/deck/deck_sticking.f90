@@ -9,6 +9,7 @@ module dg_deck_sticking
    use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type
    use dg_text, only: quoted, to_text
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: take_stickings
@@ -100,7 +101,7 @@ contains
       function shown(depth) result(text)
          real(wp), intent(in) :: depth
          character(:), allocatable :: text
-         text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
+         text = trim(in_units(draft%units, unit_length, depth, depth_digits))
       end function shown
    end subroutine take_one
 

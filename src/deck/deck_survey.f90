@@ -9,7 +9,7 @@ module dg_deck_survey
    use dg_survey_check, only: begins_below, begins_vertical, check_station_order
    use dg_survey_file, only: station_list_type, read_survey_file
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_factor
+   use dg_unit_kind, only: in_units, unit_factor, unit_length
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
@@ -175,7 +175,7 @@ contains
       function depth(i) result(text)
          integer, intent(in) :: i
          character(:), allocatable :: text
-         text = to_text(stations%md(i)/units%length, depth_digits)//' '//trim(units%length_label)
+         text = trim(in_units(units, unit_length, stations%md(i), depth_digits))
       end function depth
    end subroutine read_stations
 end module dg_deck_survey

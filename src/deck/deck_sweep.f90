@@ -11,6 +11,7 @@ module dg_deck_sweep
       operation_trip_out, rotates
    use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
    use dg_text, only: append_text, is_separator_free, lower_case, quoted, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: take_sweeps, take_range
@@ -151,7 +152,7 @@ contains
       pure function shown(depth) result(text)
          real(wp), intent(in) :: depth
          character(:), allocatable :: text
-         text = to_text(depth/draft%units%length, depth_digits)//' '//trim(draft%units%length_label)
+         text = trim(in_units(draft%units, unit_length, depth, depth_digits))
       end function shown
    end subroutine take_range
 
@@ -325,8 +326,7 @@ contains
             call fault('measured_depths', 'measured_depths('//to_text(i)//') = '// &
                        to_text(depths(i)/draft%units%length, depth_digits)//' lies outside the depths of the sweep, '// &
                        to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '// &
-                       to_text(sweep%depths(size(sweep%depths))/draft%units%length, depth_digits)//' '// &
-                       trim(draft%units%length_label))
+                       trim(in_units(draft%units, unit_length, sweep%depths(size(sweep%depths)), depth_digits)))
             return
          end if
       end do

@@ -8,6 +8,7 @@ module dg_deck_tie_on
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_survey_check, only: at_surface, begins_below
    use dg_text, only: append_text, to_text
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: tie_on
@@ -78,7 +79,7 @@ contains
       function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = to_text(md/draft%units%length, digits)//' '//trim(draft%units%length_label)
+         text = trim(in_units(draft%units, unit_length, md, digits))
       end function depth
    end subroutine tie_on
 end module dg_deck_tie_on

@@ -9,6 +9,7 @@ module dg_deck_tortuosity
    use dg_text, only: append_text, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
+   use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
    public :: take_tortuosity
@@ -90,7 +91,7 @@ contains
       function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = to_text(md/draft%units%length, digits)//' '//trim(draft%units%length_label)
+         text = trim(in_units(draft%units, unit_length, md, digits))
       end function depth
    end subroutine take_tortuosity
 
@@ -128,10 +129,11 @@ contains
          length = lower_end(section) - section%md_top
          associate (units => draft%units)
             text = 'group &tortuosity in line '//to_text(line)//': laid on the path from '// &
-                   to_text(section%md_top/units%length, digits)//' to '//to_text(lower_end(section)/units%length, digits)//' '// &
-                   trim(units%length_label)//': '//trim(merge('random changes', 'a sine        ', section%random))//' of '// &
+                   to_text(section%md_top/units%length, digits)//' to '// &
+                   trim(in_units(units, unit_length, lower_end(section), digits))//': '// &
+                   trim(merge('random changes', 'a sine        ', section%random))//' of '// &
                    to_text(section%amplitude/degree, few_digits)//' deg every '// &
-                   to_text(section%period/units%length, few_digits)//' '//trim(units%length_label)
+                   trim(in_units(units, unit_length, section%period, few_digits))
             if (section%random) text = text//', seed '//to_text(section%seed)
             text = text//'. The hole turns there by '//to_text(turns(1)/degree, few_digits)//' deg in all instead of '// &
                    to_text(turns(2)/degree, few_digits)//', in the mean '// &

@@ -9,6 +9,7 @@ module dg_fluid_notes
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
+   use dg_unit_kind, only: in_units, unit_length, unit_stress
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -78,7 +79,7 @@ contains
                   said = buoyed_weight(part, density_at(model%mud, side_outside, md, bit), &
                                        density_at(model%mud, side_inside, md, bit), model%gravity) < 0.0_wp
                   if (said) call append_text(notes, 'group &fluid: load case '//quoted(model%cases(number)%name)//': '// &
-                     quoted(part%name)//' floats at '//to_text(depths(k)/units%length, digits)//' '//trim(units%length_label)// &
+                     quoted(part%name)//' floats at '//trim(in_units(units, unit_length, depths(k), digits))// &
                      ': with what is in it it weighs less than the fluid outside that it displaces')
                end associate
                if (said) return
@@ -89,7 +90,7 @@ contains
       function pressed(pressure) result(text)
          real(wp), intent(in) :: pressure
          character(:), allocatable :: text
-         text = to_text(pressure/units%stress, digits)//' '//trim(units%stress_label)
+         text = trim(in_units(units, unit_stress, pressure, digits))
       end function pressed
    end subroutine note_fluids
 end module dg_fluid_notes

@@ -15,7 +15,7 @@ module dg_checked_model
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: settings_of
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
-      check_number, check_numerics_ranges, check_rig_ranges, check_section_ranges, is_zero
+      check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
    use dg_settings_check, only: check_numerics
    use dg_string_check, only: check_centralizer, check_component, check_in_string
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
@@ -166,9 +166,7 @@ contains
          end associate
       end do
       if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
-      do i = 1, found%count
-         call tell_one(found%items(i), 'holes('//to_text(found%items(i)%place)//')', 0, report)
-      end do
+      call tell_each(found, 'holes', report)
       sound = report%count == before
    contains
       !> The last section may leave its end open.
@@ -202,9 +200,7 @@ contains
       sound = report%count == before
       if (.not. (sound .and. sound_survey)) return
       call check_fluid_order(model%mud%fluids, bottom_md(model%trajectory), found)
-      do i = 1, found%count
-         call tell_one(found%items(i), 'fluids('//to_text(found%items(i)%place)//')', 0, report)
-      end do
+      call tell_each(found, 'fluids', report)
    end subroutine take_fluids
 
    subroutine take_strings(parts, sound_fluids, model, report)
@@ -279,12 +275,14 @@ contains
       type(model_type), intent(in) :: model
       type(report_type), intent(inout) :: report
       type(model_faults_type) :: found
+      type(ranges_type) :: ranges
       call check_numerics_ranges(model%numerics, base_units(), found)
       if (found%count == 0) call check_numerics(model%numerics, found)
       call tell(found, 'numerics', 0, report)
       call check_rig_ranges(model%rig, base_units(), found)
       call tell(found, 'rig', 0, report)
-      call check_number('job', 0, 'gravity', model%gravity, base_units(), found)
+      call take_ranges('job', 0, base_units(), ranges)
+      call check_range(ranges, 'gravity', model%gravity, found)
       call tell(found, 'model', 0, report)
    end subroutine check_settings
 
@@ -300,6 +298,17 @@ contains
       end do
       found%count = 0
    end subroutine tell
+
+   !> Tells faults each of which names its own part.
+   subroutine tell_each(found, parts, report)
+      type(model_faults_type), intent(in) :: found
+      character(*), intent(in) :: parts       !< component of model_parts_type: 'holes'
+      type(report_type), intent(inout) :: report
+      integer :: i
+      do i = 1, found%count
+         call tell_one(found%items(i), parts//'('//to_text(found%items(i)%place)//')', 0, report)
+      end do
+   end subroutine tell_each
 
    subroutine tell_one(fault, where, string, report)
       type(model_fault_type), intent(in) :: fault

@@ -2,7 +2,7 @@
 !> the part. A message that names a second part leaves a place for that, too.
 module dg_model_fault
    use dg_kinds, only: wp
-   use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_diameter, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -77,7 +77,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: depth          !< [m]
       character(:), allocatable :: text
-      text = to_text(depth/units%length, depth_digits)//' '//trim(units%length_label)
+      text = trim(in_units(units, unit_length, depth, depth_digits))
    end function depth_words
 
    !> A diameter with its unit.
@@ -86,6 +86,6 @@ contains
       real(wp), intent(in) :: diameter       !< [m]
       integer, intent(in) :: digits
       character(:), allocatable :: text
-      text = to_text(diameter/units%diameter, digits)//' '//trim(units%diameter_label)
+      text = trim(in_units(units, unit_diameter, diameter, digits))
    end function diameter_words
 end module dg_model_fault

@@ -15,94 +15,111 @@ module dg_range_check
    use dg_numerics, only: gap_location_count, numerics_type, solver_name
    use dg_rig, only: rig_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_factor, unit_label, unit_none
+   use dg_unit_kind, only: in_units, unit_none
    use dg_units, only: si_units, unit_system_type
    implicit none
    private
-   public :: check_number, is_zero, check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, &
-             check_case_ranges, check_numerics_ranges, check_rig_ranges
+   public :: ranges_type, take_ranges, check_range, is_zero
+   public :: check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, check_case_ranges, &
+             check_numerics_ranges, check_rig_ranges
 
    !> Digits of a number that is out of range, and a wall left by wear that no class has less of.
    integer, parameter :: digits = 9
    real(wp), parameter :: thinnest = 0.1_wp
    integer(int64), parameter :: no_bits = 0_int64
 
+   !> Ranges of a group's numbers, and of which part of its kind the numbers are.
+   type :: ranges_type
+      character(12) :: part                          !< name of the group
+      integer :: place = 0                           !< of the part among those of its kind; 0: the kind has one
+      type(unit_system_type) :: units                !< of messages
+      type(key_rule_type), allocatable :: rules(:)
+   end type ranges_type
+
 contains
 
-   !> One number against the range of its key.
-   subroutine check_number(part, place, key, number, units, found, called)
+   !> The ranges of the group `part`.
+   subroutine take_ranges(part, place, units, ranges)
       character(*), intent(in) :: part              !< name of a group, and of one of its keys
       integer, intent(in) :: place
+      type(unit_system_type), intent(in) :: units   !< of messages
+      type(ranges_type), intent(out) :: ranges
+      ranges%part = part
+      ranges%place = place
+      ranges%units = units
+      allocate (ranges%rules, source=keys_of(part))
+   end subroutine take_ranges
+
+   !> One number against the ranges of its group.
+   subroutine check_range(ranges, key, number, found, called)
+      type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
       real(wp), intent(in) :: number                !< [SI]
-      type(unit_system_type), intent(in) :: units   !< of messages
-      type(model_faults_type), intent(inout) :: found
-      character(*), intent(in), optional :: called  !< name of the number in its type, where that is not the key
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of(part))
-      call check_by(rules, part, place, key, number, units, found, called)
-   end subroutine check_number
-
-   !> The same where the rules of the group are at hand.
-   subroutine check_by(rules, part, place, key, number, units, found, called)
-      type(key_rule_type), intent(in) :: rules(:)
-      character(*), intent(in) :: part
-      integer, intent(in) :: place
-      character(*), intent(in) :: key
-      real(wp), intent(in) :: number
-      type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
       character(*), intent(in), optional :: called  !< name of the number in its type, where that is not the key
       real(wp) :: held
       integer :: k
       logical :: holds
-      character(:), allocatable :: needed, range, name
+      character(:), allocatable :: needed, range, name, fault
       name = key
       if (present(called)) name = called
-      do k = 1, size(rules)
-         if (rules(k)%key /= key) cycle
+      do k = 1, size(ranges%rules)
+         if (ranges%rules(k)%key == key) exit
+      end do
+      if (k > size(ranges%rules)) return
+      associate (rule => ranges%rules(k), units => ranges%units)
          ! by its bits first: to compare a NaN is an operation that may be trapped
          holds = is_shown(number)
          if (holds) then
             held = number
-            call hold_in_range(rules(k), si_units(), held, holds)
+            call hold_in_range(rule, si_units(), held, holds)
             if (holds) return
          end if
-         range = range_text(rules(k), units, si_units())
          needed = '; needs a number'
+         range = range_text(rule, units, si_units())
          if (range /= '') needed = needed//', '//range
          if (.not. is_shown(number)) then
-            call note_fault(found, part, place, key, name//' is not a finite number'//needed)
-         else if (rules(k)%unit == unit_none) then
-            call note_fault(found, part, place, key, name//' = '//to_text(number, digits)//' is out of range'//needed)
+            fault = ' is not a finite number'
+         else if (rule%unit == unit_none) then
+            fault = ' = '//to_text(number, digits)//' is out of range'
          else
-            call note_fault(found, part, place, key, name//' = '//to_text(number/unit_factor(units, rules(k)%unit), digits)// &
-                            ' '//unit_label(units, rules(k)%unit)//' is out of range'//needed)
+            fault = ' = '//trim(in_units(units, rule%unit, number, digits))//' is out of range'
          end if
-         return
-      end do
-   end subroutine check_by
+      end associate
+      call note_fault(found, ranges%part, ranges%place, key, name//fault//needed)
+   end subroutine check_range
+
+   !> A number that may be missing.
+   subroutine check_where_there(ranges, key, number, found)
+      type(ranges_type), intent(in) :: ranges
+      character(*), intent(in) :: key
+      real(wp), intent(in) :: number
+      type(model_faults_type), intent(inout) :: found
+      if (.not. is_absent(number)) call check_range(ranges, key, number, found)
+   end subroutine check_where_there
+
+   subroutine check_optional(ranges, key, number, found)
+      type(ranges_type), intent(in) :: ranges
+      character(*), intent(in) :: key
+      type(optional_real), intent(in) :: number
+      type(model_faults_type), intent(inout) :: found
+      if (number%present) call check_range(ranges, key, number%value, found)
+   end subroutine check_optional
 
    subroutine check_section_ranges(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of('hole'))
-      call check('md_top', hole%md_top)
-      call check('md_bottom', hole%md_bottom)
-      call check('diameter', hole%diameter)
-      call check('friction_axial', hole%friction_axial)
-      call check('friction_rotary', hole%friction_rotary)
-      call check('wall_stiffness', hole%wall_stiffness)
-      call check('mud_sheath', hole%mud_sheath)
-   contains
-      subroutine check(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         call check_by(rules, 'hole', place, key, number, units, found)
-      end subroutine check
+      type(ranges_type) :: ranges
+      call take_ranges('hole', place, units, ranges)
+      call check_range(ranges, 'md_top', hole%md_top, found)
+      call check_range(ranges, 'md_bottom', hole%md_bottom, found)
+      call check_range(ranges, 'diameter', hole%diameter, found)
+      call check_range(ranges, 'friction_axial', hole%friction_axial, found)
+      call check_range(ranges, 'friction_rotary', hole%friction_rotary, found)
+      call check_range(ranges, 'wall_stiffness', hole%wall_stiffness, found)
+      call check_range(ranges, 'mud_sheath', hole%mud_sheath, found)
    end subroutine check_section_ranges
 
    subroutine check_component_ranges(component, place, units, found)
@@ -110,45 +127,32 @@ contains
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of('component'))
-      call check('length', component%length)
-      call check('od', component%od)
-      call check('id', component%id)
-      call check('mass', component%mass)
-      call check('density', component%density)
-      call check('youngs', component%youngs)
-      call check('poisson', component%poisson)
-      call check('joint_od', component%joint_od)
-      call check('joint_length', component%joint_length)
-      call check('joint_spacing', component%joint_spacing)
-      call check('yield', component%yield)
-      call check('makeup_torque', component%makeup_torque)
-      call check('joint_torsion', component%joint_torsion)
-      call check_own('friction_axial', component%friction_axial)
-      call check_own('friction_rotary', component%friction_rotary)
-      call check_by(rules, 'component', place, 'friction_scale_axial', component%scale_axial, units, found, 'scale_axial')
-      call check_by(rules, 'component', place, 'friction_scale_rotary', component%scale_rotary, units, found, 'scale_rotary')
-      call check('bend', component%bend)
-      call check('bend_position', component%bend_position)
+      type(ranges_type) :: ranges
+      call take_ranges('component', place, units, ranges)
+      call check_range(ranges, 'length', component%length, found)
+      call check_range(ranges, 'od', component%od, found)
+      call check_range(ranges, 'id', component%id, found)
+      call check_range(ranges, 'mass', component%mass, found)
+      call check_range(ranges, 'density', component%density, found)
+      call check_range(ranges, 'youngs', component%youngs, found)
+      call check_range(ranges, 'poisson', component%poisson, found)
+      call check_range(ranges, 'joint_od', component%joint_od, found)
+      call check_range(ranges, 'joint_length', component%joint_length, found)
+      call check_range(ranges, 'joint_spacing', component%joint_spacing, found)
+      call check_range(ranges, 'yield', component%yield, found)
+      call check_range(ranges, 'makeup_torque', component%makeup_torque, found)
+      call check_range(ranges, 'joint_torsion', component%joint_torsion, found)
+      call check_where_there(ranges, 'friction_axial', component%friction_axial, found)
+      call check_where_there(ranges, 'friction_rotary', component%friction_rotary, found)
+      call check_range(ranges, 'friction_scale_axial', component%scale_axial, found, 'scale_axial')
+      call check_range(ranges, 'friction_scale_rotary', component%scale_rotary, found, 'scale_rotary')
+      call check_range(ranges, 'bend', component%bend, found)
+      call check_range(ranges, 'bend_position', component%bend_position, found)
       if (is_shown(component%wall_left)) then
          if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
       end if
       call note_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; needs a '// &
                       'number, '//to_text(thinnest)//' to 1')
-   contains
-      subroutine check(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         call check_by(rules, 'component', place, key, number, units, found)
-      end subroutine check
-
-      !> A number that may be missing.
-      subroutine check_own(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         if (.not. is_absent(number)) call check(key, number)
-      end subroutine check_own
    end subroutine check_component_ranges
 
    subroutine check_centralizer_ranges(centralizer, place, units, found)
@@ -156,24 +160,18 @@ contains
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of('centralizer'))
-      call check('od', centralizer%od)
-      call check('spacing', centralizer%spacing)
-      call check('first', centralizer%first)
+      type(ranges_type) :: ranges
+      call take_ranges('centralizer', place, units, ranges)
+      call check_range(ranges, 'od', centralizer%od, found)
+      call check_range(ranges, 'spacing', centralizer%spacing, found)
+      call check_range(ranges, 'first', centralizer%first, found)
       if (centralizer%bow) then
-         call check('restoring_force', centralizer%restoring_force)
-         call check('rated_hole', centralizer%rated_hole)
-         call check('running_force', centralizer%running_force)
+         call check_range(ranges, 'restoring_force', centralizer%restoring_force, found)
+         call check_range(ranges, 'rated_hole', centralizer%rated_hole, found)
+         call check_range(ranges, 'running_force', centralizer%running_force, found)
       end if
-      if (.not. is_absent(centralizer%friction_axial)) call check('friction_axial', centralizer%friction_axial)
-      if (.not. is_absent(centralizer%friction_rotary)) call check('friction_rotary', centralizer%friction_rotary)
-   contains
-      subroutine check(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         call check_by(rules, 'centralizer', place, key, number, units, found)
-      end subroutine check
+      call check_where_there(ranges, 'friction_axial', centralizer%friction_axial, found)
+      call check_where_there(ranges, 'friction_rotary', centralizer%friction_rotary, found)
    end subroutine check_centralizer_ranges
 
    subroutine check_fluid_ranges(fluid, place, units, found)
@@ -181,9 +179,11 @@ contains
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      call check_number('fluid', place, 'density', fluid%density, units, found)
-      call check_number('fluid', place, 'md_top', fluid%md_top, units, found)
-      if (.not. is_zero(fluid%above_bit)) call check_number('fluid', place, 'above_bit', fluid%above_bit, units, found)
+      type(ranges_type) :: ranges
+      call take_ranges('fluid', place, units, ranges)
+      call check_range(ranges, 'density', fluid%density, found)
+      call check_range(ranges, 'md_top', fluid%md_top, found)
+      if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
       if (.not. any(fluid%collar == [collar_none, collar_closed, collar_open_below])) &
          call note_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
    end subroutine check_fluid_ranges
@@ -193,65 +193,47 @@ contains
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of('load_case'))
+      type(ranges_type) :: ranges
+      call take_ranges('load_case', place, units, ranges)
       if (load_case%operation < 1 .or. load_case%operation > operation_count) call note_fault(found, 'load_case', place, &
          'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
          to_text(operation_count))
-      call check('bit_depth', load_case%bit_depth)
-      call check('wob', load_case%wob)
-      call check('tob', load_case%tob)
-      call check_by(rules, 'load_case', place, 'rpm', load_case%angular_speed, units, found, 'angular_speed')
-      call check('trip_speed', load_case%trip_speed)
-      call check('toolface', load_case%toolface)
-      call check('pump_pressure', load_case%pump_pressure)
-      call check_optional('friction_axial', load_case%friction_axial)
-      call check_optional('friction_rotary', load_case%friction_rotary)
-      call check_optional('measured_hookload', load_case%measured_hookload)
-      call check_optional('measured_torque', load_case%measured_torque)
-      call check_optional('reference_hookload', load_case%reference_hookload)
-   contains
-      subroutine check(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         call check_by(rules, 'load_case', place, key, number, units, found)
-      end subroutine check
-
-      subroutine check_optional(key, number)
-         character(*), intent(in) :: key
-         type(optional_real), intent(in) :: number
-         if (number%present) call check(key, number%value)
-      end subroutine check_optional
+      call check_range(ranges, 'bit_depth', load_case%bit_depth, found)
+      call check_range(ranges, 'wob', load_case%wob, found)
+      call check_range(ranges, 'tob', load_case%tob, found)
+      call check_range(ranges, 'rpm', load_case%angular_speed, found, 'angular_speed')
+      call check_range(ranges, 'trip_speed', load_case%trip_speed, found)
+      call check_range(ranges, 'toolface', load_case%toolface, found)
+      call check_range(ranges, 'pump_pressure', load_case%pump_pressure, found)
+      call check_optional(ranges, 'friction_axial', load_case%friction_axial, found)
+      call check_optional(ranges, 'friction_rotary', load_case%friction_rotary, found)
+      call check_optional(ranges, 'measured_hookload', load_case%measured_hookload, found)
+      call check_optional(ranges, 'measured_torque', load_case%measured_torque, found)
+      call check_optional(ranges, 'reference_hookload', load_case%reference_hookload, found)
    end subroutine check_case_ranges
 
    subroutine check_numerics_ranges(numerics, units, found)
       type(numerics_type), intent(in) :: numerics
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      type(key_rule_type), allocatable :: rules(:)
-      allocate (rules, source=keys_of('solver'))
-      call check('element_length', numerics%element_length)
-      call check('tolerance', numerics%tolerance)
-      call check('max_iterations', real(numerics%max_iterations, wp))
-      call check('load_steps', real(numerics%load_steps, wp))
-      call check('gk_min', numerics%gk_min)
-      call check('gk_contact', numerics%gk_contact)
-      call check('gk_max', numerics%gk_max)
-      call check('eps_n0', numerics%eps_n0)
-      call check('eps_nmax', numerics%eps_nmax)
-      call check('r_n0', numerics%r_n0)
-      call check('relocation', numerics%relocation)
-      call check('step_limit', numerics%step_limit)
-      call check('imperfection', numerics%imperfection)
+      type(ranges_type) :: ranges
+      call take_ranges('solver', 0, units, ranges)
+      call check_range(ranges, 'element_length', numerics%element_length, found)
+      call check_range(ranges, 'tolerance', numerics%tolerance, found)
+      call check_range(ranges, 'max_iterations', real(numerics%max_iterations, wp), found)
+      call check_range(ranges, 'load_steps', real(numerics%load_steps, wp), found)
+      call check_range(ranges, 'gk_min', numerics%gk_min, found)
+      call check_range(ranges, 'gk_contact', numerics%gk_contact, found)
+      call check_range(ranges, 'gk_max', numerics%gk_max, found)
+      call check_range(ranges, 'eps_n0', numerics%eps_n0, found)
+      call check_range(ranges, 'eps_nmax', numerics%eps_nmax, found)
+      call check_range(ranges, 'r_n0', numerics%r_n0, found)
+      call check_range(ranges, 'relocation', numerics%relocation, found)
+      call check_range(ranges, 'step_limit', numerics%step_limit, found)
+      call check_range(ranges, 'imperfection', numerics%imperfection, found)
       call check_choice('gap_location', numerics%gap_location, gap_location_count)
       call check_choice('linear_solver', numerics%linear_solver, size(solver_name))
    contains
-      subroutine check(key, number)
-         character(*), intent(in) :: key
-         real(wp), intent(in) :: number
-         call check_by(rules, 'solver', 0, key, number, units, found)
-      end subroutine check
-
       subroutine check_choice(key, number, highest)
          character(*), intent(in) :: key
          integer, intent(in) :: number, highest
@@ -265,11 +247,13 @@ contains
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      call check_number('rig', 0, 'block_weight', rig%block_weight, units, found)
-      call check_number('rig', 0, 'lines', real(rig%lines, wp), units, found)
-      call check_number('rig', 0, 'sheave_efficiency', rig%sheave_efficiency, units, found)
-      if (rig%max_hookload%present) call check_number('rig', 0, 'max_hookload', rig%max_hookload%value, units, found)
-      if (rig%max_torque%present) call check_number('rig', 0, 'max_torque', rig%max_torque%value, units, found)
+      type(ranges_type) :: ranges
+      call take_ranges('rig', 0, units, ranges)
+      call check_range(ranges, 'block_weight', rig%block_weight, found)
+      call check_range(ranges, 'lines', real(rig%lines, wp), found)
+      call check_range(ranges, 'sheave_efficiency', rig%sheave_efficiency, found)
+      call check_optional(ranges, 'max_hookload', rig%max_hookload, found)
+      call check_optional(ranges, 'max_torque', rig%max_torque, found)
    end subroutine check_rig_ranges
 
    !> Whether a number is the mark of one that is not there; false for a NaN.

@@ -5,6 +5,7 @@ module dg_string_check
    use dg_kinds, only: wp
    use dg_model_fault, only: diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
    use dg_text, only: quoted, to_text
+   use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -102,7 +103,7 @@ contains
       function far(length) result(text)
          real(wp), intent(in) :: length
          character(:), allocatable :: text
-         text = to_text(length/units%length, length_digits)//' '//trim(units%length_label)
+         text = trim(in_units(units, unit_length, length, length_digits))
       end function far
    end subroutine check_centralizer
 end module dg_string_check

@@ -3,7 +3,7 @@ module dg_survey_check
    use dg_constants, only: degree
    use dg_kinds, only: wp
    use dg_model_fault, only: depth_words, model_faults_type, note_fault
-   use dg_range_check, only: check_number
+   use dg_range_check, only: check_range, ranges_type, take_ranges
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -23,16 +23,19 @@ contains
       real(wp), intent(in) :: inclination(:), azimuth(:)     !< [rad]
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
+      type(ranges_type) :: ranges
       integer :: i
       if (size(md) < 2) call note_fault(found, 'trajectory', 0, 'md', 'md holds '//to_text(size(md))// &
          ' station(s); at least two are needed')
       call count_of('inclination', size(inclination))
       call count_of('azimuth', size(azimuth))
       if (found%count > 0) return
+      call take_ranges('trajectory', 0, units, ranges)
       do i = 1, size(md)
-         call check_number('trajectory', i, 'md', md(i), units, found)
-         call check_number('trajectory', i, 'inc', inclination(i), units, found, 'inclination')
-         call check_number('trajectory', i, 'azi', azimuth(i), units, found, 'azimuth')
+         ranges%place = i
+         call check_range(ranges, 'md', md(i), found)
+         call check_range(ranges, 'inc', inclination(i), found, 'inclination')
+         call check_range(ranges, 'azi', azimuth(i), found, 'azimuth')
          if (found%count > 0) return       ! one such fault makes many
       end do
    contains

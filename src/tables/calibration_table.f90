@@ -16,6 +16,7 @@ module dg_calibration_table
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_prediction_table, only: append_predictions, quantity_words
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -253,7 +254,7 @@ contains
          end associate
       end do
       if (weighed) call append_text(lines, '  &rig: block_weight '// &
-         to_text(applied%rig%block_weight/units%force, depth_digits)//' '//trim(units%force_label)//', the offset counted in')
+         trim(in_units(units, unit_force, applied%rig%block_weight, depth_digits))//', the offset counted in')
    end subroutine append_applied
 
    !> What a &uncertainty of another deck may repeat.

@@ -8,7 +8,7 @@ module dg_legacy_report
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: unit_label, unit_moment
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -123,7 +123,7 @@ contains
       pure function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = to_text(md/units%length, shown + 1)//' '//trim(units%length_label)
+         text = trim(in_units(units, unit_length, md, shown + 1))
       end function depth
 
       pure function growth_text(growth) result(text)

@@ -10,7 +10,7 @@ module dg_sticking_table
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_no_solution, sticking_result_type
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: unit_label, unit_moment
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -45,7 +45,7 @@ contains
       character(:), allocatable :: head, rule, row
       integer :: i
       call append_text(lines, 'Sticking '//sticking%name//': resistance at '// &
-                       to_text(sticking%depth/units%length, depth_digits)//' '//trim(units%length_label)// &
+                       trim(in_units(units, unit_length, sticking%depth, depth_digits))// &
                        ', from measured hook load and torque; in '//trim(units%force_label)//' and '// &
                        unit_label(units, unit_moment))
       head = left_aligned('Load case', name_width)//left_aligned('Model', model_width)// &
@@ -99,10 +99,9 @@ contains
       integer :: i
       associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
          call append_text(lines, 'Free point '//sticking%name//': stretch '// &
-            to_text(sticking%stretch/units%length, stretch_digits)//' '//trim(units%length_label)//' from '// &
+            trim(in_units(units, unit_length, sticking%stretch, stretch_digits))//' from '// &
             shown(first%measured_hookload%value)//' to '//shown(second%measured_hookload%value)//' '// &
-            trim(units%force_label)//', string of '//to_text(second%bit_depth/units%length, depth_digits)//' '// &
-            trim(units%length_label))
+            trim(units%force_label)//', string of '//trim(in_units(units, unit_length, second%bit_depth, depth_digits)))
          call append_text(lines, '  without friction, by sections:  '//point(results(1)%depth_without_friction))
          do i = 1, size(results)
             text = 'no solution'

@@ -10,6 +10,7 @@ module dg_study_table
    use dg_study_comparison, only: error_bending, error_count, error_hookload, error_torque, pareto_set, study_record_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -147,7 +148,7 @@ contains
       if (variant%fidelity > 0) then
          text = trim(fidelity_name(variant%fidelity))
       else
-         text = to_text(variant%numerics%element_length/units%length, digits)//' '//trim(units%length_label)
+         text = trim(in_units(units, unit_length, variant%numerics%element_length, digits))
       end if
    end function mesh_of
 

@@ -11,7 +11,7 @@ module dg_uncertainty_table
    use dg_sweep, only: point_number, point_type
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: uncertainty_type
-   use dg_unit_kind, only: unit_label, unit_moment
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -155,7 +155,7 @@ contains
          integer, intent(in) :: counts(:)
          character(:), allocatable :: text
          text = to_text(maxval(counts))//' of '//to_text(uncertainty%samples)//' with the bit at '// &
-                to_text(uncertainty%range%depths(maxloc(counts, dim=1))/units%length, depth_digits)//' '//trim(units%length_label)
+                trim(in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits))
       end function most
    end subroutine append_curve
 
