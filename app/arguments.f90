@@ -17,13 +17,14 @@ module dg_arguments
       integer :: parts = 0                    !< of so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
       character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
+      logical :: again = .false.              !< points that did not converge are solved again
       logical :: check = .false.
       logical :: quiet = .false.
       logical :: help = .false.
       logical :: version = .false.
    end type arguments_type
 
-   character(*), parameter :: options(11) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', &
+   character(*), parameter :: options(12) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', '--again', &
                                              '--quiet', '--help', '--version', '--template', '--list-catalogue', '--convert']
    !> Most digits of a number of threads.
    integer, parameter :: longest_count = 4
@@ -86,8 +87,9 @@ contains
             else
                call read_threads(value)
             end if
-         case ('--check', '--quiet', '--help', '--version', '-h')
+         case ('--again', '--check', '--quiet', '--help', '--version', '-h')
             if (equals > 0) call refuse(option//' takes no value')
+            if (option == '--again') arguments%again = .true.
             if (option == '--check') arguments%check = .true.
             if (option == '--quiet') arguments%quiet = .true.
             if (option == '--help' .or. option == '-h') arguments%help = .true.
@@ -156,6 +158,8 @@ contains
       call append_text(lines, '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them;')
       call append_text(lines, '                 several one after another as in --part 3,7-9/40')
       call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
+      call append_text(lines, '  --again        solve those points of sweeps and uncertainties again that did not converge,')
+      call append_text(lines, '                 with the solver settings that DECK.nml has now; goes with --part and --merge')
       call append_text(lines, '  --quiet        no notes, no progress')
       call append_text(lines, '  --help         this text')
       call append_text(lines, '  --version      name and version')

@@ -76,8 +76,15 @@ contains
       if (arguments%threads_given) job%threads = arguments%threads
       job%parts = arguments%parts
       job%merge = arguments%merge
+      job%again = arguments%again
       if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
          call tell(arguments%deck//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
+         status = status_bad_input
+         return
+      end if
+      if (job%again .and. size(job%sweeps) + size(job%uncertainties) == 0) then
+         call tell(arguments%deck//' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by '// &
+                   'every run: leave --again out')
          status = status_bad_input
          return
       end if

@@ -35,6 +35,7 @@ module dg_run_deck
    use dg_run_uncertainties, only: prepare_uncertainties, run_uncertainty, uncertainty_run_type
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
+   use dg_sweep_record, only: close_record
    use dg_standard_output, only: flush_output
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
@@ -128,7 +129,7 @@ contains
       type(error_type), allocatable :: error
       type(part_faults_type) :: faults             !< of parts that are to be joined
       integer :: i, lost, rows
-      logical :: calibrated_first
+      logical :: calibrated_first, written
 
       calibrated_first = any(asked%calibrations%apply)
       model = given
@@ -164,12 +165,14 @@ contains
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end if
+      written = .true.
       do i = 1, size(sweeps)
          if (is_interrupted()) then
             call note_ending('sweep '//quoted(job%sweeps(i)%name), status)
             exit
          end if
          call run_sweep(printed, job, model, i, sweeps(i), lost, error)
+         written = written .and. .not. allocated(error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
@@ -179,9 +182,12 @@ contains
             exit
          end if
          call run_uncertainty(printed, job, model, i, uncertainties(i), lost, error)
+         written = written .and. .not. allocated(error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
+      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) &
+         call close_records(sweeps, uncertainties, status)
       if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
          call print_line('Results in '//job%output_dir// &
                          trim(merge('; open report.html there', '                        ', job%plots)))
@@ -198,6 +204,31 @@ contains
       call note_failure(error, status)
       if (job%parts == 0 .and. .not. job%quiet) call note_records(job)
    end subroutine run_in_folder
+
+   !> Records of sweeps and uncertainties that are finished: they stay where points of any of them did not converge.
+   subroutine close_records(sweeps, uncertainties, status)
+      type(sweep_run_type), intent(inout) :: sweeps(:)
+      type(uncertainty_run_type), intent(inout) :: uncertainties(:)
+      integer, intent(inout) :: status
+      type(error_type), allocatable :: error
+      logical :: lost
+      integer :: i
+      lost = .false.
+      do i = 1, size(sweeps)
+         lost = lost .or. any(sweeps(i)%points%status == result_not_converged)
+      end do
+      do i = 1, size(uncertainties)
+         lost = lost .or. any(uncertainties(i)%pieces%status == result_not_converged)
+      end do
+      do i = 1, size(sweeps)
+         call close_record(sweeps(i)%keeper, sweeps(i)%points, lost, error)
+         call note_failure(error, status)
+      end do
+      do i = 1, size(uncertainties)
+         call close_record(uncertainties(i)%keeper, uncertainties(i)%pieces, lost, error)
+         call note_failure(error, status)
+      end do
+   end subroutine close_records
 
    !> Tells of unfinished work of other sweeps, which stays in the folder.
    subroutine note_records(job)

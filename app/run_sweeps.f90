@@ -20,11 +20,11 @@ module dg_run_sweeps
    use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
    use dg_sweep_file, only: write_sweep
-   use dg_sweep_record, only: close_record, keep, keeper_type, open_record, take_parts, write_record
+   use dg_sweep_record, only: keep, keeper_type, open_record, take_parts, tell_failed, tell_taken, write_record
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_table, only: sweep_table
    use dg_sweep_work, only: in_part
-   use dg_text, only: quoted, text_type, to_text
+   use dg_text, only: append_text, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_units, only: unit_system_type
@@ -75,18 +75,17 @@ contains
       type(sweep_run_type), intent(inout) :: run
       integer, intent(out) :: lost
       type(error_type), allocatable, intent(out) :: error
-      type(error_type), allocatable :: closing
       type(text_type), allocatable :: lines(:)
       integer :: resumed
       real(wp) :: seconds
       associate (sweep => job%sweeps(number))
          resumed = count(is_solved(run%points))
-         if (resumed > 0 .and. job%merge == 0) call tell('sweep '//quoted(sweep%name)//': '//to_text(resumed)// &
-            ' points were solved before, in '//run%keeper%path)
+         if (job%merge == 0) call tell_taken(run%keeper, 'sweep '//quoted(sweep%name), run%points, job%again)
          seconds = 0.0_wp
          if (job%merge == 0) call solve_points(job, model, sweep, run, seconds)
          lost = count(run%points%status == result_not_converged)
          if (lost > 0) call tell_lost(job%units, sweep, run%points, lost)
+         if (.not. is_interrupted()) call tell_failed('sweep '//quoted(sweep%name), run%points, max(job%parts, job%merge))
          if (job%merge == 0 .and. is_interrupted()) then
             call write_record(run%keeper, run%points, error)
             if (.not. allocated(error)) call raise(error, status_failure, 'sweep '//quoted(sweep%name)//': ended by '// &
@@ -95,7 +94,7 @@ contains
             return
          end if
          if (job%parts > 0) then
-            call close_record(run%keeper, run%points, error)
+            call write_record(run%keeper, run%points, error)
             if (.not. allocated(error)) call print_line('Sweep '//sweep%name//', part '//to_text(job%part)// &
                ' of '//to_text(job%parts)//': '//to_text(count(is_solved(run%points)))//' of '// &
                to_text(size(run%points))//' points, in '//run%keeper%path)
@@ -106,8 +105,9 @@ contains
          call add_margins(job, model, sweep, run%points)
          call write_sweep(job%output_dir//'/sweep_'//sweep%name//'.csv', job, sweep, run%points, error)
          if (allocated(error)) return
-         if (job%merge == 0) call close_record(run%keeper, run%points, closing)
          allocate (lines, source=sweep_table(job%units, sweep, run%points))
+         if (any(run%points%earlier)) call append_text(lines, to_text(count(run%points%earlier))//' of '// &
+            to_text(size(run%points))//' points were found with other settings of the solver, by a run before --again')
          call print_and_keep(printed, lines)
          if (job%merge > 0) then
             call print_line(to_text(size(run%points))//' points, joined from '//to_text(job%merge)//' parts')

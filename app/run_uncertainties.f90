@@ -19,10 +19,10 @@ module dg_run_uncertainties
    use dg_sampled_model, only: draw_model
    use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_type
-   use dg_sweep_record, only: close_record, keep, keeper_type, open_record, take_parts, write_record
+   use dg_sweep_record, only: keep, keeper_type, open_record, take_parts, tell_failed, tell_taken, write_record
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part
-   use dg_text, only: quoted, text_type, to_text
+   use dg_text, only: append_text, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_uncertainty, only: piece_count, piece_number, uncertainty_type
@@ -76,7 +76,6 @@ contains
       type(uncertainty_run_type), intent(inout) :: run
       integer, intent(out) :: lost
       type(error_type), allocatable, intent(out) :: error
-      type(error_type), allocatable :: closing
       type(point_statistics_type), allocatable :: statistics(:)
       type(text_type), allocatable :: lines(:)
       integer :: i, resumed
@@ -84,12 +83,12 @@ contains
       associate (uncertainty => job%uncertainties(number))
          associate (name => uncertainty%range%name)
             resumed = count(is_solved(run%pieces))
-            if (resumed > 0 .and. job%merge == 0) call tell(what//' '//quoted(name)//': '//to_text(resumed)// &
-               ' solutions were there before, in '//run%keeper%path)
+            if (job%merge == 0) call tell_taken(run%keeper, what//' '//quoted(name), run%pieces, job%again)
             seconds = 0.0_wp
             if (job%merge == 0) call solve_samples(job, model, uncertainty, run, seconds)
             lost = count(run%pieces%status == result_not_converged)
             if (lost > 0) call tell_lost(job%units, uncertainty, run%pieces, lost)
+            if (.not. is_interrupted()) call tell_failed(what//' '//quoted(name), run%pieces, max(job%parts, job%merge))
             if (job%merge == 0 .and. is_interrupted()) then
                call write_record(run%keeper, run%pieces, error)
                if (.not. allocated(error)) call raise(error, status_failure, what//' '//quoted(name)//': ended by '// &
@@ -98,7 +97,7 @@ contains
                return
             end if
             if (job%parts > 0) then
-               call close_record(run%keeper, run%pieces, error)
+               call write_record(run%keeper, run%pieces, error)
                if (.not. allocated(error)) call print_line('Uncertainty '//name//', part '//to_text(job%part)//' of '// &
                   to_text(job%parts)//': '//to_text(count(is_solved(run%pieces)))//' of '//to_text(size(run%pieces))// &
                   ' solutions, in '//run%keeper%path)
@@ -112,9 +111,10 @@ contains
             end do
             call write_uncertainty(job%output_dir//'/uncertainty_'//name//'.csv', job, uncertainty, statistics, error)
             if (allocated(error)) return
-            if (job%merge == 0) call close_record(run%keeper, run%pieces, closing)
          end associate
          allocate (lines, source=uncertainty_table(job%units, uncertainty, statistics, model%rig%given))
+         if (any(run%pieces%earlier)) call append_text(lines, to_text(count(run%pieces%earlier))//' of '// &
+            to_text(size(run%pieces))//' solutions were found with other settings of the solver, by a run before --again')
          call print_and_keep(printed, lines)
          if (job%merge > 0) then
             call print_line(to_text(size(run%pieces))//' solutions, joined from '//to_text(job%merge)//' parts')

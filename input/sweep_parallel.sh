@@ -5,6 +5,7 @@
 #
 # Other machines that share the folder take their share where PARALLEL names them: PARALLEL='--sshlogin a,b --workdir .'.
 # A merge that lacks parts joins nothing and names them. Start this again then: what was solved is not solved again.
+# Points that did not converge: change settings of the solver in the deck, then sweep_parallel.sh DECK.nml 40 --again.
 if [ $# -lt 2 ]; then
    echo 'usage: sweep_parallel.sh DECK.nml PARTS [options of drillgap]' >&2
    exit 2

@@ -7,6 +7,8 @@
 #
 # A merge that lacks parts joins nothing and names them, ready for --array: sbatch --array=3,7-9 sweep_slurm.sh DECK.nml 40.
 # What was solved is not solved again, so a task that ran out of time is just started once more.
+# Points that did not converge: change settings of the solver in the deck, then sbatch --array=3,7 sweep_slurm.sh DECK.nml 40 --again
+# for the parts that the merge named, and merge with --again.
 #SBATCH --job-name=drillgap
 #SBATCH --cpus-per-task=1
 #SBATCH --time=01:00:00

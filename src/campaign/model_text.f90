@@ -12,6 +12,7 @@ module dg_model_text
    use dg_model, only: model_type, string_index
    use dg_numerics, only: numerics_type
    use dg_sweep, only: at_operation, sweep_type
+   use dg_task_record, only: solver_key
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: uncertainty_type
    use dg_version, only: program_name, program_version
@@ -135,7 +136,7 @@ contains
       call append_text(lines, 'gravity = '//to_text(model%gravity))
       call append_text(lines, 'boundary, top centred = '//yes_or_no(model%boundary%top_centred))
       call append_text(lines, 'boundary, bit centred = '//yes_or_no(model%boundary%bit_centred))
-      call append_text(lines, 'solver settings = '//settings_text(model%numerics))
+      call append_text(lines, solver_key//' = '//settings_text(model%numerics))
    end function model_lines
 
    subroutine append_fluid(lines, head, fluid)

@@ -4,7 +4,7 @@ module dg_sweep_work
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_locked_up, result_status_name
    use dg_sweep_result, only: is_solved, sweep_result_type
-   use dg_task_record, only: difference_of, part_text, record_type
+   use dg_task_record, only: difference_of, part_text, record_type, solver_key
    use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -14,6 +14,8 @@ module dg_sweep_work
    !> Numbers of a double in text, to the last bit.
    character(*), parameter :: row_form = '(2es25.16e3)'
    integer, parameter :: number_width = 25
+   !> Stands before a point that an earlier run solved with other settings of the solver.
+   character(*), parameter :: earlier_mark = 'earlier '
    !> Greatest hook load [N] and torque [N.m] that a record is believed: far above what any rig carries, and below what a damaged
    !> exponent makes of a number. Those of a point without solution may be anything finite.
    real(wp), parameter :: greatest = 1.0e15_wp
@@ -35,18 +37,25 @@ contains
       character(2*number_width) :: numbers
       write (numbers, row_form) point%hookload, point%torque
       text = trim(result_status_name(point%status))//numbers
+      if (point%earlier) text = earlier_mark//text
       if (allocated(point%message)) text = text//' '//point%message
    end function result_text
 
    !> The point of such a text; `sound` tells whether it is one that result_text can have written: the two numbers, in that form to
    !> the last letter, finite, and those of a solution no greater than any string can have.
-   pure subroutine take_result(text, point, sound)
+   pure recursive subroutine take_result(text, point, sound)
       character(*), intent(in) :: text
       type(sweep_result_type), intent(out) :: point
       logical, intent(out) :: sound
       character(2*number_width) :: again
       integer :: i, at, last, status
       sound = .false.
+      if (index(text, earlier_mark) == 1) then
+         call take_result(text(len(earlier_mark) + 1:), point, sound)
+         sound = sound .and. .not. point%earlier
+         point%earlier = .true.
+         return
+      end if
       do i = 1, result_locked_up
          at = len_trim(result_status_name(i))
          last = at + 2*number_width
@@ -88,19 +97,30 @@ contains
    end function has_control_bytes
 
    !> Puts the results of a record to those that are there. `failure` is '' or says why the record is not one of part `part`
-   !> of `parts` of the work with these settings; then `points` stay as they were.
-   pure subroutine take_record(record, part, parts, settings, points, failure, units)
+   !> of `parts` of the work with these settings; then `points` stay as they were. With `again` the record may be one of other
+   !> settings of the solver; its points count as earlier ones then.
+   pure subroutine take_record(record, part, parts, settings, points, failure, units, again)
       type(record_type), intent(in) :: record
       integer, intent(in) :: part, parts
       type(text_type), intent(in) :: settings(:)
       type(sweep_result_type), intent(inout) :: points(:)
       character(:), allocatable, intent(out) :: failure
       type(unit_system_type), intent(in), optional :: units    !< in which `failure` tells numbers; else SI
+      logical, intent(in), optional :: again
       type(sweep_result_type) :: found(size(record%numbers))
-      logical :: sound
+      logical :: sound, other_solver
       integer :: i
       failure = difference_of(record%settings, settings, units)
+      other_solver = .false.
+      if (present(again) .and. failure /= '') then
+         if (again) then
+            failure = difference_of(without_solver(record%settings), without_solver(settings), units)
+            other_solver = failure == ''
+         end if
+      end if
       if (failure /= '') then
+         if (difference_of(without_solver(record%settings), without_solver(settings)) == '') &
+            failure = failure//' (--again takes its points over)'
          failure = 'it is of another deck: '//failure
          return
       end if
@@ -127,7 +147,19 @@ contains
          end if
       end do
       do i = 1, size(found)
+         if (other_solver) found(i)%earlier = .true.
          points(record%numbers(i)) = found(i)
       end do
    end subroutine take_record
+
+   !> Settings without those of the solver.
+   pure function without_solver(settings) result(others)
+      type(text_type), intent(in) :: settings(:)
+      type(text_type) :: others(size(settings))
+      integer :: i
+      do i = 1, size(settings)
+         others(i)%text = settings(i)%text
+         if (index(settings(i)%text, solver_key) == 1) others(i)%text = solver_key
+      end do
+   end function without_solver
 end module dg_sweep_work

@@ -15,7 +15,7 @@ module dg_task_record
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: record_type, record_head, record_line, read_record, difference_of, part_text
+   public :: record_type, record_head, record_line, read_record, difference_of, part_text, solver_key
 
    type :: record_type
       integer :: part = 1
@@ -31,6 +31,8 @@ module dg_task_record
    character(*), parameter :: end_mark = ' ;'
    integer, parameter :: head_lines = 4
    character(*), parameter :: equals = ' = '
+   !> The setting that holds all of the solver: another one there is another way to the same solution.
+   character(*), parameter :: solver_key = 'solver settings'
    !> More pieces than any work that a deck can ask for: a head that tells them is damaged, and they would only take memory.
    integer, parameter :: most_pieces = 10000000
    !> Longest value that a message repeats.

@@ -6,8 +6,8 @@ module dg_result_name
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, result_names, record_names
-   public :: is_result_name, is_record_name, picture_folder
+   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, failed_file
+   public :: result_names, record_names, is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
    integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, history_file = 5, case_files = 5
@@ -60,6 +60,13 @@ contains
       file = what//'_'//name//'.partial'
       if (parts > 0) file = what//'_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
    end function record_file
+
+   !> Name of the record that an undivided run leaves where points did not converge: they can be solved again from it.
+   pure function failed_file(what, name) result(file)
+      character(*), intent(in) :: what, name   !< as in record_file
+      character(:), allocatable :: file
+      file = what//'_'//name//'.failed'
+   end function failed_file
 
    !> What a run of the job writes as results, pictures aside. A part of a divided run writes none.
    subroutine result_names(job, model, names)
@@ -130,9 +137,11 @@ contains
       if (job%merge > 0) return
       do i = 1, size(job%sweeps)
          call append_text(names, record_file('sweep', job%sweeps(i)%name, job%part, job%parts))
+         if (job%parts == 0) call append_text(names, failed_file('sweep', job%sweeps(i)%name))
       end do
       do i = 1, size(job%uncertainties)
          call append_text(names, record_file('uncertainty', job%uncertainties(i)%range%name, job%part, job%parts))
+         if (job%parts == 0) call append_text(names, failed_file('uncertainty', job%uncertainties(i)%range%name))
       end do
    end subroutine record_names
 
@@ -170,7 +179,7 @@ contains
       is = .false.
       if (.not. is_plain(name)) return
       if (index(name, 'sweep_') /= 1 .and. index(name, 'uncertainty_') /= 1) return
-      is = has_form(name, '', '.partial')
+      is = has_form(name, '', '.partial') .or. has_form(name, '', '.failed')
       part = index(name, '.part_', back=.true.)
       of = index(name, '_of_', back=.true.)
       if (is .or. part == 0 .or. of <= part + len('.part_') .or. of + len('_of_') > len(name)) return

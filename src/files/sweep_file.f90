@@ -17,7 +17,7 @@ module dg_sweep_file
    public :: sweep_columns, write_sweep
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: sweep_columns(16) = [ &
+   type(column_type), parameter :: sweep_columns(17) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('friction', quantity_none, 'coefficient along and around the hole; empty: those of the hole sections'), &
@@ -35,7 +35,8 @@ module dg_sweep_file
       column_type('rig_margin', quantity_force, 'max_hookload of the rig (rig_limit) - hook load - block_weight'), &
       column_type('torque_margin', quantity_moment, 'max_torque of the rig - torque'), &
       column_type('overpull_margin', quantity_force, 'pull that may be added before anything yields, by the soft string; '// &
-         'empty without yield')]
+         'empty without yield'), &
+      column_type('settings', quantity_text, 'of the solver: empty for those of the deck; earlier: found before --again')]
 
 contains
 
@@ -95,5 +96,6 @@ contains
       call put(row, known(result%rig_margin))
       call put(row, known(result%torque_margin))
       call put(row, known(result%overpull_margin))
+      call put(row, trim(merge('earlier', '       ', result%earlier)))
    end subroutine sweep_fields
 end module dg_sweep_file

@@ -47,6 +47,7 @@ module dg_job
       integer :: part = 1                      !< of the sweeps, the one that this run solves, from 1 to parts
       integer :: parts = 0                     !< 0: undivided; else sweeps alone are run, and only this part of them
       integer :: merge = 0                     !< > 0: so many parts are joined, nothing is solved
+      logical :: again = .false.               !< points that did not converge are solved again, with other settings of the solver
       integer :: threads = 0                   !< cases solved at a time; 0: all cores
    end type job_type
 end module dg_job

@@ -18,6 +18,7 @@ module dg_sweep_result
       real(wp) :: rig_margin = missing         !< load that the rig may carry less that on it [N]
       real(wp) :: torque_margin = missing      !< torque of the rig less that at the top [N.m]
       real(wp) :: overpull_margin = missing    !< pull that may be added before anything yields [N]
+      logical :: earlier = .false.             !< solved by an earlier run with other settings of the solver
       character(:), allocatable :: message     !< reason where there is no solution, warnings else; not allocated: none
    end type sweep_result_type
 

@@ -22,6 +22,7 @@ contains
       use dg_test_interruption, only: interruption_suite
       use dg_test_threads, only: threads_suite
       use dg_test_study_runs, only: study_runs_suite
+      use dg_test_again_runs, only: again_runs_suite
       use dg_test_part_runs, only: part_runs_suite
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
@@ -47,6 +48,7 @@ contains
       call suite%addTest(sweep_runs_suite())
       call suite%addTest(changed_keys_suite())
       call suite%addTest(part_runs_suite())
+      call suite%addTest(again_runs_suite())
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
       call suite%addTest(path_runs_suite())
