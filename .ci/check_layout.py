@@ -62,9 +62,26 @@ def untried_numbers(root):
             for name in sorted(names ^ {name for name, changed in table if name == changed})]
 
 
+def without_caller(root):
+    """Public procedures of src/ that no other file of src/, app/ or test/ names."""
+    texts = {path: re.sub(r"&\s*\n\s*&?", " ", re.sub(r"!.*", "", path.read_text(encoding="utf-8")))
+             for top in ("src", "app", "test") for path in sorted((root / top).rglob("*.f90"))}
+    words = {path: set(re.findall(r"\w+", text.lower())) for path, text in texts.items()}
+    found = []
+    for path, text in texts.items():
+        if path.relative_to(root).parts[0] != "src":
+            continue
+        public = {name.strip().lower() for line in re.findall(r"^\s*public\s*::(.*)$", text, re.I | re.M) for name in line.split(",")}
+        own = {name.lower() for name in re.findall(r"^[^\n'\"]*\b(?:function|subroutine)\s+(\w+)\s*\(", text, re.I | re.M)}
+        for name in sorted(public & own):
+            if not any(name in there for other, there in words.items() if other != path):
+                found.append(f"{path.relative_to(root)}: {name} is public, and nothing calls it")
+    return found
+
+
 def check(root):
     faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
-              if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root)
+              if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root) + without_caller(root)
     for room in sorted(p for p in (root / "src").iterdir() if p.is_dir()):
         files = len(list(room.glob("*.f90")))
         if files > FULL:

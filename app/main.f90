@@ -1,5 +1,5 @@
-!> drillgap: torque and drag of drillstrings with beams and multi-directional contact gap elements.
-!> Reads the command line and the deck, hands over, prints what went wrong, ends with the status of the
+!> Torque and drag of drillstrings with beams and multi-directional contact gap elements: the program. It
+!> reads the command line and the deck, hands over, prints what went wrong, ends with the status of the
 !> contract. The only place where the program ends.
 program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines

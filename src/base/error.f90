@@ -3,7 +3,7 @@
 module dg_error
    implicit none
    private
-   public :: error_type, raise, add_context
+   public :: error_type, raise
    public :: status_ok, status_failure, status_bad_input, status_not_converged
 
    !> Exit statuses of the program (contract of the command line).
@@ -28,11 +28,4 @@ contains
       error%status = status
       error%message = message
    end subroutine raise
-
-   !> Puts `context` (where it happened) before the message of an error; does nothing where there is none.
-   pure subroutine add_context(error, context)
-      type(error_type), allocatable, intent(inout) :: error
-      character(*), intent(in) :: context
-      if (allocated(error)) error%message = context//': '//error%message
-   end subroutine add_context
 end module dg_error

@@ -12,7 +12,7 @@ module dg_gap_survey
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_offset, point_on_string, survey_gap, survey_gaps, relocate_gaps
+   public :: node_offset, point_on_string, survey_gaps, relocate_gaps
 
    !> What a gap must gain by a move where tool joints touch, over the clearance [-]: a joint would else be held now at one end and
    !> now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere gaps of short

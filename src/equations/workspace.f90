@@ -6,7 +6,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_node, place_nodes, make_room_for_recovery
+   public :: workspace_type, new_workspace, place_nodes, make_room_for_recovery
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).

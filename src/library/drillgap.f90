@@ -84,7 +84,7 @@ module drillgap
 contains
 
    !> Makes a model of parts. Error (status_bad_input): its message has one line for each thing that is wrong, with the component
-   !> of `parts` that it is in; the model then is none.
+   !> of `parts` that it is in; the model then is none. Example: "As a library" in README.md, its first program.
    subroutine new_model(model, parts, error)
       type(model_type), intent(out) :: model
       type(model_parts_type), intent(in) :: parts
@@ -96,7 +96,8 @@ contains
    end subroutine new_model
 
    !> Reads a deck with the files that it names. Error (status_bad_input): one line for each fault, with file and line. Load cases
-   !> and methods are taken; what else the deck asks for (sweeps, calibrations, ...) is the program's.
+   !> and methods are taken; what else the deck asks for (sweeps, calibrations, ...) is the program's. Example: "As a library" in
+   !> README.md, its second program.
    subroutine read_deck(path, deck, error)
       character(*), intent(in) :: path
       type(deck_type), intent(out) :: deck
@@ -132,7 +133,7 @@ contains
 
    !> Solves one load case. Error (status_bad_input): the model was not made, no such method, or a load case that cannot be meant;
    !> more memory than there is; (status_failure): anything else. Without an error `result%status` tells whether the numbers are a
-   !> solution.
+   !> solution. Example: the first program there.
    subroutine solve(model, load_case, method, result, error, totals_only)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -163,6 +164,7 @@ contains
    end subroutine solve
 
    !> Solves load cases, as many at a time as there are threads. One that is refused does not keep the others from being solved.
+   !> Example: the second program there.
    subroutine solve_cases(model, load_cases, method, outcomes, totals_only, threads)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_cases(:)

@@ -10,7 +10,7 @@ module dg_sweep
    implicit none
    private
    public :: sweep_type, measured_type, point_type
-   public :: curve_count, point_count, point_number, point_at, point_case, point_holes, at_operation, regular_depths, with_depths
+   public :: point_count, point_number, point_at, point_case, point_holes, at_operation, regular_depths, with_depths
 
    !> What the rig showed at a depth in an operation.
    type :: measured_type
