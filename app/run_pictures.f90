@@ -9,7 +9,8 @@ module dg_run_pictures
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type
    use dg_model, only: model_type
-   use dg_picture_files, only: folder_in, picture_list_type, write_pictures
+   use dg_picture_files, only: write_pictures
+   use dg_picture_list, only: folder_in, picture_list_type
    use dg_printed_text, only: printed_text_type
    use dg_text, only: text_type
    use dg_whole_string, only: whole_string_type

@@ -123,7 +123,7 @@ module dg_deck_keys
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section'), &
       key_rule_type('hole', 'cased', kind_logical, default='.false.', &
-         meaning='a cased section: takes frictions_cased of a sweep')]
+         meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep')]
 
    type(key_rule_type), parameter :: fluid_keys(6) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &

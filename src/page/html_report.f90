@@ -12,7 +12,7 @@ module dg_html_report
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_model, only: model_type
    use dg_picture_data, only: picture_data_type
-   use dg_picture_files, only: folder_in, picture_list_type, picture_type
+   use dg_picture_list, only: folder_in, picture_list_type, picture_type
    use dg_column, only: field_list_type
    use dg_results_h5, only: time_stamp
    use dg_run_outcome, only: outcome_type
@@ -244,7 +244,7 @@ contains
       character(:), allocatable :: link
       character(len(data%columns%name)) :: shown(size(data%columns))
       logical :: marked(size(data%rows))
-      integer :: i
+      integer :: i, k
       link = '<a href="'//html_safe(data%file)//'">'//html_safe(data%file)//'</a>'
       if (size(data%rows) == 0) then
          call add_line(lines, '<p class="data">Numbers: '//link//'</p>')
@@ -253,9 +253,12 @@ contains
       marked = .false.
       do i = 1, size(shown)
          shown(i) = data%columns(i)%name
+         if (shown(i) == 'status') marked = [(data%rows(k)%fields(i)%text /= trim(result_status_name(result_converged)), &
+                                              k=1, size(data%rows))]
       end do
       call add_line(lines, '<details><summary>Numbers</summary>')
       call append_table(lines, data%columns, shown, job%units, data%rows, marked)
+      if (data%every > 1) call add_line(lines, '<p>One row of each '//to_text(data%every)//'.</p>')
       call add_line(lines, '<p>All: '//link//'</p></details>')
    end subroutine append_data
 

@@ -1,5 +1,6 @@
 !> Pieces of an HTML page: texts made safe, tables of our columns, pictures put inline.
 module dg_html_text
+   use dg_kinds, only: wp
    use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
@@ -16,6 +17,9 @@ module dg_html_text
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'
+   !> A number without unit below this is shown with so many digits, not with so many decimals.
+   real(wp), parameter :: small_number = 1.0_wp
+   integer, parameter :: few_digits = 3
    !> A text longer than this is a sentence, which may be broken.
    integer, parameter :: longest_name = 40
 
@@ -141,6 +145,7 @@ contains
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: cell
       integer, parameter :: widest = 14
+      real(wp) :: value
       integer :: place
       cell = '<td>&ndash;</td>'
       if (.not. has_value(field)) return
@@ -160,8 +165,10 @@ contains
          if (column%name == residual_name) then
             cell = '<td>'//to_text(field%real_value/unit_size(column%quantity, units), residual_digits)//'</td>'
          else
-            cell = '<td>'//trim(adjustl(fixed_cell(field%real_value/unit_size(column%quantity, units), widest, &
-                                                   decimals(column%quantity))))//'</td>'
+            value = field%real_value/unit_size(column%quantity, units)
+            cell = '<td>'//trim(adjustl(fixed_cell(value, widest, decimals(column%quantity))))//'</td>'
+            ! numbers without unit have any size: a tolerance, a friction factor
+            if (column%quantity == quantity_none .and. abs(value) < small_number) cell = '<td>'//to_text(value, few_digits)//'</td>'
          end if
       case default
       end select

@@ -2,8 +2,10 @@
 module dg_legacy_picture
    use dg_kinds, only: wp
    use dg_column, only: column_header, column_named, column_type, unit_text
+   use dg_depth_panels, only: name_no_sections, panel_place_type, put_sections
    use dg_gnuplot_script, only: add_series, colour_measured, end_script, legend, line_style, panel, plot, results_file, &
                                 series_type, start_script
+   use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
    use dg_legacy_rows, only: legacy_columns
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_name
@@ -19,11 +21,12 @@ module dg_legacy_picture
 
 contains
 
-   pure subroutine legacy_script(name, job, table, case_name, lines)
+   pure subroutine legacy_script(name, job, table, case_name, holes, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
       type(legacy_table_type), intent(in) :: table
       character(*), intent(in) :: case_name
+      type(hole_section_type), intent(in) :: holes(:)
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
       real(wp), parameter :: left = 0.075_wp, right = 0.985_wp, gap = 0.025_wp, bottom = 0.125_wp, top = 0.84_wp, &
@@ -42,6 +45,8 @@ contains
       call append_text(lines, 'set yrange ['//to_text(maxval(table%md)/job%units%length, digits)//':0]')
       wide = (right - left + gap)/real(2*count(table%has), wp) - gap
       start = left
+      call put_sections(lines, holes, job%units, maxval(table%md), &
+                        panel_place_type(left, left + wide, bottom, top, width, height), .true.)
       label = 'measured depth ['//trim(job%units%length_label)//']'
       do quantity = 1, quantity_count
          if (.not. table%has(quantity)) cycle
@@ -57,6 +62,7 @@ contains
             call panel(lines, start, start + wide, bottom, top, trim(axis_name(quantity))//trim(axis_ending(k))//' ['// &
                        unit_text(shown%quantity, job%units)//']', label)
             call plot(lines, series, may_lack=.true.)
+            if (label /= '') call name_no_sections(lines)
             label = ''
             start = start + wide + gap
          end do

@@ -8,7 +8,7 @@ module dg_sweep_picture
    use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type, style_count
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
-   use dg_load_case, only: operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
+   use dg_load_case, only: block_way, operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
    use dg_rig, only: indicated_load, rig_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_sweep_file, only: sweep_columns
@@ -19,17 +19,20 @@ module dg_sweep_picture
    public :: sweep_script
 
    integer, parameter :: digits = 8
+   !> Of a limit, as that of the rig, but dotted: it bends with depth.
+   character(*), parameter :: yield_look = "with lines lw 2.2 dt (2,3) lc rgb '#c00000'"
 
 contains
 
    !> One model's curves.
-   subroutine sweep_script(name, units, sweep, model, rig, holes, lines)
+   subroutine sweep_script(name, units, sweep, model, rig, holes, yields, lines)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model          !< number of the model
       type(rig_type), intent(in) :: rig     !< where it is given hook loads are as it shows them
       type(hole_section_type), intent(in) :: holes(:)
+      logical, intent(in) :: yields         !< the file has pulls that may be added before anything yields
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: key(:), hookload(:), torque(:)
       type(broomstick_limits_type) :: limits
@@ -52,8 +55,14 @@ contains
                        "' && stringcolumn('operation') eq operation && is_friction && stringcolumn('status') eq '"// &
                        trim(result_status_name(result_locked_up))//"' ? value : NaN")
       if (any(is_pushed(sweep%operations))) call add_series(key, 'NaN', locked_look(style_count), 'locks up: nothing on the hook')
+      if (yields) call add_series(key, 'NaN', yield_look, 'yield in the string, '// &
+                                  trim(operation_label(sweep%operations(pulling(sweep))))//', '// &
+                                  friction_label(sweep, size(sweep%frictions)))
       hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), 'measured_hookload', .false.)
       torque = curves('torque', 'measured_torque', .true.)
+      ! other factors put it a hair's breadth beside
+      if (yields) call add_series(hookload, yield_curve(pulling(sweep), friction_test(sweep, size(sweep%frictions))), &
+                                  yield_look, '')
       call add_limits(hookload, torque, limits, units, rig, sweep, results_file('sweep_'//sweep%name), &
                       column_header(column_named(sweep_columns, 'bit_depth'), units))
       call draw_broomstick(lines, 'Sweep '//sweep%name//', model '//trim(model_name(model)), key, units, holes, &
@@ -95,6 +104,26 @@ contains
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function locked
 
+      !> Hook load at which the string yields, as the panel shows hook loads.
+      pure function yield_curve(operation, test) result(using)
+         integer, intent(in) :: operation
+         character(*), intent(in) :: test
+         character(:), allocatable :: using
+         real(wp) :: empty, slope
+         real(wp), parameter :: unit_load = 1.0e6_wp      ! what a rig shows is linear in the hook load
+         empty = 0.0_wp
+         slope = 1.0_wp
+         if (rig%given) then
+            empty = indicated_load(rig, sweep%operations(operation), 0.0_wp)
+            slope = (indicated_load(rig, sweep%operations(operation), unit_load) - empty)/unit_load
+         end if
+         using = results_file('sweep_'//sweep%name)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            test//', '//to_text(empty/units%force, digits)//' + '//to_text(slope, digits)//"*(column('"// &
+            column_header(column_named(sweep_columns, 'hookload'), units)//"') + column('"// &
+            column_header(column_named(sweep_columns, 'overpull_margin'), units)//"')))):(column('"// &
+            column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
+      end function yield_curve
+
       pure function curve(operation, test, column) result(using)
          integer, intent(in) :: operation
          character(*), intent(in) :: test, column
@@ -104,6 +133,13 @@ contains
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function curve
    end subroutine sweep_script
+
+   !> The operation of a sweep whose overpull is shown: the first that pulls, else the first.
+   pure function pulling(sweep) result(operation)
+      type(sweep_type), intent(in) :: sweep
+      integer :: operation      !< number of it in the sweep
+      operation = max(1, findloc(block_way(sweep%operations) > 0, .true., dim=1))
+   end function pulling
 
    pure function friction_label(sweep, number) result(text)
       type(sweep_type), intent(in) :: sweep
@@ -125,6 +161,7 @@ contains
       if (allocated(sweep%frictions_cased)) text = '('//text//" && abs(column('friction_cased') - "// &
          to_text(sweep%frictions_cased(number))//') < 1e-9)'
    end function friction_test
+
    !> Whether an operation lowers a string that does not turn: only that one locks up.
    elemental function is_pushed(operation) result(is)
       integer, intent(in) :: operation

@@ -5,8 +5,10 @@ module dg_test_pictures
    use dg_along_string, only: new_along_string
    use dg_assembly_picture, only: assembly_script
    use dg_case_result, only: case_result_type
-   use dg_column, only: field_list_type, put, put_none
+   use dg_column, only: column_type, csv_header, csv_row, field_absent, field_list_type, put, put_none, quantity_force, &
+                        quantity_none, quantity_text
    use dg_component, only: component_type
+   use dg_csv_reading, only: columns_in, csv_texts, ends_in_quotes, read_csv_row
    use dg_forces_picture, only: forces_script
    use dg_gnuplot_script, only: spelled, x_range
    use dg_hole_section, only: hole_section_type
@@ -40,6 +42,7 @@ contains
       call suite%addTest(TestMethod('round_steps', test_round_steps))
       call suite%addTest(TestMethod('html_text', test_html_text))
       call suite%addTest(TestMethod('html_table', test_html_table))
+      call suite%addTest(TestMethod('rows_read_back', test_rows_read_back))
       call suite%addTest(TestMethod('pictures_keep_apart', test_inline))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('case_scripts', test_case_scripts))
@@ -106,6 +109,40 @@ contains
       call assertEqual('<tr class="bad"><td class="text">a&lt;b</td><td>1.25</td></tr>', page%lines(2)%text)
    end subroutine test_html_table
 
+   !> A row of a CSV file gives the values that it was written from.
+   subroutine test_rows_read_back()
+      type(column_type), parameter :: columns(4) = [column_type('case', quantity_text, ''), &
+         column_type('hookload', quantity_force, ''), column_type('message', quantity_text, ''), &
+         column_type('samples', quantity_none, '')]
+      type(field_list_type) :: row, again
+      type(text_type), allocatable :: header(:), texts(:)
+      type(unit_system_type) :: units
+      integer :: places(4)
+      units = field_units()
+      call put(row, 'a "b", c')
+      call put(row, 2.0_wp*units%force)
+      call put(row, '""')
+      call put(row, 12)
+      call csv_texts(csv_header(columns, units), header)
+      places = columns_in(header, columns, units)
+      call assertEqual(10, sum(places))
+      call csv_texts(csv_row(columns, units, row%fields), texts)
+      call assertEqual(4, size(texts))
+      call read_csv_row(texts, places, columns, units, again)
+      call assertEqual('a "b", c', again%fields(1)%text)
+      call assertEqual(2.0_wp*units%force, again%fields(2)%real_value, 1.0e-9_wp*units%force)
+      call assertEqual('""', again%fields(3)%text)
+      call assertEqual(12, again%fields(4)%integer_value)
+      ! a column that the file has not, a row that breaks off, a number that is none
+      call csv_texts('x,y', texts)
+      places(4) = 0
+      call read_csv_row(texts, places, columns, units, again)
+      call assertEqual('x', again%fields(1)%text)
+      call assertEqual([field_absent, field_absent, field_absent], again%fields(2:4)%kind)
+      call assertTrue(ends_in_quotes('a,"b'))
+      call assertFalse(ends_in_quotes('a,"b"'))
+   end subroutine test_rows_read_back
+
    !> Two pictures in one page must not share the names of their marks.
    subroutine test_inline()
       type(page_type) :: page
@@ -159,6 +196,12 @@ contains
       call path_script('path_i_up', sample_job(), model, results(1), lines)
       call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
       call assertTrue(has_text(lines, "touches('rigid', "))
+      call assertFalse(has_text(lines, '$wall'), message='no hole section is cased')
+      model%holes%cased = [.true., .false.]
+      model%holes%diameter = [0.3_wp, 0.2_wp]
+      call path_script('path_i_up', sample_job(), model, results(1), lines)
+      call assertTrue(has_text(lines, '$wall using 1:2'))
+      call assertTrue(has_line(lines, '$wall << EOD'))
    end subroutine test_case_scripts
 
    !> The sample with pipe that has joints, in a cased hole.
@@ -197,7 +240,7 @@ contains
       sweep%depths = [100.0_wp, 2000.0_wp]
       allocate (sweep%measured(1))
       sweep%measured(1)%operation = operation_trip_out
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
       call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
@@ -206,21 +249,26 @@ contains
       call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
       call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
       sweep%frictions = [optional_real()]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
       call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
       call assertFalse(has_text(lines, 'limit of the rig'))
       ! sheaves that do not rub: one line at what the rig may carry; one of torque
       rig = rig_type(given=.true., block_weight=50.0_wp*field_force, max_hookload=given(400.0_wp*field_force), &
                      max_torque=given(30.0_wp*field_moment))
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
       call assertTrue(has_text(lines, "'../sweep_broom.csv' using (400):(column('bit_depth_ft'))"), message='hook load')
       call assertTrue(has_text(lines, "'../sweep_broom.csv' using (30):(column('bit_depth_ft'))"), message='torque')
       call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
+      ! what the rig shows when the string yields: the block's 50 klbf above hook load and overpull
+      call assertFalse(has_text(lines, 'yield in the string'), message='no yield strength')
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .true., lines)
+      call assertTrue(has_text(lines, 'yield in the string, up'))
+      call assertTrue(has_text(lines, "50 + 1*(column('hookload_klbf') + column('overpull_margin_klbf'))"))
       ! sheaves that rub: the indicator shows less or more than the load as blocks move
       rig%lines = 8
       rig%sheave_efficiency = 0.98_wp
       sweep%operations = [operation_trip_out, operation_trip_in]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, lines)
+      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
       call assertFalse(has_text(lines, 'using (400):'))
       call assertTrue(has_text(lines, 'klbf, up'' at first 3'), message='less is shown going up')
       call assertTrue(has_text(lines, 'klbf, down'' at first 4'), message='more going down')
