@@ -5,6 +5,7 @@ has every column heading of every table and every line of deck and tables whole,
 
 Usage: check_report.py RESULTS_FOLDER SCREENSHOT   (needs chromium, and Python with matplotlib and pypdf)
 """
+import csv
 import html
 import pathlib
 import re
@@ -23,6 +24,28 @@ CURVE_COLOURS = {"first curve": (0, 114, 178), "second curve": (213, 94, 0)}
 FEWEST_PIXELS = 500                 # of each: a curve across one panel has more
 PAPERS = {"A4": (842, 595), "Letter": (792, 612)}    # pt, lying broad
 LEAST_LETTER = 0.3                  # width of a letter over its height, at least
+
+
+def rows_of(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def faults_of_summary(folder, page):
+    """What the page tells in short, worked out anew from the files."""
+    short = re.search(r"<h2>In short</h2>(.*?)</ul>", page, re.S)
+    if not short:
+        return ["the page does not begin in short"]
+    told = html.unescape(re.sub(r"<[^>]*>", "", short.group(1)))
+    limits = [row for row in rows_of(folder / "limits.csv") if row["model"] == "mcge" and row["governing_utilisation_pct"]]
+    solved = [row for row in rows_of(folder / "summary.csv") if row["model"] == "mcge" and row["status"] == "converged"]
+    most = max(limits, key=lambda row: float(row["governing_utilisation_pct"]))
+    loads = sorted(solved, key=lambda row: float(row["hookload_kN"]))
+    worst = max((row for row in solved if row["error_pct"]), key=lambda row: float(row["error_pct"]))
+    wanted = [f"Nearest to a limit: {most['case']} (", f"{most['governing_limit']}, {float(most['governing_utilisation_pct']):.3g} % used",
+              f"from {float(loads[0]['hookload_kN']):.4g} kN ({loads[0]['case']}) to {float(loads[-1]['hookload_kN']):.4g} kN",
+              f"met within {float(worst['error_pct']):.3g} %; the worst is {worst['case']}"]
+    return [f"in short, the page does not tell '{text}'" for text in wanted if text not in told]
 
 
 def faults_of_files(folder):
@@ -52,6 +75,7 @@ def faults_of_files(folder):
                if not (folder / name).exists()]
     if "prefers-color-scheme:dark" not in page:
         faults.append("no dark form")
+    faults += faults_of_summary(folder, page)
     for word in ("<h2>Limits</h2>", "<h3>Assumptions</h3>", "<h2>Deck</h2>", "&amp;load_case"):
         if word not in page:
             faults.append(f"the page lacks {word}")

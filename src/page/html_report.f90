@@ -6,6 +6,7 @@ module dg_html_report
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
    use dg_html_outcome, only: append_lost, append_outcome
+   use dg_html_short, only: append_short
    use dg_html_style, only: append_style
    use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
@@ -61,6 +62,7 @@ contains
             call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
          end do
       end if
+      if (size(results) > 0) call append_short(lines, job, model, results, wholes)
       call append_warnings(lines, model, results)
       if (size(results) > 0) then
          call append_results(lines, job, model, results)
