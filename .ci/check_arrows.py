@@ -47,6 +47,7 @@ MAY_USE = {
                "uncertainty"},
     "pictures": {"base", "columns", "files", "hole", "model", "results", "string", "string_limits", "system", "tables"},
     "page": {"base", "columns", "files", "model", "pictures", "results", "string_limits", "system"},
+    "echo": {"base", "hole", "model", "string", "string_limits", "tables", "trajectory"},
     "library": {"base", "system", "trajectory", "string", "hole", "model", "results", "soft_string", "solution", "rigid_string",
                 "mixed_string", "deck_text", "model_check", "deck"},
 }

@@ -3,7 +3,7 @@
 !> contract. The only place where the program ends.
 program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines
-   use dg_deck_echo, only: print_echo
+   use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell, tell_lines, tell_faults
    use dg_error, only: error_type, status_ok, status_bad_input, status_failure
    use dg_fault_list, only: fault_list_type
@@ -106,6 +106,21 @@ contains
       if (.not. job%quiet) call print_notes(notes)
       call run_deck(job, model, arguments%chosen, status)
    end subroutine work
+
+   !> What a deck asks for, of a run that only checks it.
+   subroutine print_echo(job, model, notes)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), intent(in) :: notes(:)
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
+      call echo_lines(job, model, lines)
+      call print_lines(lines)
+      do i = 1, size(notes)
+         call print_line('note        '//notes(i)%text)
+      end do
+   end subroutine print_echo
 
    !> What is legal in the deck but hardly meant.
    subroutine print_notes(notes)

@@ -1,4 +1,4 @@
-!> Prints what a deck asks for as the program understood it, in the deck's units.
+!> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
    use dg_calibration_echo, only: add_calibrations
@@ -13,7 +13,6 @@ module dg_deck_echo
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
-   use dg_printed_text, only: print_line, print_lines
    use dg_rig, only: rig_type
    use dg_study_plan, only: most_variants
    use dg_sweep_echo, only: add_sweeps
@@ -23,30 +22,14 @@ module dg_deck_echo
    use dg_unit_kind, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
       unit_moment, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
-   use dg_version, only: program_name, program_version
    implicit none
    private
-   public :: print_echo, echo_lines
+   public :: echo_lines
 
    !> Significant digits of a number in the echo.
    integer, parameter :: digits = 7
 
 contains
-
-   !> Prints the whole of a deck.
-   subroutine print_echo(job, model, notes)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(text_type), intent(in) :: notes(:)
-      type(text_type), allocatable :: lines(:)
-      integer :: i
-      call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
-      call echo_lines(job, model, lines)
-      call print_lines(lines)
-      do i = 1, size(notes)
-         call print_line('note        '//notes(i)%text)
-      end do
-   end subroutine print_echo
 
    !> What a deck asks for, line by line.
    pure subroutine echo_lines(job, model, lines)
