@@ -7,6 +7,15 @@ import sys
 TOP = {"fpm.toml", "README.md", "CHANGELOG.md", "LICENSE", "src", "app", "test", "input", "output", "build"}
 LONGEST = 600   # lines a file
 FULL = 20       # files a room
+LARGEST = 120   # lines a procedure, those that it contains among them
+MOST_ARGUMENTS = 9
+# Procedures that are longer, and why.
+LONGER = {
+    "read_legacy_file": "one pass over a table; what it contains shares the row and its marks",
+    "read_stations": "checks of one table; what it contains tells faults of deck or file",
+    "parse_groups": "one pass over tokens; what it contains shares the group and the entry that are open",
+    "load_tests": "a list of suites, two lines each",
+}
 PREFIX = "dg_"
 DOOR = "src/library/drillgap.f90"   # its module has the package's name, which fpm allows beside the prefix
 
@@ -62,6 +71,46 @@ def untried_numbers(root):
             for name in sorted(names ^ {name for name, changed in table if name == changed})]
 
 
+# Procedures that take more, and why.
+INNERMOST = "innermost loop over elements: a type would be filled and emptied for each"
+FOREIGN = "another library's"
+WIDER = {
+    **dict.fromkeys(("beam_tangent_parts", "assemble", "add_gap", "assemble_in_plane", "take_gap", "add_support", "contact_action_tangent",
+                     "sliding_couple", "gap_nodal_force", "gap_nodal_tangent", "plane_gap"), INNERMOST),
+    **dict.fromkeys(("dgbtrs", "dgels", "dgesvd", "ldl_numeric"), FOREIGN),
+    "prove": "all that bend_again works on, for its last step",
+    "coil": "arrays along a zone, each of its own meaning",
+    "lay_helix": "arrays along a string, each of its own meaning",
+}
+
+BEGIN_PROCEDURE = re.compile(r"^\s*(?:(?:pure|elemental|recursive|impure|module)\s+)*(?:subroutine|(?:[a-z_]+(?:\([^)]*\))?\s+)?function)"
+                             r"\s+(\w+)\s*(\(.*)?$", re.I)
+END_PROCEDURE = re.compile(r"^\s*end\s*(?:subroutine|function)\b", re.I)
+
+
+def large_procedures(path, name):
+    """Procedures of a file that are too long, or take too much."""
+    lines, open_ones, found, ended = path.read_text(encoding="utf-8").splitlines(), [], [], set()
+    for number, line in enumerate(lines, 1):
+        bare = line.split("!")[0]
+        begin = BEGIN_PROCEDURE.match(bare)
+        if END_PROCEDURE.match(bare):
+            procedure, first = open_ones.pop()
+            ended.add(procedure)
+            if number - first + 1 > LARGEST and procedure not in LONGER:
+                found.append(f"{name}: {procedure} has {number - first + 1} lines, more than {LARGEST}")
+        elif begin:
+            open_ones.append((begin.group(1).lower(), number))
+            head, k = begin.group(2) or "", number
+            while head.rstrip().endswith("&"):
+                head, k = head.rstrip().rstrip("&") + lines[k].split("!")[0], k + 1
+            arguments = re.match(r"\(([^)]*)\)", head)
+            ended.add(begin.group(1).lower())
+            if arguments and len(arguments.group(1).split(",")) > MOST_ARGUMENTS and begin.group(1).lower() not in WIDER:
+                found.append(f"{name}: {begin.group(1)} takes {len(arguments.group(1).split(','))} arguments, more than {MOST_ARGUMENTS}")
+    return found, ended
+
+
 def without_caller(root):
     """Public procedures of src/ that no other file of src/, app/ or test/ names."""
     texts = {path: re.sub(r"&\s*\n\s*&?", " ", re.sub(r"!.*", "", path.read_text(encoding="utf-8")))
@@ -82,10 +131,11 @@ def without_caller(root):
 def check(root):
     faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
               if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root) + without_caller(root)
-    for room in sorted(p for p in (root / "src").iterdir() if p.is_dir()):
+    for room in sorted(p for p in [*(root / "src").iterdir(), root / "app", root / "app/bench"] if p.is_dir()):
         files = len(list(room.glob("*.f90")))
         if files > FULL:
-            faults.append(f"src/{room.name}/: {files} files, more than {FULL}")
+            faults.append(f"{room.relative_to(root)}/: {files} files, more than {FULL}")
+    procedures = set()
     for top in ("src", "app", "test"):
         for path in sorted((root / top).rglob("*.f90")):
             if "build" in path.relative_to(root).parts:
@@ -94,6 +144,9 @@ def check(root):
             lines = text.count("\n")
             if lines > LONGEST:
                 faults.append(f"{name}: {lines} lines, more than {LONGEST}")
+            large, ended = large_procedures(path, name)
+            faults += large
+            procedures |= ended
             if "implicit none" not in text.lower():
                 faults.append(f"{name}: no implicit none")
             modules = MODULE.findall(text)
@@ -116,7 +169,7 @@ def check(root):
             if top == "src" and path.parent.name in THREADED:
                 faults += [f"{name}: {found}: a function's text of open length, where threads work" for found in texts_of_open_length(text)]
             faults += [f"{name}:{number}: a value at the declaration is kept between calls" for number in saved_locals(text)]
-    return faults
+    return faults + [f"check_layout.py: {name} of LONGER or WIDER is not there" for name in sorted({*LONGER, *WIDER} - procedures)]
 
 
 def main():

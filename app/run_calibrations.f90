@@ -17,6 +17,7 @@ module dg_run_calibrations
    use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done, fit_without_values
    use dg_load_case, only: optional_real
+   use dg_least_squares, only: unknowns_type
    use dg_model, only: model_type
    use dg_prediction, only: predict
    use dg_printed_text, only: print_and_keep, printed_text_type
@@ -168,8 +169,8 @@ contains
       end where
       ! a string that does not reach its depth with the friction it has does so with less
       kinds = variance_kinds(calibration)
-      call fit_by_kinds(function, result%start, .not. calibration%unknowns%is_offset, lower, upper, scale, measured, kinds, &
-                        deviation, result%fit, result%halvings)
+      call fit_by_kinds(function, unknowns_type(result%start, .not. calibration%unknowns%is_offset, lower, upper, scale), &
+                        measured, kinds, deviation, result%fit, result%halvings)
       of_kind = calibration%data%kind       ! a section would be copied to be passed
       of_case = calibration%cases(calibration%data%case)
       depth = model%cases(of_case)%bit_depth

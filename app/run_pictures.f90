@@ -43,8 +43,7 @@ contains
       call echo_lines(job, model, echo)
       allocate (tables(0))
       if (allocated(printed%lines)) tables = printed%lines
-      call write_html_report(job%output_dir//'/report.html', job, model, results, wholes, tables, printed%outcome, pictures, echo, &
-                             page_error)
+      call write_html_report(job, model, results, wholes, tables, printed%outcome, pictures, echo, page_error)
       if (allocated(page_error) .and. .not. allocated(error)) call move_alloc(page_error, error)
    end subroutine run_pictures
 end module dg_run_pictures

@@ -2,7 +2,8 @@
 module dg_fit_by_kinds
    use dg_kinds, only: wp
    use dg_interruption, only: is_interrupted
-   use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, measured_function_type
+   use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, &
+                               measured_function_type, unknowns_type
    use dg_variance_components, only: estimate_factors
    implicit none
    private
@@ -16,11 +17,10 @@ contains
 
    !> As fit_from_less. Where data have variances of more than one kind, or variances beside known deviations, each kind's
    !> deviation is found from the residuals, and the fit made again by them. One kind alone needs no weighing.
-   subroutine fit_by_kinds(function, start, lessened, lower, upper, scale, measured, kinds, deviation, fit, halvings)
+   subroutine fit_by_kinds(function, unknowns, measured, kinds, deviation, fit, halvings)
       class(measured_function_type), intent(inout) :: function
-      real(wp), intent(in) :: start(:)
-      logical, intent(in) :: lessened(:)
-      real(wp), intent(in) :: lower(:), upper(:), scale(:), measured(:)
+      type(unknowns_type), intent(in) :: unknowns
+      real(wp), intent(in) :: measured(:)
       integer, intent(in) :: kinds(:)          !< number of each datum's variance; 0 where its deviation is known
       real(wp), intent(inout) :: deviation(:)  !< on return those that the intervals go by, but where there is one kind alone
       type(fit_type), intent(out) :: fit
@@ -28,13 +28,13 @@ contains
       type(fit_type) :: again
       real(wp) :: changed
       integer :: round
-      call fit_from_less(function, start, lessened, lower, upper, scale, measured, deviation, fit, halvings)
+      call fit_from_less(function, unknowns, measured, deviation, fit, halvings)
       if (all(kinds == kinds(1))) return
       do round = 1, most_rounds
          if (fit%status /= fit_done .or. is_interrupted()) return
          call weigh_anew(measured, kinds, deviation, fit, changed)
          if (changed <= at_rest) return
-         call fit_least_squares(function, fit%unknowns, lower, upper, scale, measured, deviation, again)
+         call fit_least_squares(function, fit%unknowns, unknowns%lower, unknowns%upper, unknowns%scale, measured, deviation, again)
          again%iterations = again%iterations + fit%iterations
          fit = again
       end do

@@ -6,7 +6,7 @@ module dg_least_squares
    use dg_lapack, only: dgels
    implicit none
    private
-   public :: measured_function_type, fit_type, fit_least_squares, fit_from_less
+   public :: measured_function_type, unknowns_type, fit_type, fit_least_squares, fit_from_less
    public :: fit_done, fit_out_of_iterations, fit_without_values
 
    integer, parameter :: fit_done = 1                !< at rest
@@ -30,6 +30,14 @@ module dg_least_squares
          logical, intent(out) :: solved(:, :)     !< (data, points); where not, the value means nothing
       end subroutine evaluate_points
    end interface
+
+   !> Where a fit begins, and what its unknowns may be.
+   type :: unknowns_type
+      real(wp), allocatable :: start(:)
+      logical, allocatable :: lessened(:)   !< begin with half of it where the function has no values there
+      real(wp), allocatable :: lower(:), upper(:)
+      real(wp), allocatable :: scale(:)     !< > 0: what counts as a large change
+   end type unknowns_type
 
    type :: fit_type
       integer :: status = fit_without_values
@@ -62,19 +70,18 @@ contains
 
    !> As fit_least_squares. Where the function has no values at the start, unknowns that may be lessened begin with half of it, and
    !> with half of that.
-   subroutine fit_from_less(function, start, lessened, lower, upper, scale, measured, deviation, fit, halvings)
+   subroutine fit_from_less(function, unknowns, measured, deviation, fit, halvings)
       class(measured_function_type), intent(inout) :: function
-      real(wp), intent(in) :: start(:)
-      logical, intent(in) :: lessened(:)
-      real(wp), intent(in) :: lower(:), upper(:), scale(:), measured(:), deviation(:)
+      type(unknowns_type), intent(in) :: unknowns
+      real(wp), intent(in) :: measured(:), deviation(:)
       type(fit_type), intent(out) :: fit
       integer, intent(out) :: halvings
-      real(wp) :: begin(size(start))
-      begin = start
+      real(wp) :: begin(size(unknowns%start))
+      begin = unknowns%start
       do halvings = 0, most_halvings
-         call fit_least_squares(function, begin, lower, upper, scale, measured, deviation, fit)
+         call fit_least_squares(function, begin, unknowns%lower, unknowns%upper, unknowns%scale, measured, deviation, fit)
          if (fit%status /= fit_without_values .or. fit%iterations > 0 .or. is_interrupted()) return
-         where (lessened) begin = 0.5_wp*begin
+         where (unknowns%lessened) begin = 0.5_wp*begin
       end do
       halvings = most_halvings
    end subroutine fit_from_less

@@ -23,7 +23,7 @@ module dg_whirling
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
    use dg_scatter, only: element_type, part_all, part_energy, part_rest
-   use dg_soft_string_loads, only: coiling_load, soft_string_at
+   use dg_soft_string_loads, only: coiling_load, other_loads_type, soft_string_at
    use dg_vector, only: outer
    use dg_workspace, only: dof_twist, workspace_type
    implicit none
@@ -63,7 +63,7 @@ contains
       climb = 1.0_wp
       vertical = mesh%frame(3, 1, :) > upright
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, coiled=.true.)
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
          if (.not. (mesh%rotary(e) > 0.0_wp .or. all(vertical))) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))

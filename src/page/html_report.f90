@@ -40,10 +40,9 @@ module dg_html_report
 
 contains
 
-   !> Writes the page to `path`. `tables` are those of calibrations, sweeps, studies and comparisons as they were printed,
-   !> `outcome` what became of all solutions; `echo` is the deck as the program understood it, line by line.
-   subroutine write_html_report(path, job, model, results, wholes, tables, outcome, pictures, echo, error)
-      character(*), intent(in) :: path
+   !> Writes the page into the output folder. `tables` are those of calibrations, sweeps, studies and comparisons as they were
+   !> printed, `outcome` what became of all solutions; `echo` is the deck as the program understood it, line by line.
+   subroutine write_html_report(job, model, results, wholes, tables, outcome, pictures, echo, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -81,7 +80,7 @@ contains
       call add_line(lines, '<h2>Deck</h2>')
       call append_deck(lines, job%deck_text)
       call add_line(lines, '</body></html>')
-      call write_text_file(path, lines%lines(:lines%count), error)
+      call write_text_file(job%output_dir//'/report.html', lines%lines(:lines%count), error)
    end subroutine write_html_report
 
    !> Head of the page: title, when and with what it was made.

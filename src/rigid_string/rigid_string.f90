@@ -44,15 +44,15 @@ contains
       integer, intent(in) :: case_index
       type(change_type), intent(in) :: changes(:)
       type(case_result_type), intent(out) :: result
-      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), bending(:), shear(:)
+      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), across(:, :)
       type(soft_totals_type) :: totals
       md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), bending(size(md)), shear(size(md)))
-      call rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
+      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), across(2, size(md)))
+      call rigid_string_at(model, case_index, changes, md, axial, torque, contact, across, totals)
       call take_totals(model, case_index, md, axial, torque, totals, result)
       call take_profile(model, case_index, md, axial, torque, contact, result)
-      result%profile%bending = bending
-      result%profile%shear = shear
+      result%profile%bending = across(1, :)
+      result%profile%shear = across(2, :)
       call refuse_runaway(result)
    end subroutine solve_at_changes
 end module dg_rigid_string

@@ -28,11 +28,19 @@ module dg_rigid_string_loads
    real(wp), parameter :: length_share = 0.25_wp
    real(wp), parameter :: distance_share = 0.125_wp
 
+   !> Forces at a depth, and the shape that they belong to.
+   type :: balance_type
+      real(wp) :: contact(3) = 0.0_wp   !< on the wall [N/m]
+      real(wp) :: bend(3) = 0.0_wp      !< curvature of the string [1/m]
+      real(wp) :: shear(3) = 0.0_wp     !< [N]
+      real(wp) :: bending(3) = 0.0_wp   !< moment [N.m]
+   end type balance_type
+
 contains
 
    !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths; where they
    !> jump `contact` is the one just below.
-   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, bending, shear, totals)
+   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, across, totals)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(change_type), intent(in) :: changes(:)  !< at which the string is stiff
@@ -40,8 +48,7 @@ contains
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
       real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
-      real(wp), intent(out) :: bending(:)          !< resultant moment [N.m]
-      real(wp), intent(out) :: shear(:)            !< resultant shear force |V| [N]
+      real(wp), intent(out) :: across(:, :)        !< (2, :) resultant moment [N.m] and resultant shear force |V| [N]
       type(soft_totals_type), intent(out) :: totals
       type(layout_type) :: layout
       type(piece_type) :: piece
@@ -61,7 +68,7 @@ contains
          end do
          axial(i) = force
          torque(i) = moment
-         call forces_across(piece, changes, md(i), force, moment, contact(:, i), bending(i), shear(i))
+         call forces_across(piece, changes, md(i), force, moment, contact(:, i), across(:, i))
          if (position <= piece%top .and. i > 1) piece = piece_above(model, layout, position, 1.0_wp)
       end do
    end subroutine rigid_string_at
@@ -136,39 +143,40 @@ contains
       real(wp), intent(in) :: moment    !< torque [N.m]
       real(wp), intent(out) :: normal   !< [N/m]
       real(wp), intent(out) :: change   !< [N/m]
-      real(wp) :: contact(3), bend(3), shear(3), bending(3)
-      call balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
-      normal = piece%climb*norm2(contact)
-      change = piece%axial*normal + piece%drag - dot_product(shear, bend)
+      type(balance_type) :: here
+      here = balance(piece, changes, md, side, force, moment)
+      normal = piece%climb*norm2(here%contact)
+      change = piece%axial*normal + piece%drag - dot_product(here%shear, here%bend)
    end subroutine rates
 
-   !> Contact force on the wall, curvature of the string, shear and moment at a depth.
-   pure subroutine balance(piece, changes, md, side, force, moment, contact, bend, shear, bending)
+   !> What stands in balance at a depth.
+   pure function balance(piece, changes, md, side, force, moment) result(here)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
-      real(wp), intent(in) :: md, side, force, moment
-      real(wp), intent(out) :: contact(3), bend(3), shear(3), bending(3)
+      real(wp), intent(in) :: md, side        !< a depth, and one on the side meant [m]
+      real(wp), intent(in) :: force, moment   !< [N], torque [N.m]
+      type(balance_type) :: here
       real(wp), dimension(3) :: position, across, tangent, hole, more, more_slope, shear_slope
       call at_offset(piece, md - piece%arc%md, position, across, hole)
       call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, hole)
-      call bending_at(changes, md, side, tangent, more, more_slope, bending, shear, shear_slope)
-      bend = hole + more
-      bending = bending + piece%stiffness*hole
-      contact = force*bend + across + shear_slope - moment*cross(tangent, more_slope)
-   end subroutine balance
+      call bending_at(changes, md, side, tangent, more, more_slope, here%bending, here%shear, shear_slope)
+      here%bend = hole + more
+      here%bending = here%bending + piece%stiffness*hole
+      here%contact = force*here%bend + across + shear_slope - moment*cross(tangent, more_slope)
+   end function balance
 
-   !> Contact force [N/m], resultant moment [N.m] and resultant shear force [N] just below a depth.
-   pure subroutine forces_across(piece, changes, md, force, moment, contact, resultant, across)
+   !> Contact force [N/m], and resultant moment [N.m] and resultant shear force [N] just below a depth.
+   pure subroutine forces_across(piece, changes, md, force, moment, contact, across)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md, force, moment
-      real(wp), intent(out) :: contact(3), resultant, across
-      real(wp) :: bend(3), shear(3), bending(3), position(3), tangent(3), curvature(3)
-      call balance(piece, changes, md, md + spacing(md), force, moment, contact, bend, shear, bending)
-      contact = climbed(piece, md, contact)
-      resultant = norm2(bending)
+      real(wp), intent(out) :: contact(3), across(2)
+      type(balance_type) :: here
+      real(wp) :: position(3), tangent(3), curvature(3)
+      here = balance(piece, changes, md, md + spacing(md), force, moment)
+      contact = climbed(piece, md, here%contact)
       call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, curvature)
-      across = norm2(shear - moment*cross(tangent, bend))
+      across = [norm2(here%bending), norm2(here%shear - moment*cross(tangent, here%bend))]
    end subroutine forces_across
 
    !> True vertical depth from the start of the piece's arc [m].

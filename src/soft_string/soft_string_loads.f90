@@ -22,12 +22,13 @@ module dg_soft_string_loads
    use dg_drillstring, only: component_tops
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
+   use dg_load_case, only: optional_real
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md, turn_of, turn_type
    use dg_vector, only: cross
    implicit none
    private
-   public :: soft_string_at, soft_totals_type, breakpoints
+   public :: soft_string_at, soft_totals_type, other_loads_type, breakpoints
    ! The pieces of a string, which the stiff string shares.
    public :: layout_type, layout_of, piece_type, piece_above, at_offset, climbed, longest_step, largest_angle, runaway_force
    public :: coiling_load, coil_force
@@ -55,6 +56,14 @@ module dg_soft_string_loads
       logical :: runaway = .false.       !< axial force left all bounds
       real(wp) :: runaway_md = 0.0_wp    !< ... at this depth, above which nothing was integrated [m]
    end type soft_totals_type
+
+   !> Loads that are not those of the load case. The scales serve load increments.
+   type :: other_loads_type
+      real(wp) :: friction_scale = 1.0_wp   !< on every friction coefficient [-]
+      real(wp) :: load_scale = 1.0_wp       !< on weight and torque on bit [-]
+      logical :: coiled = .false.           !< friction of a coiled string too
+      type(optional_real) :: wob            !< weight on bit instead of the load case's [N]
+   end type other_loads_type
 
    !> What the pieces of a string are cut by, looked up once for all.
    type :: layout_type
@@ -94,8 +103,7 @@ contains
    !> Axial force, torque and contact of the soft string of a load case at given depths.
    !> Where weight, curvature or friction jump, `contact` is the one just below the depth. Without it places within an arc are
    !> found by turning the one below, which differs by round-off and takes a third of the time.
-   !> The scales serve load increments: both absent or one is the load case itself.
-   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, friction_scale, load_scale, totals, coiled, wob)
+   pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, totals, other)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
@@ -103,52 +111,47 @@ contains
       real(wp), intent(out) :: torque(:)           !< [N.m]
       !> (3, :) force of the string on the wall, across the hole, coils left out [N/m]
       real(wp), intent(out), optional :: contact(:, :)
-      real(wp), intent(in), optional :: friction_scale !< on every friction coefficient [-]
-      real(wp), intent(in), optional :: load_scale     !< on weight and torque on bit [-]
       type(soft_totals_type), intent(out), optional :: totals
-      logical, intent(in), optional :: coiled          !< friction of a coiled string too; absent: no
-      real(wp), intent(in), optional :: wob            !< instead of the load case's [N]
+      type(other_loads_type), intent(in), optional :: other   !< than the load case's
+      type(other_loads_type) :: loads
       type(soft_totals_type) :: sums
       type(layout_type) :: layout
       type(piece_type) :: piece
       type(place_type) :: place
-      real(wp) :: friction, load, position, force, moment
+      real(wp) :: position, force, moment
       integer :: i
-      friction = 1.0_wp
-      if (present(friction_scale)) friction = friction_scale
-      load = 1.0_wp
-      if (present(load_scale)) load = load_scale
+      if (present(other)) loads = other
       associate (load_case => model%cases(case_index))
          position = load_case%bit_depth
-         force = -load*load_case%wob
-         if (present(wob)) force = -load*wob
-         moment = load*load_case%tob
+         force = -loads%load_scale*load_case%wob
+         if (loads%wob%present) force = -loads%load_scale*loads%wob%value
+         moment = loads%load_scale*load_case%tob
       end associate
       layout = layout_of(model, case_index)
-      call enter_piece(model, layout, position, friction, coiled, piece, place)
+      call enter_piece(model, layout, position, loads, piece, place)
       do i = size(md), 1, -1
          do while (position > md(i))
             call climb(piece, max(piece%top, md(i)), present(contact), position, place, force, moment, sums)
-            if (position > md(i)) call enter_piece(model, layout, position, friction, coiled, piece, place)
+            if (position > md(i)) call enter_piece(model, layout, position, loads, piece, place)
          end do
          axial(i) = force
          torque(i) = moment
          if (present(contact)) contact(:, i) = contact_force(piece, md(i), force)
          ! The next depth up starts in the piece above.
-         if (position <= piece%top .and. i > 1) call enter_piece(model, layout, position, friction, coiled, piece, place)
+         if (position <= piece%top .and. i > 1) call enter_piece(model, layout, position, loads, piece, place)
       end do
       if (present(totals)) totals = sums
    end subroutine soft_string_at
 
    !> Goes on with the piece that ends at a depth [m].
-   pure subroutine enter_piece(model, layout, md, friction, coiled, piece, place)
+   pure subroutine enter_piece(model, layout, md, loads, piece, place)
       type(model_type), intent(in) :: model
       type(layout_type), intent(in) :: layout
-      real(wp), intent(in) :: md, friction      !< [m], scale of all coefficients [-]
-      logical, intent(in), optional :: coiled
+      real(wp), intent(in) :: md                !< [m]
+      type(other_loads_type), intent(in) :: loads
       type(piece_type), intent(out) :: piece
       type(place_type), intent(out) :: place    !< at that depth
-      piece = piece_above(model, layout, md, friction, coiled)
+      piece = piece_above(model, layout, md, loads%friction_scale, loads%coiled)
       place = place_at(piece, md - piece%arc%md)
    end subroutine enter_piece
 

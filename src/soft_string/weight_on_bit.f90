@@ -2,8 +2,9 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
+   use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
@@ -58,7 +59,8 @@ contains
       real(wp) :: left
       type(soft_totals_type) :: totals
       real(wp) :: axial(1), torque(1)
-      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, coiled=coiled, wob=wob)
+      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
+                          other=other_loads_type(coiled=coiled, wob=given(wob)))
       left = axial(1)
       if (pushed) left = 1.0_wp
       if (totals%runaway) left = min(left, -1.0_wp)

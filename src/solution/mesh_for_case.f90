@@ -10,7 +10,7 @@ module dg_mesh_for_case
    use dg_constants, only: pi
    use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: coil_force, coiling_load, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: coil_force, coiling_load, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
    implicit none
    private
@@ -68,7 +68,7 @@ contains
       associate (load_case => model%cases(case_index))
          call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
-         call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals=totals, coiled=.true.)
+         call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
          if (totals%runaway) return
          straight_down = is_straight_down(mesh)
          allocate (bends, source=bend_depths(mesh))

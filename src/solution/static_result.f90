@@ -13,7 +13,7 @@ module dg_static_result
    use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
-   use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: breakpoints, other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_wall
@@ -214,7 +214,7 @@ contains
       real(wp) :: position(3), tangent(3), most
       md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
       allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
-      call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals, coiled=.true.)
+      call soft_string_at(model, case_index, md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
       call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
       call position_at(model%trajectory, md(size(md)), position, tangent)
       result%case_index = case_index

@@ -17,7 +17,7 @@ module dg_predictor
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum
    use dg_predicted_helix, only: touch_above_bit
-   use dg_soft_string_loads, only: soft_string_at
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_tuning, only: tuning_type
    use dg_vector, only: cross
@@ -60,7 +60,8 @@ contains
       integer :: i, e, laid
       wall = start%softness*mesh%wall
       where (mesh%opening < mesh%clearance) wall = mesh%wall     ! bow springs are soft
-      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, start%scale, start%scale, coiled=.true.)
+      call soft_string_at(model, case_index, mesh%md, axial, torque, contact, &
+                          other=other_loads_type(start%scale, start%scale, coiled=.true.))
       offset = 0.0_wp
       do i = 1, mesh%nodes
          force = norm2(contact(:, i))

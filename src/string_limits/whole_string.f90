@@ -13,7 +13,7 @@ module dg_whole_string
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: tension_capacity
-   use dg_soft_string_loads, only: soft_string_at
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: top_md
    use dg_utilisation, only: utilisation_type
    use dg_weight_on_bit, only: most_weight_on_bit
@@ -314,7 +314,8 @@ contains
       integer :: i, side
       margin = endless
       bit = model%cases(result%case_index)%bit_depth
-      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, coiled=.true., wob=wob)
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, &
+                          other=other_loads_type(coiled=.true., wob=given(wob)))
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          do i = 1, size(axial)
@@ -343,7 +344,7 @@ contains
       real(wp), intent(in) :: wob                !< [N]
       real(wp) :: margin
       real(wp) :: axial(size(md)), torque(size(md))
-      call soft_string_at(model, case_index, md, axial, torque, wob=wob)
+      call soft_string_at(model, case_index, md, axial, torque, other=other_loads_type(wob=given(wob)))
       margin = minval(axial + max(allowed, 0.0_wp), mask=.not. is_missing(allowed))
    end function least_margin
 end module dg_whole_string

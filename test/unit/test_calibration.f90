@@ -8,7 +8,8 @@ module dg_test_calibration
    use dg_fit_statistics, only: find_statistics, statistics_type, student_quantile
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, measured_function_type
+   use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, &
+                               measured_function_type, unknowns_type
    use dg_load_case, only: given, load_case_type, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
    implicit none
@@ -240,13 +241,13 @@ contains
       curve%kind = 'decay'
       curve%x = [0.0_wp, 0.5_wp, 1.0_wp, 2.0_wp]
       curve%lost_above = 1.6_wp
-      call fit_from_less(curve, [1.0_wp, 5.0_wp], [.false., .true.], [0.0_wp, 0.0_wp], [100.0_wp, 10.0_wp], [1.0_wp, 1.0_wp], &
-                         7.0_wp*exp(-1.5_wp*curve%x), spread(0.1_wp, 1, 4), fit, halvings)
+      call fit_from_less(curve, unknowns_type([1.0_wp, 5.0_wp], [.false., .true.], [0.0_wp, 0.0_wp], [100.0_wp, 10.0_wp], &
+                                              [1.0_wp, 1.0_wp]), 7.0_wp*exp(-1.5_wp*curve%x), spread(0.1_wp, 1, 4), fit, halvings)
       call assertEqual(fit_done, fit%status)
       call assertEqual(2, halvings)
       call assertEqual([7.0_wp, 1.5_wp], fit%unknowns, 10.0_wp*at_rest)
-      call fit_from_less(curve, [1.0_wp, 100.0_wp], [.false., .true.], [0.0_wp, 0.0_wp], [100.0_wp, 100.0_wp], &
-                         [1.0_wp, 1.0_wp], 7.0_wp*exp(-1.5_wp*curve%x), spread(0.1_wp, 1, 4), fit, halvings)
+      call fit_from_less(curve, unknowns_type([1.0_wp, 100.0_wp], [.false., .true.], [0.0_wp, 0.0_wp], [100.0_wp, 100.0_wp], &
+                                              [1.0_wp, 1.0_wp]), 7.0_wp*exp(-1.5_wp*curve%x), spread(0.1_wp, 1, 4), fit, halvings)
       call assertEqual(fit_without_values, fit%status)
    end subroutine test_from_less
 

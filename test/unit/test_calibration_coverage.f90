@@ -11,7 +11,7 @@ module dg_test_calibration_coverage
    use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_least_squares, only: fit_done, measured_function_type
+   use dg_least_squares, only: fit_done, measured_function_type, unknowns_type
    use dg_load_case, only: operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
    use dg_model, only: model_type
@@ -163,9 +163,10 @@ contains
                count(campaign%what == k)
             if (known(k)) where (campaign%what == k) deviation = noise(k)
          end do
-         call fit_by_kinds(campaign, truth*[0.8_wp, (0.0_wp, k=2, size(truth))], spread(.true., 1, size(truth)), &
-                           merge(0.0_wp, -1.0_wp, scale <= 1.0_wp)*scale, scale, scale, measured, kinds, deviation, &
-                           result%fit, result%halvings)
+         call fit_by_kinds(campaign, unknowns_type(truth*[0.8_wp, (0.0_wp, k=2, size(truth))], &
+                                                   spread(.true., 1, size(truth)), &
+                                                   merge(0.0_wp, -1.0_wp, scale <= 1.0_wp)*scale, scale, scale), &
+                           measured, kinds, deviation, result%fit, result%halvings)
          call assertEqual(fit_done, result%fit%status, message=what)
          call judge_fit(result, measured, deviation, kinds, campaign%what, depth, group)
          call assertFalse(any(is_missing(result%statistics%half_width)), message=what//': has intervals')

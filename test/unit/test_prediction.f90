@@ -7,7 +7,7 @@ module dg_test_prediction
    use dg_depth_correlation, only: find_succession, succession_type
    use dg_fit_by_kinds, only: fit_by_kinds
    use dg_kinds, only: wp
-   use dg_least_squares, only: fit_done, measured_function_type
+   use dg_least_squares, only: fit_done, measured_function_type, unknowns_type
    use dg_missing, only: is_missing, missing
    use dg_prediction, only: predict
    implicit none
@@ -91,8 +91,8 @@ contains
       do k = hookload, torque
          if (any(what == k)) where (what == k) deviation = 0.02_wp*sum(abs(measured), mask=what == k)/count(what == k)
       end do
-      call fit_by_kinds(function, 0.1_wp*scale, spread(.true., 1, size(scale)), -1.0e3_wp*scale, 1.0e3_wp*scale, scale, &
-                        measured, kinds, deviation, result%fit, halvings)
+      call fit_by_kinds(function, unknowns_type(0.1_wp*scale, spread(.true., 1, size(scale)), -1.0e3_wp*scale, &
+                                                1.0e3_wp*scale, scale), measured, kinds, deviation, result%fit, halvings)
       call judge_fit(result, measured, deviation, kinds, what, depth, group)
       do k = hookload, torque
          where (of_ahead == k)

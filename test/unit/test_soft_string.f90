@@ -11,7 +11,7 @@ module dg_test_soft_string
    use dg_model, only: model_type
    use dg_profile, only: state_elastic, state_free
    use dg_soft_string, only: solve_soft_string
-   use dg_soft_string_loads, only: breakpoints, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: breakpoints, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
@@ -205,7 +205,7 @@ contains
       model%cases(1)%operation = operation_trip_out
       model%cases(1)%wob = 1.0e4_wp
       model%cases(1)%tob = 500.0_wp
-      call soft_string_at(model, 1, md, axial, torque, contact, friction_scale=0.5_wp, load_scale=0.25_wp, totals=totals)
+      call soft_string_at(model, 1, md, axial, torque, contact, totals, other_loads_type(0.5_wp, 0.25_wp))
       call assertEqual(-2500.0_wp, axial(2))
       call assertRelativelyEqual(-2500.0_wp + 0.15_wp*1000.0_wp*weight, axial(1), rounding)
       call assertEqual(125.0_wp, torque(1), message='torque on bit')

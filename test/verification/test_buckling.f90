@@ -12,7 +12,7 @@ module dg_test_buckling
    use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes
-   use dg_soft_string_loads, only: soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe, solve
    use dg_weight_on_bit, only: most_weight_on_bit
@@ -232,7 +232,7 @@ contains
       call assertFalse(allocated(error))
       call assertEqual(result_locked_up, result%status, message='status')
       call assertTrue(index(result%message, 'grows without bound above') > 0, message=result%message)
-      call soft_string_at(model, 1, [0.0_wp], axial, torque, contact, totals=totals, coiled=.true.)
+      call soft_string_at(model, 1, [0.0_wp], axial, torque, contact, totals, other_loads_type(coiled=.true.))
       call assertRelativelyEqual(length - reach/force + cut, totals%runaway_md, 0.02_wp, message='where')
       call assertRelativelyEqual(reach/(length + cut), most_weight_on_bit(model, 1, coiled=.true., pushed=.true.), 1.0e-3_wp, &
                                  message='most')
