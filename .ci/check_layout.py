@@ -43,6 +43,10 @@ def texts_of_open_length(text):
     return found + DEFERRED_OF_BASE.findall(text)
 
 
+# gfortran 12 allots one byte for the text of such an element of an array where its length is known at run time only: dg_text's text_list.
+TEXT_IN_ARRAY = re.compile(r"\btext_type\((?!['\"])")
+
+
 def saved_locals(text):
     """Variables of procedures that are given a value where they are declared: Fortran keeps those between calls."""
     inside, in_type, found = False, False, []
@@ -169,6 +173,8 @@ def check(root):
             if top == "src" and path.parent.name in THREADED:
                 faults += [f"{name}: {found}: a function's text of open length, where threads work" for found in texts_of_open_length(text)]
             faults += [f"{name}:{number}: a value at the declaration is kept between calls" for number in saved_locals(text)]
+            faults += [f"{name}:{number}: use text_list: this text gets one byte" for number, line in enumerate(text.splitlines(), 1)
+                       if TEXT_IN_ARRAY.search(line.split("!")[0])]
     return faults + [f"check_layout.py: {name} of LONGER or WIDER is not there" for name in sorted({*LONGER, *WIDER} - procedures)]
 
 

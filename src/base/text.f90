@@ -5,7 +5,7 @@ module dg_text
    use dg_kinds, only: wp
    implicit none
    private
-   public :: text_type, append_text, put_piece, joined, text_or_nothing
+   public :: text_type, append_text, text_list, put_piece, joined, text_or_nothing
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
    !> A text of its own length, for lists of texts.
@@ -46,6 +46,18 @@ contains
       longer(n + 1)%text = text
       call move_alloc(longer, list)
    end subroutine append_text
+
+   !> Up to four texts as a list. An array of structure constructors would do the same in one line, but gfortran 12 allots one byte
+   !> for a text whose length it does not know there.
+   pure function text_list(first, second, third, fourth) result(list)
+      character(*), intent(in), optional :: first, second, third, fourth
+      type(text_type), allocatable :: list(:)
+      allocate (list(0))
+      if (present(first)) call append_text(list, first)
+      if (present(second)) call append_text(list, second)
+      if (present(third)) call append_text(list, third)
+      if (present(fourth)) call append_text(list, fourth)
+   end function text_list
 
    !> Puts a piece behind the letters that a text has so far. For texts that are made letter by letter: `text = text//piece` copies
    !> all of it each time, which takes the square of its length.

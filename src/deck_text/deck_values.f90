@@ -9,7 +9,7 @@ module dg_deck_values
    use dg_deck_keys, only: keys_of, operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_text, only: text_type, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_text, only: append_text, lower_case, quoted, suggestion, nearest_name, to_text, joined
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
    implicit none
@@ -258,7 +258,7 @@ contains
          message = name//' is empty; give a text'
          return
       end if
-      value%texts = [value%texts, text_type(chosen)]
+      call append_text(value%texts, chosen)
    end subroutine take_text
 
    !> Sets the default of a key, which the table states in units of SI.

@@ -320,7 +320,7 @@ contains
       type(load_case_type), intent(in) :: load_cases(:)
       real(wp) :: factors(size(calibration%unknowns))
       real(wp) :: axial, rotary
-      integer :: many(size(factors)), i, j, unknown
+      integer :: many(size(calibration%unknowns)), i, j, unknown
       factors = 0.0_wp
       many = 0
       do j = 1, size(calibration%holes)

@@ -42,7 +42,7 @@ contains
       type(text_type), allocatable :: lines(:), texts(:)
       type(field_list_type), allocatable :: rows(:)
       type(field_list_type) :: row
-      integer :: places(size(names)), at(size(others))
+      integer :: places(size(names)), at(size(matching)/2)
       character(:), allocatable :: line, failure
       integer :: i, n
       data%file = file

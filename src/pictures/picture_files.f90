@@ -31,7 +31,7 @@ module dg_picture_files
    use dg_sweep_picture, only: sweep_script
    use dg_uncertainty_file, only: uncertainty_columns
    use dg_uncertainty_picture, only: uncertainty_script
-   use dg_text, only: is_separator_free, text_type, to_text
+   use dg_text, only: is_separator_free, text_list, text_type, to_text
    use dg_written_files, only: note_file
    implicit none
    private
@@ -84,7 +84,7 @@ contains
       if (size(results) > 0) then
          call hookload_script('hookload', job, model, results, lines)
          call add_picture(list, job, of('hookload', 'Hook load of all cases', 0, &
-                                        rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, [text_type ::])), &
+                                        rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list())), &
                           lines, error)
       end if
       ! a run that joins parts has neither calibrated nor solved anything else
@@ -119,7 +119,7 @@ contains
                name = free_name(list, 'sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k))))
                file = 'sweep_'//sweep%name//'.csv'
                data = rows_of_file(job, file, sweep_columns, sweep_shown, &
-                                   [text_type('model'), text_type(trim(model_name(sweep%models(k))))])
+                                   text_list('model', trim(model_name(sweep%models(k)))))
                call sweep_script(name, job%units, sweep, sweep%models(k), model%rig, model%holes, &
                                  any([(data%rows(row)%fields(margin)%kind == field_real, row=1, size(data%rows))]), lines)
                call add_picture(list, job, of(name, 'Hook load and torque against bit depth, sweep '//sweep%name//', model '// &
@@ -147,8 +147,8 @@ contains
                call calibration_script(name, job, model, i, k, lines)
                call add_picture(list, job, of(name, 'Friction found from measurements, and the error before and after', 0, &
                   rows_of_file(job, 'calibration_data.csv', datum_columns, datum_shown, &
-                               [text_type('calibration'), text_type(calibration%name), &
-                                text_type('model'), text_type(trim(model_name(calibration%models(k))))])), lines, error)
+                               text_list('calibration', calibration%name, 'model', trim(model_name(calibration%models(k)))))), &
+                                lines, error)
             end do
          end associate
       end do
@@ -171,7 +171,7 @@ contains
                call uncertainty_script(name, job%units, range, range%models(k), model%rig, model%holes, lines)
                call add_picture(list, job, of(name, 'What uncertain data make of hook load and torque', 0, &
                   rows_of_file(job, file, uncertainty_columns, uncertainty_shown, &
-                               [text_type('model'), text_type(trim(model_name(range%models(k))))])), lines, error)
+                               text_list('model', trim(model_name(range%models(k)))))), lines, error)
             end do
          end associate
       end do
@@ -192,7 +192,7 @@ contains
             call study_script(name, job, load_case, job%study, lines)
             call add_picture(list, job, of(name, 'Error against the finest way to compute it, and what it costs', &
                job%study%cases(k), rows_of_file(job, 'study.csv', study_columns, study_shown, &
-                                                [text_type('case'), text_type(load_case%name)])), lines, error)
+                                                text_list('case', load_case%name))), lines, error)
          end associate
       end do
    end subroutine add_study
@@ -212,7 +212,7 @@ contains
             file = 'legacy_'//table%label//'.csv'
             call legacy_script(name, job, table, model%cases(table%case_index)%name, model%holes, lines)
             call add_picture(list, job, of(name, 'Our results and those of '//table%label, table%case_index, &
-                                           rows_of_file(job, file, legacy_columns, legacy_shown, [text_type ::])), lines, error)
+                                           rows_of_file(job, file, legacy_columns, legacy_shown, text_list())), lines, error)
          end associate
       end do
    end subroutine add_legacies

@@ -7,7 +7,7 @@ module dg_test_again_runs
    use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
                              run_program, run_type
    use dg_result_rows, only: field, lines_of
-   use dg_text, only: text_type
+   use dg_text, only: text_list, text_type
    implicit none
    private
    public :: again_runs_suite
@@ -54,7 +54,7 @@ contains
    subroutine change_deck(text)
       character(*), intent(in) :: text
       type(error_type), allocatable :: error
-      call write_text_file(deck_path, [text_type(text)], error)
+      call write_text_file(deck_path, text_list(text), error)
       call assertFalse(allocated(error))
    end subroutine change_deck
 

@@ -10,7 +10,7 @@ module dg_test_picture_drawing
    use dg_gnuplot_script, only: cut_text, row_tics, spelled
    use dg_kinds, only: wp
    use dg_picture_drawing, only: draw_pictures
-   use dg_text, only: append_text, c_text, plain_utf8, text_type, to_text
+   use dg_text, only: append_text, c_text, plain_utf8, text_list, text_type, to_text
    implicit none
    private
    public :: picture_drawing_suite
@@ -240,7 +240,7 @@ contains
       type(error_type), allocatable :: error
       call make_folder(folder, error)
       call delete_file(folder//'/output')
-      call start_child(child, find_program('sh'), [text_type('-c'), text_type(line)], folder, 'output', ['HIDDEN_'], error)
+      call start_child(child, find_program('sh'), text_list('-c', line), folder, 'output', ['HIDDEN_'], error)
       call assertFalse(allocated(error))
       if (present(seconds)) then
          call wait_for_child(child, seconds)
