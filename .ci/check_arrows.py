@@ -48,8 +48,9 @@ MAY_USE = {
     "pictures": {"base", "columns", "files", "hole", "model", "results", "string", "string_limits", "system", "tables"},
     "page": {"base", "columns", "files", "model", "pictures", "results", "string_limits", "system"},
     "echo": {"base", "hole", "model", "string", "string_limits", "tables", "trajectory"},
-    "library": {"base", "system", "trajectory", "string", "hole", "model", "results", "soft_string", "solution", "rigid_string",
-                "mixed_string", "deck_text", "model_check", "deck"},
+    "runs": {"base", "system", "campaign", "calibration", "uncertainty", "hole", "string_limits", "columns", "model", "results",
+             "soft_string", "rigid_string", "mixed_string", "solution"},
+    "library": {"base", "system", "trajectory", "string", "hole", "model", "results", "runs", "deck_text", "model_check", "deck"},
 }
 # The main program may use everything; nothing may use it.
 MAY_USE["app"] = set(MAY_USE)

@@ -3,17 +3,21 @@
 module dg_progress
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
+   use dg_clock, only: seconds_between
+   use dg_ensemble_watch, only: ensemble_watch_type
    use dg_process, only: someone_watches
    use dg_text, only: to_text
    implicit none
    private
-   public :: progress_type, start_progress, show_progress, end_progress, seconds_between
+   public :: progress_type, start_progress, end_progress
 
-   type :: progress_type
+   type, extends(ensemble_watch_type) :: progress_type
       logical :: shown = .false.
       character(:), allocatable :: label
       integer(int64) :: started = 0, last = 0   !< ticks
       integer :: width = 0                      !< of the line that stands there
+   contains
+      procedure :: show
    end type progress_type
 
    !> A new line no sooner than this after the one before [s].
@@ -36,26 +40,26 @@ contains
    end subroutine start_progress
 
    !> Shows how far the work is. The remaining time supposes that what is left costs as what was done since the start.
-   subroutine show_progress(progress, share, first_share, what)
-      type(progress_type), intent(inout) :: progress
+   subroutine show(self, share, first_share, what)
+      class(progress_type), intent(inout) :: self
       real(wp), intent(in) :: share        !< of the work that is done [-]
       real(wp), intent(in) :: first_share  !< of it that was done at the start [-]
       character(*), intent(in) :: what     !< how much, in words
       character(:), allocatable :: line
       integer(int64) :: now
       real(wp) :: done
-      if (.not. progress%shown) return
+      if (.not. self%shown) return
       call system_clock(now)
-      if (seconds_between(progress%last, now) < pause) return
-      progress%last = now
-      line = progress%label//': '//what//', '//to_text(nint(100.0_wp*share))//' %'
+      if (seconds_between(self%last, now) < pause) return
+      self%last = now
+      line = self%label//': '//what//', '//to_text(nint(100.0_wp*share))//' %'
       done = share - first_share
       if (done > telling) line = line//', '// &
-         remaining_text(seconds_between(progress%started, now)*(1.0_wp - share)/done)//' left'
-      write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(progress%width - len(line), 0))
+         remaining_text(seconds_between(self%started, now)*(1.0_wp - share)/done)//' left'
+      write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(self%width - len(line), 0))
       flush (error_unit)
-      progress%width = len(line)
-   end subroutine show_progress
+      self%width = len(line)
+   end subroutine show
 
    !> Takes the line away.
    subroutine end_progress(progress)
@@ -65,15 +69,6 @@ contains
       flush (error_unit)
       progress%width = 0
    end subroutine end_progress
-
-   !> Wall time between two readings of the clock [s].
-   function seconds_between(from, to) result(seconds)
-      integer(int64), intent(in) :: from, to     !< ticks
-      real(wp) :: seconds
-      integer(int64) :: rate
-      call system_clock(count_rate=rate)
-      seconds = real(to - from, wp)/real(rate, wp)
-   end function seconds_between
 
    !> A time as people say it.
    pure function remaining_text(seconds) result(text)

@@ -8,6 +8,7 @@ module dg_run_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
    use dg_case_result, only: result_not_converged
+   use dg_clock, only: seconds_between
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_fit_by_kinds, only: fit_by_kinds
@@ -21,7 +22,6 @@ module dg_run_calibrations
    use dg_model, only: model_type
    use dg_prediction, only: predict
    use dg_printed_text, only: print_and_keep, printed_text_type
-   use dg_progress, only: seconds_between
    use dg_run_outcome, only: add_part, note_lost
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type

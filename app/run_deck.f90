@@ -5,6 +5,7 @@ module dg_run_deck
    use dg_case_result, only: case_result_type, result_not_converged, result_status_name
    use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
+   use dg_ensemble_record, only: ensemble_title, ensemble_type
    use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_folder, only: make_folder
    use dg_folder_lock, only: folder_lock_type, lock_folder, release_folder
@@ -25,17 +26,15 @@ module dg_run_deck
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_run_calibrations, only: run_calibrations
+   use dg_run_ensembles, only: close_records, prepare_ensembles, run_ensemble
    use dg_run_legacy, only: run_legacy
    use dg_run_outcome, only: note_cases
    use dg_run_steering, only: run_steering
    use dg_run_study, only: run_study
    use dg_run_pictures, only: run_pictures
-   use dg_run_sweeps, only: prepare_sweeps, run_sweep, sweep_run_type
    use dg_results_h5, only: write_results_h5
-   use dg_run_uncertainties, only: prepare_uncertainties, run_uncertainty, uncertainty_run_type
    use dg_solve_case, only: solve_case
    use dg_summary_file, only: write_summary
-   use dg_sweep_record, only: close_record
    use dg_standard_output, only: flush_output
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
@@ -120,8 +119,7 @@ contains
       integer, intent(inout) :: status
       type(job_type) :: job                        !< with deviations that calibrations hand on
       type(model_type) :: model                    !< with friction that calibrations apply
-      type(sweep_run_type), allocatable :: sweeps(:)
-      type(uncertainty_run_type), allocatable :: uncertainties(:)
+      type(ensemble_type), allocatable :: ensembles(:)
       type(printed_text_type) :: printed           !< tables of all but load cases
       type(case_result_type), allocatable :: results(:)
       type(along_string_type), allocatable :: alongs(:)
@@ -142,8 +140,7 @@ contains
          if (lost > 0) status = status_not_converged
       end if
       call start_faults(faults, job%merge)
-      if (.not. allocated(error)) call prepare_sweeps(job, model, sweeps, faults, error)
-      if (.not. allocated(error)) call prepare_uncertainties(job, model, uncertainties, faults, error)
+      if (.not. allocated(error)) call prepare_ensembles(job, model, ensembles, faults, error)
       if (.not. allocated(error) .and. faults_text(faults) /= '') call raise(error, status_bad_input, faults_text(faults))
       ! what is refused so far leaves the results of an earlier run as they are
       if (.not. (allocated(error) .or. calibrated_first)) call begin_files(job, model, error)
@@ -166,28 +163,20 @@ contains
          if (lost > 0) status = graver(status, status_not_converged)
       end if
       written = .true.
-      do i = 1, size(sweeps)
+      do i = 1, size(ensembles)
          if (is_interrupted()) then
-            call note_ending('sweep '//quoted(job%sweeps(i)%name), status)
+            call note_ending(ensemble_title(ensembles(i)), status)
             exit
          end if
-         call run_sweep(printed, job, model, i, sweeps(i), lost, error)
+         call run_ensemble(printed, job, model, ensembles(i), lost, error)
          written = written .and. .not. allocated(error)
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
-      do i = 1, size(uncertainties)
-         if (is_interrupted()) then
-            call note_ending('uncertainty '//quoted(job%uncertainties(i)%range%name), status)
-            exit
-         end if
-         call run_uncertainty(printed, job, model, i, uncertainties(i), lost, error)
-         written = written .and. .not. allocated(error)
+      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) then
+         call close_records(ensembles, error)
          call note_failure(error, status)
-         if (lost > 0) status = graver(status, status_not_converged)
-      end do
-      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) &
-         call close_records(sweeps, uncertainties, status)
+      end if
       if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
          call print_line('Results in '//job%output_dir// &
                          trim(merge('; open report.html there', '                        ', job%plots)))
@@ -204,31 +193,6 @@ contains
       call note_failure(error, status)
       if (job%parts == 0 .and. .not. job%quiet) call note_records(job)
    end subroutine run_in_folder
-
-   !> Records of sweeps and uncertainties that are finished: they stay where points of any of them did not converge.
-   subroutine close_records(sweeps, uncertainties, status)
-      type(sweep_run_type), intent(inout) :: sweeps(:)
-      type(uncertainty_run_type), intent(inout) :: uncertainties(:)
-      integer, intent(inout) :: status
-      type(error_type), allocatable :: error
-      logical :: lost
-      integer :: i
-      lost = .false.
-      do i = 1, size(sweeps)
-         lost = lost .or. any(sweeps(i)%points%status == result_not_converged)
-      end do
-      do i = 1, size(uncertainties)
-         lost = lost .or. any(uncertainties(i)%pieces%status == result_not_converged)
-      end do
-      do i = 1, size(sweeps)
-         call close_record(sweeps(i)%keeper, sweeps(i)%points, lost, error)
-         call note_failure(error, status)
-      end do
-      do i = 1, size(uncertainties)
-         call close_record(uncertainties(i)%keeper, uncertainties(i)%pieces, lost, error)
-         call note_failure(error, status)
-      end do
-   end subroutine close_records
 
    !> Tells of unfinished work of other sweeps, which stays in the folder.
    subroutine note_records(job)

@@ -9,7 +9,7 @@ module dg_file_system
    use dg_text, only: c_text, text_type
    implicit none
    private
-   public :: write_text_file, rename_file, delete_file, unfinished_name, finished_name, unfinished_suffix
+   public :: write_text_file, append_lines, rename_file, delete_file, unfinished_name, finished_name, unfinished_suffix
 
    !> Put behind a file's name while it is being written, with `.PROCESS-TICKS` between: no two writers have one name.
    character(*), parameter :: unfinished_suffix = '.unfinished'
@@ -84,6 +84,24 @@ contains
       call rename_file(unfinished, path, error)
       if (allocated(error)) call delete_file(unfinished)
    end subroutine write_text_file
+
+   !> Puts `lines` at the end of a file that is there. `failure` is '' or the system's reason; then some of them may stand there.
+   subroutine append_lines(path, lines, failure)
+      character(*), intent(in) :: path
+      type(text_type), intent(in) :: lines(:)
+      character(:), allocatable, intent(out) :: failure
+      integer :: unit, status, i
+      failure = ''
+      open (newunit=unit, file=path, status='old', position='append', action='write', iostat=status)
+      do i = 1, size(lines)
+         if (status /= 0) exit
+         write (unit, '(a)', iostat=status) lines(i)%text
+      end do
+      if (status == 0) close (unit, iostat=status)
+      if (status == 0) return
+      failure = reason_of_failed_write(path)
+      if (failure == '') failure = 'it failed once'
+   end subroutine append_lines
 
    !> Another name for a file in the same folder while it is being written, other than any given before.
    function unfinished_name(path) result(name)

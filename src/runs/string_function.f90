@@ -57,7 +57,7 @@ contains
       logical, intent(out) :: solved(:, :)
       real(wp) :: found(2, size(self%calibration%cases), size(points, 2))
       logical :: sound(size(self%calibration%cases), size(points, 2))
-      integer :: tasks(2, size(sound)), i, p, n
+      integer :: tasks(2, size(self%calibration%cases)*size(points, 2)), i, p, n
       n = 0
       do p = 1, size(points, 2)
          do i = 1, size(self%calibration%cases)
@@ -87,7 +87,7 @@ contains
       real(wp), intent(out) :: values(:)
       real(wp) :: found(2, size(self%calibration%cases), 1)
       logical :: sound(size(self%calibration%cases), 1), solved(size(values))
-      integer :: tasks(2, size(sound)), i
+      integer :: tasks(2, size(self%calibration%cases)), i
       real(wp) :: no_points(0, 1)
       tasks(1, :) = [(i, i=1, size(sound))]
       tasks(2, :) = 1
