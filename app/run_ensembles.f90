@@ -22,7 +22,7 @@ module dg_run_ensembles
    use dg_sweep_file, only: write_sweep
    use dg_sweep_points, only: add_indicator, add_margins, point_text, solve_points
    use dg_sweep_result, only: is_solved
-   use dg_sweep_table, only: sweep_table
+   use dg_sweep_table, only: sweep_sentences, sweep_table
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: piece_count
    use dg_uncertainty_file, only: write_uncertainty
@@ -152,9 +152,9 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
       associate (sweep => job%sweeps(ensemble%number))
-         call note_sweep(printed%outcome, sweep, ensemble%points)
          call add_indicator(model, sweep, ensemble%points)
          call add_margins(job, model, sweep, ensemble%points)
+         call note_sweep(printed%outcome, sweep, ensemble%points, sweep_sentences(job%units, sweep, ensemble%points))
          call write_sweep(job%output_dir//'/sweep_'//ensemble%name//'.csv', job, sweep, ensemble%points, error)
          if (.not. allocated(error)) allocate (lines, source=sweep_table(job%units, sweep, ensemble%points))
       end associate

@@ -61,7 +61,7 @@ contains
             call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
          end do
       end if
-      if (size(results) > 0) call append_short(lines, job, model, results, wholes)
+      call append_short(lines, job, model, results, wholes, outcome)
       call append_warnings(lines, model, results)
       if (size(results) > 0) then
          call append_results(lines, job, model, results)

@@ -10,6 +10,7 @@ module dg_html_short
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_load_case, only: load_case_type, operation_label, optional_real
    use dg_model, only: model_type
+   use dg_run_outcome, only: outcome_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_utilisation, only: governing_name
@@ -26,28 +27,39 @@ module dg_html_short
 
 contains
 
-   !> The sentences, of the results of one model: gap elements where they are asked for, else the first model.
-   subroutine append_short(lines, job, model, results, wholes)
+   !> The sentences, of the load cases with one model: gap elements where they are asked for, else the first model; then of sweeps.
+   subroutine append_short(lines, job, model, results, wholes, outcome)
       type(page_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(outcome_type), intent(in) :: outcome
       integer, allocatable :: rows(:)
       integer :: i, shown
       shown = job%models(1)
       if (any(job%models == model_mcge)) shown = model_mcge
       rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
-      if (size(rows) == 0) return
-      call add_line(lines, '<h2>In short</h2><p>By model '//trim(model_name(shown))//'.</p><ul>')
-      call append_governing(lines, job, model, results(rows), wholes(rows))
-      call append_loads(lines, job, model, results(rows))
-      call append_buckled(lines, model, results(rows), wholes(rows))
-      call append_errors(lines, model, results(rows))
-      call append_models(lines, job, model, results, rows)
-      if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
-      i = count([(has_message(results(rows(i))), i=1, size(rows))])
-      if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
+      if (size(rows) == 0 .and. .not. allocated(outcome%sweeps)) return
+      call add_line(lines, '<h2>In short</h2>')
+      if (size(rows) > 0) then
+         call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p><ul>')
+         call append_governing(lines, job, model, results(rows), wholes(rows))
+         call append_loads(lines, job, model, results(rows))
+         call append_buckled(lines, model, results(rows), wholes(rows))
+         call append_errors(lines, model, results(rows))
+         call append_models(lines, job, model, results, rows)
+         if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
+         i = count([(has_message(results(rows(i))), i=1, size(rows))])
+         if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
+      else
+         call add_line(lines, '<ul>')
+      end if
+      if (allocated(outcome%sweeps)) then
+         do i = 1, size(outcome%sweeps)
+            call add_line(lines, '<li>'//html_safe(outcome%sweeps(i)%text)//'.</li>')
+         end do
+      end if
       call add_line(lines, '</ul>')
    end subroutine append_short
 

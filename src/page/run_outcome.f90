@@ -8,7 +8,7 @@ module dg_run_outcome
    use dg_model, only: model_type
    use dg_sweep, only: point_at, point_count, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
-   use dg_text, only: text_or_nothing, to_text
+   use dg_text, only: append_text, text_or_nothing, text_type, to_text
    use dg_uncertainty, only: piece_number, uncertainty_type
    implicit none
    private
@@ -27,6 +27,7 @@ module dg_run_outcome
       type(part_type), allocatable :: parts(:)
       type(field_list_type), allocatable :: lost(:)     !< rows of `lost_columns`
       integer :: unlisted = 0                           !< rows that were too many
+      type(text_type), allocatable :: sweeps(:)         !< a sentence a sweep and model: which limits it passes
    end type outcome_type
 
    !> Rows of a run: a page is to be read, and a Monte Carlo may lose thousands.
@@ -128,12 +129,17 @@ contains
       call add_row(outcome, row)
    end subroutine note_lost
 
-   !> The points of a sweep. Those that failed have a row each; neighbouring depths that lock up have one.
-   pure subroutine note_sweep(outcome, sweep, points)
+   !> The points of a sweep. Those that failed have a row each; neighbouring depths that lock up have one. `sentences` tell which
+   !> limits the sweep passes.
+   pure subroutine note_sweep(outcome, sweep, points, sentences)
       type(outcome_type), intent(inout) :: outcome
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)     !< in the order of their numbers
+      type(text_type), intent(in) :: sentences(:)
       integer :: i, last
+      do i = 1, size(sentences)
+         call append_text(outcome%sweeps, sentences(i)%text)
+      end do
       associate (name => 'sweep '//sweep%name)
          call add_part(outcome, name, size(points), count(points%status == result_locked_up), &
                        count(points%status == result_not_converged))

@@ -16,7 +16,7 @@ module dg_sweep_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: sweep_table
+   public :: sweep_table, sweep_sentences
 
    integer, parameter :: depth_width = 10
    integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
@@ -26,6 +26,8 @@ module dg_sweep_table
    integer, parameter :: most_rows = 25
    !> Points without solution that are listed.
    integer, parameter :: most_lost = 10
+   !> Limits that a sentence tells.
+   integer, parameter :: most_passed = 6
    integer, parameter :: depth_digits = 7
    !> Digits behind the point.
    integer, parameter :: hookload_digits = 1, torque_digits = 2
@@ -54,7 +56,7 @@ contains
                call append_curves(lines, units, sweep, points, quantity, curves(first:min(first + most_columns - 1, size(curves))))
             end do
          end do
-         call append_limits(lines, units, sweep, points, m)
+         call append_passed(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
       if (any(points%status /= result_converged)) call append_text(lines, '! no solution')
@@ -211,8 +213,38 @@ contains
       end if
    end function operation_head
 
-   !> From which depth on a curve is beyond a limit of the rig, yields, or goes down no more by its weight.
-   pure subroutine append_limits(lines, units, sweep, points, model)
+   !> Sentences on a sweep for the top of a page, one a model: which limits it passes, and where first.
+   pure function sweep_sentences(units, sweep, points) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      type(text_type), allocatable :: lines(:), passed(:)
+      character(:), allocatable :: text
+      integer :: m, i
+      allocate (lines(0))
+      do m = 1, size(sweep%models)
+         text = 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(m)))//': '
+         if (allocated(passed)) deallocate (passed)
+         allocate (passed(0))
+         call append_passed(passed, units, sweep, points, m)
+         if (size(passed) > 0) then
+            text = text//passed(1)%text
+            do i = 2, min(size(passed), most_passed)
+               text = text//'; '//passed(i)%text
+            end do
+            if (size(passed) > most_passed) text = text//'; and '//to_text(size(passed) - most_passed)//' more in its table'
+         else if (any(.not. (is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
+                             is_missing(points%overpull_margin)))) then
+            text = text//'no limit of rig or string is passed, and nothing is pushed at surface'
+         else
+            text = text//'nothing is pushed at surface; no limits of rig or string are known'
+         end if
+         call append_text(lines, text)
+      end do
+   end function sweep_sentences
+
+   !> From which depth on a curve of a model is beyond a limit of the rig, yields, or goes down no more by its weight.
+   pure subroutine append_passed(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
@@ -253,7 +285,7 @@ contains
                           to_text(sweep%depths(findloc(there, .true., dim=1))/units%length, depth_digits)//' '// &
                           trim(units%length_label))
       end subroutine tell
-   end subroutine append_limits
+   end subroutine append_passed
 
    pure function quantity_text(units, quantity, indicated) result(text)
       type(unit_system_type), intent(in) :: units

@@ -11,6 +11,8 @@ module dg_test_run_outcome
                              solution_count
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: sweep_result_type
+   use dg_sweep_table, only: sweep_sentences
+   use dg_text, only: text_list, text_type
    use dg_uncertainty, only: uncertainty_type
    use dg_units, only: si_units
    implicit none
@@ -24,6 +26,7 @@ contains
       suite = TestSuite('run_outcome')
       call suite%addTest(TestMethod('all_converged', test_all_converged))
       call suite%addTest(TestMethod('sweep', test_sweep))
+      call suite%addTest(TestMethod('sweep_sentences', test_sentences))
       call suite%addTest(TestMethod('uncertainty', test_uncertainty))
       call suite%addTest(TestMethod('too_many_rows', test_too_many))
    end function run_outcome_suite
@@ -66,7 +69,8 @@ contains
       points = points_of([result_converged, result_not_converged, result_converged, result_locked_up, &
                           result_locked_up, result_locked_up, result_not_converged, result_locked_up])
       points(2)%message = 'too <few>'
-      call note_sweep(outcome, sample_sweep(), points)
+      call note_sweep(outcome, sample_sweep(), points, text_list('a sentence'))
+      call assertEqual('a sentence', outcome%sweeps(1)%text)
       call assertEqual(16, solution_count(outcome))
       call assertEqual(2, lost_count(outcome))
       call assertEqual(4, locked_count(outcome))
@@ -86,6 +90,28 @@ contains
                       message=page%lines(11)%text)
       call assertTrue(index(page%lines(12)%text, '>down</td><td>1300.00</td><td>&ndash;<') > 0, message=page%lines(12)%text)
    end subroutine test_sweep
+
+   !> Which limits a sweep passes, and where first.
+   subroutine test_sentences()
+      type(sweep_result_type) :: points(8)
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      points = points_of([(result_converged, i=1, size(points))])
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual(1, size(lines))
+      call assertEqual('Sweep b, model soft: nothing is pushed at surface; no limits of rig or string are known', lines(1)%text)
+      deallocate (lines)
+      points%rig_margin = 1.0_wp
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: no limit of rig or string is passed, and nothing is pushed at surface', lines(1)%text)
+      deallocate (lines)
+      points([2, 4])%rig_margin = -1.0_wp
+      points([7, 8])%hookload = -1.0_wp
+      points(7)%status = result_not_converged
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: Beyond max_hookload of the rig: up at 0.25 with the bit at 1100 m; '// &
+                       'Must be pushed at surface: down at 0.25 with the bit at 1300 m', lines(1)%text)
+   end subroutine test_sentences
 
    !> A row a point, with the first sample that failed there.
    subroutine test_uncertainty()
