@@ -281,7 +281,7 @@ contains
          logical, intent(in) :: there(:)     !< at each depth
          if (.not. any(there)) return
          call append_text(page, what//': '//trim(operation_label(sweep%operations(o)))//' at '// &
-                          factor_text(sweep, f)//' with the bit at '// &
+                          factor_text(sweep, f)//' first with the bit at '// &
                           to_text(sweep%depths(findloc(there, .true., dim=1))/units%length, depth_digits)//' '// &
                           trim(units%length_label))
       end subroutine tell
