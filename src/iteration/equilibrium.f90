@@ -25,10 +25,11 @@ module dg_equilibrium
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
+   use dg_iteration_state, only: equilibrium_type, go_back, look, margin_of, measure, move_gaps, new_equilibrium, rigid, settle
+   use dg_line_search, only: search_along
    use dg_mesh, only: mesh_type
    use dg_outside_hole, only: measure_outside, outside_type
-   use dg_step, only: equilibrium_type, find_step, go_back, look, margin_of, measure, move_gaps, new_equilibrium, &
-                      rigid, search_along, settle
+   use dg_step, only: find_step
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_all
    use dg_workspace, only: workspace_type

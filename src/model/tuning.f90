@@ -52,7 +52,7 @@ module dg_tuning
       !> lifts off from. Less comes of the load's change along an element.
       real(wp) :: aside = 0.05_wp
 
-      ! ---- contact forces (dg_contact_problem, dg_step)
+      ! ---- contact forces (dg_contact_problem, dg_iteration_state)
       !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard
       !> wells found no equilibrium, with ten 11.
       integer :: most_settlings = 10
@@ -94,7 +94,7 @@ module dg_tuning
       !> Residual over the force scale next to an equilibrium [-]: there a string that would count as stable is not held.
       real(wp) :: near = 1.0e-4_wp
 
-      ! ---- the step (dg_step, dg_node_moves, dg_equilibrium)
+      ! ---- the step (dg_step, dg_line_search, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.
       !> Nodes so far off the axis, over the lesser clearance next to them, are turned about it [-].

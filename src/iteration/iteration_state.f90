@@ -1,0 +1,237 @@
+!> The state of the iteration to equilibrium (dg_equilibrium), and what is measured where it is.
+module dg_iteration_state
+   use dg_kinds, only: wp
+   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_case_result, only: iteration_type
+   use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
+   use dg_equations, only: equations_type, find_tangent, outcome_exhausted
+   use dg_gap_action, only: load_type
+   use dg_gap_state, only: depth_of, state_elastic, state_free, state_rigid
+   use dg_gap_survey, only: relocate_gaps, survey_gaps
+   use dg_gap_table, only: gap_table_type, take_gaps_back
+   use dg_mesh, only: is_straight_down, mesh_type
+   use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
+   implicit none
+   private
+   public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, settle, go_back
+   public :: look, move_gaps, rigid
+
+   !> What rho grows by where it is the wall's own [-].
+   real(wp), parameter :: rigid = 1.0e30_wp
+   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
+   !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
+   !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
+   real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
+
+   !> One run of the iteration: what it is asked for, and its state.
+   type :: equilibrium_type
+      type(numerics_type) :: numerics
+      type(load_type) :: loads
+      real(wp) :: tolerance = 0.0_wp          !< of the residual over the force scale [-]
+      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
+      logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
+      real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
+      logical, allocatable :: outside(:)      !< elements that stand outside there (e)
+      integer :: outcome = outcome_exhausted
+      ! state
+      type(contact_problem_type) :: problem
+      type(iteration_type) :: row
+      type(block_matrix_type) :: energy       !< the tangent without friction and torque, where the string is watched
+      real(wp), allocatable :: lump(:, :)     !< what a unit of viscosity adds to its diagonal
+      real(wp) :: viscosity = 0.0_wp          !< in units of F^2/(4 EI) [-]
+      real(wp) :: raised = 1.0_wp             !< what a refusal raises viscosity by
+      real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
+      real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
+      real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
+      real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
+      real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
+      real(wp) :: old_growth = 1.0_wp
+      integer :: rounds = 0, round_start = 0
+      real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
+      real(wp), allocatable :: move(:, :)     !< that share of the step, in space (6,nodes)
+      real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
+      real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
+      real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
+      real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
+      real(wp), allocatable :: old(:, :), old_force(:)
+      type(gap_table_type) :: kept            !< gaps before the step
+      real(wp), allocatable :: settled(:, :), settled_force(:)   !< the equilibrium before gaps moved
+      type(gap_table_type) :: settled_gaps
+   end type equilibrium_type
+
+contains
+
+   !> A run on a mesh.
+   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, watched, unknowns, it)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: tolerance
+      real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
+      logical, intent(in) :: watched
+      integer, intent(in) :: unknowns        !< of a node
+      type(equilibrium_type), intent(out) :: it
+      real(wp), parameter :: least = 1.0e-9_wp      ! of the wall's stiffness, where nothing presses
+      it%numerics = numerics
+      it%loads = loads
+      it%tolerance = tolerance
+      it%soft = max(pressing, least*maxval(mesh%wall))/numerics%tuning%soft_penetration
+      it%raised = numerics%tuning%until_definite
+      it%growth = numerics%tuning%growth
+      it%watched = watched
+      call new_contact_problem(mesh, unknowns, it%problem)
+      allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+                it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
+      allocate (it%outside(mesh%elements), source=.false.)
+      allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
+      if (watched) call make_room_to_watch(mesh, it)
+   end subroutine new_equilibrium
+
+   !> Room for the energy's tangent and viscosity.
+   pure subroutine make_room_to_watch(mesh, it)
+      type(mesh_type), intent(in) :: mesh
+      type(equilibrium_type), intent(inout) :: it
+      it%watched = .true.
+      it%energy = new_block_matrix(mesh%nodes)
+      allocate (it%lump(6, mesh%nodes), source=0.0_wp)
+   end subroutine make_room_to_watch
+
+   !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
+   !> that are too deep. The tangent is the energy's where the string is watched.
+   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, work, largest)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(out) :: largest
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, .false., work)
+      if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+         call hold_turn(state, equations%matrix, equations%residual)
+      it%residual = equations%residual
+      call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+      call add_pushes(gaps, it%residual, it%problem, it%problem%load)
+      it%row%residual_force = maxval(abs(it%problem%load(:equations%forces, :)))
+      it%row%residual_moment = maxval(abs(it%problem%load(equations%forces + 1:, :)))
+      largest = max(it%row%residual_force, it%row%residual_moment)
+   end subroutine measure
+
+   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
+   !> string there, on the node farthest off the axis, across its offset. It stands in the tangent only, and what would turn the
+   !> string, some newtons of torque's work on the ends, is taken off the residual there.
+   pure subroutine hold_turn(state, matrix, residual)
+      real(wp), intent(in) :: state(:, :)
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp), intent(inout) :: residual(:, :)
+      real(wp) :: across(2), stiffness
+      integer :: i, node
+      node = maxloc(state(dof_lateral_1, :)**2 + state(dof_lateral_2, :)**2, dim=1)
+      across = [-state(dof_lateral_2, node), state(dof_lateral_1, node)]
+      if (.not. norm2(across) > 0.0_wp) return
+      across = across/norm2(across)
+      associate (block => matrix%diagonal(dof_lateral_1:dof_lateral_2, dof_lateral_1:dof_lateral_2, node), &
+                 force => residual(dof_lateral_1:dof_lateral_2, node))
+         stiffness = abs(block(1, 1)) + abs(block(2, 2))
+         do i = 1, 2
+            block(:, i) = block(:, i) + stiffness*across(i)*across
+         end do
+         force = force - dot_product(across, force)*across
+      end associate
+   end subroutine hold_turn
+
+   !> Viscosity that an equilibrium of this string may need and still count as stable [-].
+   pure function margin_of(it, mesh) result(margin)
+      type(equilibrium_type), intent(in) :: it
+      type(mesh_type), intent(in) :: mesh
+      real(wp) :: margin
+      margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
+   end function margin_of
+
+   !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow
+   !> from the contact forces by statics, with nothing to be held back.
+   pure function energy_slope(equations, load) result(slope)
+      type(equations_type), intent(in) :: equations
+      real(wp), intent(in) :: load(:, :)
+      real(wp) :: slope
+      associate (v => equations%laterals, b => equations%slopes)
+         slope = sum(equations%step(v(1):v(2), :)*load(v(1):v(2), :)) + sum(equations%step(b(1):b(2), :)*load(b(1):b(2), :))
+      end associate
+   end function energy_slope
+
+   !> Places the nodes and measures the gaps.
+   pure subroutine settle(trajectory, mesh, gaps, state, work)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      call place_nodes(mesh, state, work)
+      call survey_gaps(trajectory, mesh, gaps, work)
+   end subroutine settle
+
+   !> Back to the state before the step.
+   pure subroutine go_back(it, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(in) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      state = it%old
+      work%normal = it%old_force
+      call take_gaps_back(it%kept, gaps)
+      call settle(trajectory, mesh, gaps, state, work)
+   end subroutine go_back
+
+   !> Which gaps are closed where the string is; row%flips counts those that changed since the step began. A gap closes
+   !> when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho. Both by more than the
+   !> thresholds of Eqs. 7 and 8.
+   pure subroutine look(it, trajectory, mesh, relocate, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      logical, intent(in) :: relocate        !< gaps may move
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work   !< placed and surveyed
+      real(wp) :: deep
+      integer :: e, next
+      it%row%moves = 0
+      if (relocate) call move_gaps(it, trajectory, mesh, it%numerics%tuning%gently, it%row%flips == 0, .false., gaps, work)
+      it%row%flips = 0
+      do e = 1, mesh%elements
+         associate (law => gaps%law(e), force => work%normal(e))
+            deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
+            next = gaps%state(e)
+            if (next == state_free) then
+               if (deep > law%eps_n0*law%clearance .and. law%contact*deep > law%r_n0) next = state_elastic
+            else
+               next = merge(state_rigid, state_elastic, force > law%contact*law%clearance*law%eps_nmax)
+               if (force < -law%r_n0 .or. (force + it%soft*mesh%length(e)*deep < -law%r_n0 .and. &
+                                           deep < -law%eps_n0*law%clearance)) next = state_free
+            end if
+            if (next /= it%kept%state(e)) it%row%flips = it%row%flips + 1
+            if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
+            gaps%state(e) = next
+            if (next == state_free) force = 0.0_wp
+         end associate
+      end do
+   end subroutine look
+
+   !> Moves gaps to where the string is deepest (Eq. 2).
+   pure subroutine move_gaps(it, trajectory, mesh, most, closed, closely, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: most               !< as of relocate_gaps
+      logical, intent(in) :: closed, closely     !< the same
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work
+      it%row%moves = 0
+      if (it%numerics%gap_location == gap_at_extremum) &
+         call relocate_gaps(trajectory, mesh, it%numerics%relocation, most, closed, closely, gaps, work, it%row%moves)
+   end subroutine move_gaps
+end module dg_iteration_state

@@ -1,0 +1,185 @@
+!> How a step of the iteration to equilibrium (dg_equilibrium) is shortened and taken.
+module dg_line_search
+   use dg_kinds, only: wp
+   use dg_beam_element, only: membrane_change, membrane_length
+   use dg_contact_problem, only: change_of_gap, in_series
+   use dg_director, only: director_gradient
+   use dg_equations, only: equations_type, find_tangent
+   use dg_gap_state, only: depth_of, state_elastic, state_free
+   use dg_gap_survey, only: survey_gaps
+   use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
+   use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, look, rigid
+   use dg_mesh, only: mesh_type
+   use dg_node_moves, only: move_across, slide_along
+   use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: dof_twist, place_nodes, workspace_type
+   implicit none
+   private
+   public :: search_along
+
+contains
+
+   !> Shortens the step until the slope along it is no longer uphill, or the residual is less than before it, and takes it.
+   subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      real(wp) :: moved(mesh%elements), part
+      integer :: search, e
+      it%old_growth = it%growth
+      it%old = state
+      it%old_force = work%normal
+      call keep_gaps(gaps, it%kept)
+      equations%iterations = equations%iterations + 1
+      do e = 1, mesh%elements
+         moved(e) = change_of_gap(it%problem, equations%step, e)/it%share
+      end do
+      it%slope = slope_at_start(it, equations, work%normal)
+      call find_lengths(mesh, work, state, it%move, it%length, it%longer)
+      associate (tuning => it%numerics%tuning)
+         do search = 0, tuning%most_searches
+            call try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
+            if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
+                search == tuning%most_searches .or. it%trial < it%before) exit
+            call go_back(it, trajectory, mesh, gaps, state, work)
+            part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
+            it%share = part*it%share
+            equations%step = part*equations%step
+            it%move = part*it%move
+            it%longer = part*it%longer
+            it%slope = part*it%slope
+         end do
+         call take_step(it, trajectory, mesh, gaps, work)
+         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%before < tuning%calm*equations%force_scale) &
+            it%growth = it%growth*tuning%growth
+         if (it%growth >= tuning%stiff) it%growth = rigid
+      end associate
+   end subroutine search_along
+
+   !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
+   !> positive.
+   pure function slope_at_start(it, equations, force) result(slope)
+      type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
+      real(wp), intent(in) :: force(:)
+      real(wp) :: slope, push
+      integer :: e, u
+      u = it%problem%unknowns
+      slope = energy_slope(equations, it%residual)
+      do e = 1, size(force)
+         if (.not. (it%problem%closed(e) .or. it%kept%state(e) /= state_free)) cycle
+         push = max(0.0_wp, force(e) + it%problem%penalty(e)*it%problem%deep(e)) - force(e)
+         slope = slope + push*change_of_gap(it%problem, equations%step, e)
+      end do
+   end function slope_at_start
+
+   !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
+   !> problem has there, and softly on what is off it.
+   subroutine try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: moved(:)       !< change of |f| by the whole step [m]
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      real(wp) :: soft, deep, linear
+      integer :: e
+      call move_string(it, trajectory, mesh, work, state)
+      call survey_gaps(trajectory, mesh, gaps, work)
+      associate (problem => it%problem)
+         do e = 1, mesh%elements
+            soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
+            deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
+            if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
+               linear = problem%deep(e) + it%share*moved(e)
+               work%normal(e) = max(0.0_wp, it%old_force(e) + problem%penalty(e)*linear + soft*(deep - linear))
+            else
+               work%normal(e) = max(0.0_wp, soft*deep)
+            end if
+            gaps%state(e) = merge(state_elastic, state_free, work%normal(e) > 0.0_wp)
+         end do
+      end associate
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, .true., .true., work)
+      it%slope_after = energy_slope(equations, equations%residual)
+      it%trial = maxval(abs(equations%residual))
+   end subroutine try_step
+
+   !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which
+   !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
+   !> problem, and so its axial forces.
+   pure subroutine move_string(it, trajectory, mesh, work, state)
+      type(equilibrium_type), intent(in) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(inout) :: work       !< placed at `state`, before and after
+      real(wp), intent(inout) :: state(:, :)
+      real(wp) :: slide
+      integer :: e
+      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
+      state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
+      do e = 1, mesh%nodes
+         call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))
+      end do
+      call place_nodes(mesh, state, work)
+      if (.not. it%numerics%tuning%keep_lengths) return
+      slide = 0.0_wp
+      do e = 1, mesh%elements
+         slide = slide + it%length(e) + it%longer(e) - membrane_length(mesh%chord(:, e) + (work%shift(:, e + 1) &
+                                                                       - work%shift(:, e)), work%d(:, e), work%d(:, e + 1))
+         call slide_along(trajectory, mesh, e + 1, slide, state(:, e + 1))
+      end do
+      call place_nodes(mesh, state, work)
+   end subroutine move_string
+
+   !> Lengths of the elements that axial forces go by, and their change by a step (6,nodes) to first order [m].
+   pure subroutine find_lengths(mesh, work, state, step, length, longer)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work       !< placed at `state`
+      real(wp), intent(in) :: state(:, :), step(:, :)
+      real(wp), intent(out) :: length(:), longer(:)
+      real(wp) :: moved(12), gradient(3, 2), chord(3)
+      integer :: e, n, j
+      moved = 0.0_wp
+      do n = 1, mesh%nodes
+         moved(1:6) = moved(7:12)
+         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
+         do j = 1, 3
+            moved(6 + j) = mesh%frame(j, 1, n)*step(1, n) + mesh%frame(j, 2, n)*step(2, n) + mesh%frame(j, 3, n)*step(3, n)
+            moved(9 + j) = gradient(j, 1)*step(5, n) + gradient(j, 2)*step(6, n)
+         end do
+         if (n == 1) cycle
+         e = n - 1
+         chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
+         length(e) = membrane_length(chord, work%d(:, e), work%d(:, n))
+         longer(e) = membrane_change(chord, work%d(:, e), work%d(:, n), moved)
+      end do
+   end subroutine find_lengths
+
+   !> Gives a string that has been moved that share of the change of contact forces that the linear problem has.
+   pure subroutine take_step(it, trajectory, mesh, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work
+      logical :: whole
+      integer :: e
+      call take_gaps_back(it%kept, gaps)
+      whole = .not. it%share < 1.0_wp
+      do e = 1, mesh%elements
+         work%normal(e) = it%old_force(e) + it%share*(it%problem%wanted(e) - it%old_force(e))
+         if (whole .and. (it%problem%closed(e) .neqv. gaps%state(e) /= state_free)) then
+            gaps%state(e) = merge(state_elastic, state_free, it%problem%closed(e))
+            gaps%flips(e) = gaps%flips(e) + 1
+         end if
+         if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
+      end do
+      call look(it, trajectory, mesh, it%growth < it%numerics%tuning%stiff, gaps, work)
+   end subroutine take_step
+end module dg_line_search
