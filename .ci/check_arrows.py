@@ -22,7 +22,7 @@ MAY_USE = {
     "bending": {"base", "linear_algebra", "beam", "gap_element"},
     "buckling": {"base"},
     "soft_string": {"base", "buckling", "trajectory", "string", "hole", "model", "gap_element", "results"},
-    "equations": {"base", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "soft_string"},
+    "equations": {"base", "buckling", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "soft_string"},
     "start": {"base", "bending", "buckling", "trajectory", "beam", "gap_element", "model", "soft_string", "equations"},
     "iteration": {"base", "system", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "equations"},
     "solution": {"base", "system", "bending", "buckling", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",

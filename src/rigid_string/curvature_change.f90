@@ -15,7 +15,8 @@
 module dg_curvature_change
    use dg_kinds, only: wp
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, breakpoints, layout_of, layout_type, piece_above, piece_type, soft_string_at
+   use dg_soft_string_loads, only: soft_string_at
+   use dg_string_piece, only: at_offset, breakpoints, layout_of, layout_type, piece_above, piece_type
    implicit none
    private
    public :: change_type, curvature_changes, bending_at, reach

@@ -13,7 +13,8 @@ module dg_rigid_string
    use dg_model, only: model_type
    use dg_rigid_string_loads, only: rigid_string_at
    use dg_soft_string, only: check_string_case, subdivided, take_profile, take_totals
-   use dg_soft_string_loads, only: breakpoints, soft_totals_type
+   use dg_soft_string_loads, only: soft_totals_type
+   use dg_string_piece, only: breakpoints
    implicit none
    private
    public :: solve_rigid_string, solve_at_changes

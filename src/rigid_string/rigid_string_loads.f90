@@ -15,8 +15,8 @@ module dg_rigid_string_loads
    use dg_kinds, only: wp
    use dg_curvature_change, only: bending_at, change_type
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: at_offset, climbed, largest_angle, layout_of, layout_type, longest_step, piece_above, &
-                                   piece_type, runaway_force, soft_totals_type
+   use dg_soft_string_loads, only: largest_angle, longest_step, runaway_force, soft_totals_type
+   use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type
    use dg_trajectory, only: point_on_arc
    use dg_vector, only: cross
    implicit none

@@ -11,7 +11,8 @@ module dg_soft_string
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
    use dg_profile, only: profile_type, new_profile, state_free, state_elastic
-   use dg_soft_string_loads, only: soft_string_at, soft_totals_type, breakpoints
+   use dg_soft_string_loads, only: soft_string_at, soft_totals_type
+   use dg_string_piece, only: breakpoints
    use dg_string_range, only: range_warning
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, inclination_of, point_on_arc, position_at, top_md
    use dg_unit_kind, only: in_units, unit_length

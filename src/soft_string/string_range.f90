@@ -3,7 +3,7 @@ module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: layout_of, layout_type, piece_above, piece_type
+   use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_trajectory, only: point_on_arc

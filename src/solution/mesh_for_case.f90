@@ -7,10 +7,11 @@ module dg_mesh_for_case
    use dg_kinds, only: wp
    use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load, &
                              scale_neighbour
+   use dg_coiling, only: coil_force, coiling_load
    use dg_constants, only: pi
    use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
-   use dg_soft_string_loads, only: coil_force, coiling_load, other_loads_type, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
    implicit none
    private

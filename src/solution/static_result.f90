@@ -13,7 +13,8 @@ module dg_static_result
    use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
    use dg_soft_string, only: fill_profile, subdivided
-   use dg_soft_string_loads, only: breakpoints, other_loads_type, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_string_piece, only: breakpoints
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_wall

@@ -6,13 +6,13 @@
 !> there is curved.
 module dg_buckled_start
    use dg_buckling_limits, only: sinusoidal_limit
+   use dg_coiling, only: coil_force, coiling_load
    use dg_constants, only: pi
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_predicted_helix, only: lay_helix
    use dg_snake, only: snake_swing, snake_wave
-   use dg_soft_string_loads, only: coil_force, coiling_load
    implicit none
    private
    public :: lay_buckled

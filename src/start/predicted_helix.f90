@@ -14,10 +14,10 @@
 !>   beside a bend     where the string comes to lie on one side, u = beta tanh(beta (s_end - s)), which solves the equation above.
 module dg_predicted_helix
    use dg_kinds, only: wp
+   use dg_coiling, only: coiling_load
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type, upright
-   use dg_soft_string_loads, only: coiling_load
    implicit none
    private
    public :: lay_helix, touch_above_bit, end_at_bit, helix_touch, helix_landing

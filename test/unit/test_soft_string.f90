@@ -11,7 +11,8 @@ module dg_test_soft_string
    use dg_model, only: model_type
    use dg_profile, only: state_elastic, state_free
    use dg_soft_string, only: solve_soft_string
-   use dg_soft_string_loads, only: breakpoints, other_loads_type, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_string_piece, only: breakpoints
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private

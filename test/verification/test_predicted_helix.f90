@@ -1,12 +1,12 @@
 !> The start of a string that coils in a vertical hole: the ends of its helix, its turns, and what hangs above.
 module dg_test_predicted_helix
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_coiling, only: coil_force
    use dg_constants, only: pi
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
    use dg_predicted_helix, only: end_at_bit, helix_landing, helix_touch, lay_helix
-   use dg_soft_string_loads, only: coil_force
    use dg_test_wells, only: new_well, pipe
    implicit none
    private

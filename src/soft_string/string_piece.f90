@@ -1,0 +1,183 @@
+!> Pieces of a string that lies on the hole axis: between changes of hole, component and fluid all that counts is constant. The soft
+!> and the stiff string are integrated over them.
+module dg_string_piece
+   use dg_kinds, only: wp
+   use dg_coiling, only: least_coiling_load
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
+   use dg_contact_friction, only: find_friction, running_drag
+   use dg_drillstring, only: component_tops
+   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_hole_section, only: hole_section_at
+   use dg_model, only: model_type, string_index
+   use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
+   use dg_vector, only: cross
+   implicit none
+   private
+   public :: layout_type, layout_of, piece_type, piece_above, at_offset, climbed, breakpoints
+
+   !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths, and no row of a
+   !> table worth printing.
+   real(wp), parameter :: shortest_piece = 1.0e-6_wp
+
+   !> What the pieces of a string are cut by, looked up once for all.
+   type :: layout_type
+      integer :: case_index = 0
+      integer :: string = 0                   !< its number
+      real(wp), allocatable :: tops(:)        !< of its components, from the bit up; its last one has the top of the string [m]
+      real(wp), allocatable :: fluids(:)      !< depths at which a fluid begins, ascending [m]
+   end type layout_type
+
+   !> A piece of string of constant properties in one arc and one hole section.
+   type :: piece_type
+      type(arc_type) :: arc
+      real(wp) :: top = 0.0_wp      !< measured depth of its upper end [m]
+      real(wp) :: weight = 0.0_wp   !< buoyed [N/m]
+      real(wp) :: radius = 0.0_wp   !< of contact [m]
+      real(wp) :: drag = 0.0_wp     !< of bow springs, signed as f [N/m]
+      real(wp) :: axial = 0.0_wp    !< f of the balance in dg_soft_string_loads [-]
+      real(wp) :: rotary = 0.0_wp   !< m of it [-]
+      real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
+      real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
+      real(wp) :: stretching = 0.0_wp !< E A of the body [N]
+      real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
+      real(wp) :: least_coiling = 0.0_wp !< coiling load of a string that nothing presses [N]
+      logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
+   end type piece_type
+
+contains
+
+   !> The layout of the string of a load case.
+   pure function layout_of(model, case_index) result(layout)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(layout_type) :: layout
+      associate (load_case => model%cases(case_index))
+         layout%case_index = case_index
+         layout%string = string_index(model%strings, load_case%string)
+         allocate (layout%fluids, source=fluid_tops(model%mud, load_case%bit_depth))
+         allocate (layout%tops, source=load_case%bit_depth - component_tops(model%strings(layout%string), &
+                                                                            load_case%bit_depth - top_md(model%trajectory)))
+      end associate
+   end function layout_of
+
+   !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
+   pure function piece_above(model, layout, md, friction_scale, coiled) result(piece)
+      type(model_type), intent(in) :: model
+      type(layout_type), intent(in) :: layout
+      real(wp), intent(in) :: md
+      real(wp), intent(in) :: friction_scale
+      logical, intent(in), optional :: coiled   !< absent: no
+      type(piece_type) :: piece
+      real(wp) :: middle
+      integer :: i, k, hole
+      i = arc_at(model%trajectory, md)
+      if (model%trajectory%arcs(i)%md >= md .and. i > 1) i = i - 1
+      piece%arc = model%trajectory%arcs(i)
+      piece%top = piece%arc%md
+      hole = hole_section_at(model%holes, md)
+      if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
+      if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
+      do i = 1, size(layout%tops) - 1
+         if (layout%tops(i) < md) exit
+      end do
+      if (i < size(layout%tops)) piece%top = max(piece%top, layout%tops(i))
+      do k = 1, size(layout%fluids)
+         if (layout%fluids(k) < md) piece%top = max(piece%top, layout%fluids(k))
+      end do
+      middle = 0.5_wp*(piece%top + md)
+      associate (load_case => model%cases(layout%case_index), part => model%strings(layout%string)%components(i))
+         piece%weight = buoyed_weight(part, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
+                                      density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
+         piece%radius = 0.5_wp*centralizer_diameter(part)
+         piece%stiffness = bending_stiffness(part)
+         piece%stretching = axial_stiffness(part)
+         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part))
+         call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
+                            piece%axial, piece%rotary)
+         if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
+                                                    /part%centralizer%spacing
+      end associate
+      if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
+      if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
+      if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
+   end function piece_above
+
+   !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
+   pure subroutine at_offset(piece, offset, position, across, bend)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
+      real(wp), intent(out) :: position(3), across(3), bend(3)
+      real(wp) :: tangent(3)
+      call point_on_arc(piece%arc, offset, position, tangent, bend)
+      across = piece%weight*([0.0_wp, 0.0_wp, 1.0_wp] - tangent(3)*tangent)
+   end subroutine at_offset
+
+   !> Contact force under a load across the hole [N/m]: the load itself, or with wall climb what balances it together
+   !> with its own friction around the hole, load = n + m t x n, where the turning string comes to rest.
+   pure function climbed(piece, md, load) result(contact)
+      type(piece_type), intent(in) :: piece
+      real(wp), intent(in) :: md        !< [m]
+      real(wp), intent(in) :: load(3)
+      real(wp) :: contact(3)
+      real(wp) :: position(3), tangent(3), bend(3)
+      contact = load
+      if (piece%climb >= 1.0_wp) return
+      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, bend)
+      contact = piece%climb**2*(load - piece%rotary*cross(tangent, load))
+   end function climbed
+
+   !> Depths between the top of the string and the bit where something changes: first station and bit, survey
+   !> stations, ends of hole sections, components and fluids. Ascending, none twice [m].
+   pure function breakpoints(model, case_index) result(md)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), allocatable :: md(:)
+      real(wp), allocatable :: all_md(:), tops(:), hole_tops(:)
+      real(wp) :: top, bit
+      integer :: count, i
+      top = top_md(model%trajectory)
+      bit = model%cases(case_index)%bit_depth
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (tops, source=bit - component_tops(string, bit - top))
+      end associate
+      tops = tops(size(tops):1:-1)
+      allocate (hole_tops(size(model%holes)))
+      hole_tops(:) = model%holes%md_top
+      all_md = merged(model%trajectory%md, merged(hole_tops, merged(fluid_tops(model%mud, bit), tops)))
+      allocate (md(size(all_md) + 2))
+      count = 1
+      md(1) = top
+      do i = 1, size(all_md)
+         if (all_md(i) <= md(count) + shortest_piece .or. all_md(i) >= bit - shortest_piece) cycle
+         count = count + 1
+         md(count) = all_md(i)
+      end do
+      count = count + 1
+      md(count) = bit
+      md = md(:count)
+   end function breakpoints
+
+   !> Two ascending lists as one.
+   pure function merged(a, b) result(c)
+      real(wp), intent(in) :: a(:), b(:)
+      real(wp) :: c(size(a) + size(b))
+      integer :: i, j, k
+      i = 1
+      j = 1
+      do k = 1, size(c)
+         if (j > size(b)) then
+            c(k) = a(i)
+            i = i + 1
+         else if (i > size(a)) then
+            c(k) = b(j)
+            j = j + 1
+         else if (a(i) <= b(j)) then
+            c(k) = a(i)
+            i = i + 1
+         else
+            c(k) = b(j)
+            j = j + 1
+         end if
+      end do
+   end function merged
+end module dg_string_piece
