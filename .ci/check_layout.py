@@ -5,7 +5,8 @@ import re
 import sys
 
 TOP = {"fpm.toml", "README.md", "CHANGELOG.md", "LICENSE", "src", "app", "test", "input", "output", "build"}
-LONGEST = 600   # lines a file
+LONGEST = {"src": 400, "app": 400, "test": 600}   # lines a file
+TABLES = {"src/deck_text/deck_keys.f90"}           # longer: one table, a row a key
 FULL = 20       # files a room
 LARGEST = 120   # lines a procedure, those that it contains among them
 MOST_ARGUMENTS = 9
@@ -146,8 +147,8 @@ def check(root):
                 continue
             name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
             lines = text.count("\n")
-            if lines > LONGEST:
-                faults.append(f"{name}: {lines} lines, more than {LONGEST}")
+            if lines > LONGEST[top] and name not in TABLES:
+                faults.append(f"{name}: {lines} lines, more than {LONGEST[top]}")
             large, ended = large_procedures(path, name)
             faults += large
             procedures |= ended

@@ -17,8 +17,7 @@
 !>
 !> An end that is not held carries neither moment nor force across the hole. Slopes y', and |k| c, are small against one. The small
 !> force around the hole that belongs to the friction of a sliding string (F_tau of dg_gap_contact) is left out.
-!> These are the equations of a beam-column in the frame of the hole: contact after Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the
-!> rest after their Eqs. 9 to 12 with squares of y left out.
+!> Contact is that of Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the rest that of their Eqs. 9 to 12 without squares of y.
 module dg_bending_beam
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
