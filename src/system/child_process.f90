@@ -5,7 +5,7 @@ module dg_child_process
                                           c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_error, only: error_type, raise, status_failure
-   use dg_folder, only: is_folder
+   use dg_folder, only: is_executable
    use dg_interruption, only: is_interrupted
    use dg_kinds, only: wp
    use dg_signal_handler, only: set_handler
@@ -38,7 +38,6 @@ module dg_child_process
    !> Where programs are looked for when PATH is not set.
    character(*), parameter :: usual_path = '/usr/local/bin:/usr/bin:/bin'
 
-   integer(c_int), parameter :: executable = 1_c_int                       ! X_OK
    integer(c_int), parameter :: read_only = 0_c_int                        ! O_RDONLY
    integer(c_int), parameter :: append_to = 1_c_int + 64_c_int + 1024_c_int  ! O_WRONLY + O_CREAT + O_APPEND
    integer(c_int), parameter :: rights = 438_c_int                         ! rw-rw-rw- less the umask
@@ -150,14 +149,6 @@ module dg_child_process
          integer(c_int) :: status
       end function c_nanosleep
 
-      function c_access(path, mode) result(status) bind(c, name='access')
-         import :: c_char, c_int
-         implicit none
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int), value :: mode
-         integer(c_int) :: status
-      end function c_access
-
       function c_getcwd(buffer, size) result(address) bind(c, name='getcwd')
          import :: c_char, c_ptr, c_size_t
          implicit none
@@ -200,7 +191,7 @@ contains
          if (folder == '') folder = '.'
          if (folder(1:1) /= '/') folder = current_folder()//'/'//folder
          path = folder//'/'//name
-         if (c_access(c_text(path), executable) == 0 .and. .not. is_folder(path)) return
+         if (is_executable(path)) return
       end do
       path = ''
    end function find_program

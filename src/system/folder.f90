@@ -7,7 +7,7 @@ module dg_folder
    use dg_text, only: append_text, c_text, text_type
    implicit none
    private
-   public :: make_folder, is_folder, list_folder, remove_empty_folder
+   public :: make_folder, is_folder, is_executable, list_folder, remove_empty_folder
 
    !> rwxrwxrwx less the user's umask (0777 octal).
    integer(c_int), parameter :: all_rights = 511_c_int
@@ -101,6 +101,14 @@ contains
       integer(c_int), parameter :: exists = 0_c_int   ! F_OK
       is = c_access(c_text(path//'/.'), exists) == 0
    end function is_folder
+
+   !> Whether a path is a file that may be run.
+   function is_executable(path) result(is)
+      character(*), intent(in) :: path
+      logical :: is
+      integer(c_int), parameter :: may_execute = 1_c_int   ! X_OK
+      is = c_access(c_text(path), may_execute) == 0 .and. .not. is_folder(path)
+   end function is_executable
 
    !> Names of what a folder holds that end so, in no order; none where it cannot be read.
    subroutine list_folder(path, ending, names)
