@@ -71,7 +71,7 @@ contains
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
       end do
-      if (.not. all(vertical)) call free_vertical_stretches(vertical, axial, mesh%rotary, climb)
+      call free_vertical_stretches(vertical, axial, mesh%rotary, climb)
    end subroutine find_climb
 
    !> Lets nothing climb in a vertical stretch with compression in it.

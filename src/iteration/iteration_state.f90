@@ -49,6 +49,7 @@ module dg_iteration_state
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
       real(wp) :: old_growth = 1.0_wp
       integer :: rounds = 0, round_start = 0
+      integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
       real(wp), allocatable :: move(:, :)     !< that share of the step, in space (6,nodes)
       real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
@@ -111,7 +112,7 @@ contains
       real(wp), intent(out) :: largest
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, .false., work)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
-         call hold_turn(state, equations%matrix, equations%residual)
+         call hold_turn(state, it%held, equations%matrix, equations%residual)
       it%residual = equations%residual
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call add_pushes(gaps, it%residual, it%problem, it%problem%load)
@@ -121,15 +122,17 @@ contains
    end subroutine measure
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
-   !> string there, on the node farthest off the axis, across its offset. It stands in the tangent only, and what would turn the
+   !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched: were
+   !> it always the farthest one, two that are as far would take turns. It stands in the tangent only, and what would turn the
    !> string, some newtons of torque's work on the ends, is taken off the residual there.
-   pure subroutine hold_turn(state, matrix, residual)
+   pure subroutine hold_turn(state, node, matrix, residual)
       real(wp), intent(in) :: state(:, :)
+      integer, intent(inout) :: node           !< that is held; 0: none yet
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(inout) :: residual(:, :)
       real(wp) :: across(2), stiffness
-      integer :: i, node
-      node = maxloc(state(dof_lateral_1, :)**2 + state(dof_lateral_2, :)**2, dim=1)
+      integer :: i
+      if (node == 0) node = maxloc(state(dof_lateral_1, :)**2 + state(dof_lateral_2, :)**2, dim=1)
       across = [-state(dof_lateral_2, node), state(dof_lateral_1, node)]
       if (.not. norm2(across) > 0.0_wp) return
       across = across/norm2(across)

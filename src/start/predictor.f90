@@ -41,8 +41,9 @@ module dg_predictor
 contains
 
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
-   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
-   !> the soft wall; contact forces are those against the wall itself, where they are not left spread.
+   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is bent against
+   !> the soft wall, and from there against the wall itself, where contact forces are not to be left spread: a stabiliser's
+   !> clearance is a thirtieth of a collar's, and walls that suit collars let it out of the hole by all of theirs.
    pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -87,7 +88,10 @@ contains
       if (found .and. .not. start%spread) then
          bent = y
          call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
-         if (sharp) forces = hard
+         if (sharp) then
+            y = bent
+            forces = hard
+         end if
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements

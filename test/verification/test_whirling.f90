@@ -5,6 +5,7 @@ module dg_test_whirling
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_case_result, only: case_result_type, result_converged
+   use dg_component, only: component_type
    use dg_constants, only: pi
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_elastic
@@ -15,7 +16,7 @@ module dg_test_whirling
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe
+   use dg_test_wells, only: new_well, note, pipe, solve, string_weight
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
@@ -31,7 +32,50 @@ contains
       suite = TestSuite('whirling')
       call suite%addTest(TestMethod('drive', test_drive))
       call suite%addTest(TestMethod('iterations', test_iterations))
+      call suite%addTest(TestMethod('assembly', test_assembly))
    end function whirling_suite
+
+   !> Drilling in a vertical hole with three stabilisers, from where the collars begin to bend between them to where they coil
+   !> above: the hook carries the weight less what is on the bit. Friction around the hole that climbed in part found no equilibrium,
+   !> nor did a start that let stabilisers out of the hole by all of the clearance of collars; of two places as far off the axis
+   !> each was held in turn.
+   subroutine test_assembly()
+      real(wp), parameter :: depth = 2200.0_wp, weights(6) = [10.0e3_wp, 30.0e3_wp, 45.0e3_wp, 60.0e3_wp, 90.0e3_wp, 120.0e3_wp]
+      real(wp), parameter :: gauges(3) = [0.2143_wp, 0.2127_wp, 0.2095_wp]      ! of the stabilisers [m]
+      real(wp), parameter :: frictions(2) = [0.1_wp, 0.43_wp]
+      real(wp), parameter :: coils_from = 100.0e3_wp
+      integer, parameter :: most = 120           ! up to 80 are seen where nothing coils, up to 330 where collars do
+      type(model_type) :: model
+      type(component_type) :: parts(7)
+      type(case_result_type) :: result
+      character(40) :: what
+      integer :: i, g, f, w
+      do g = 1, size(gauges)
+         do f = 1, size(frictions)
+            call new_well(model, [0.0_wp, depth], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], hole, frictions(f), &
+                          pipe(300.0_wp, od, id))
+            do i = 1, 6
+               parts(i) = pipe(1300.0_wp, 0.1651_wp, 0.0714_wp)
+               parts(i)%kind = 'collar'
+               if (modulo(i, 2) == 1) parts(i)%kind = 'stabilizer'
+            end do
+            parts(7) = pipe(300.0_wp, od, id)
+            parts(1:6)%length = [2.0_wp, 2.2_wp, 2.0_wp, 9.0_wp, 2.0_wp, 120.0_wp]
+            parts(1:5:2)%joint_od = [gauges(g), gauges(g), 0.2127_wp]
+            deallocate (model%strings(1)%components)
+            allocate (model%strings(1)%components(7))
+            do i = 1, 7
+               model%strings(1)%components(i) = parts(i)
+            end do
+            do w = 1, size(weights)
+               write (what, '(f6.4, a, f4.2, a, f6.1)') gauges(g), ' m, friction ', frictions(f), ', kN ', 1.0e-3_wp*weights(w)
+               call solve(model, operation_rotary_drilling, weights(w), 6.0e3_wp, result, trim(what))
+               call assertRelativelyEqual(string_weight(model) - weights(w), result%hookload, 1.0e-9_wp, message=trim(what))
+               if (weights(w) < coils_from) call assertLessThan(result%iterations, most, message=trim(what))
+            end do
+         end do
+      end do
+   end subroutine test_assembly
 
    !> Torques of friction, bit and top do no work together as a string that whirls in a vertical hole turns as a whole, whatever its
    !> contact forces, once its twist balances them; the moments that they bend it with are not nothing. About the string's own axis
