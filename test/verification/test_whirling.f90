@@ -36,9 +36,9 @@ contains
    end function whirling_suite
 
    !> Drilling in a vertical hole with three stabilisers, from where the collars begin to bend between them to where they coil
-   !> above: the hook carries the weight less what is on the bit. Friction around the hole that climbed in part found no equilibrium,
-   !> nor did a start that let stabilisers out of the hole by all of the clearance of collars; of two places as far off the axis
-   !> each was held in turn.
+   !> above: the hook carries the weight less what is on the bit. None of these was found while friction around the hole climbed
+   !> in part, while starts let stabilisers out of the hole by all of the clearance of collars, and while of two places as far
+   !> off the axis each was held in turn.
    subroutine test_assembly()
       real(wp), parameter :: depth = 2200.0_wp, weights(6) = [10.0e3_wp, 30.0e3_wp, 45.0e3_wp, 60.0e3_wp, 90.0e3_wp, 120.0e3_wp]
       real(wp), parameter :: gauges(3) = [0.2143_wp, 0.2127_wp, 0.2095_wp]      ! of the stabilisers [m]
