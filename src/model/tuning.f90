@@ -45,9 +45,6 @@ module dg_tuning
       logical :: start_buckled = .true.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
-      !> Where the line bent against soft walls is too far outside the walls' own place for them, walls stiffen to it in so many
-      !> steps. Without, a fifteenth of assemblies with stabilisers of 0.2 to 1.6 mm of clearance in a vertical hole is lost.
-      integer :: start_stages = 4
       !> Nodes closer than this to one above, over the length of the element below, start on a smooth line between others, but at
       !> tool joints [-]: a sliver may jump there with the clearance.
       real(wp) :: sliver = 0.4_wp

@@ -87,16 +87,7 @@ contains
          call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, wall, y, forces, found)
       if (found .and. .not. start%spread) then
          bent = y
-         associate (tuning => model%numerics%tuning, rotary => start%scale*climb*mesh%rotary)
-            call bend_start(model, mesh, axial, torque, rotary, mesh%wall, bent, hard, sharp)
-            if (.not. sharp) then
-               bent = y
-               do i = 1, tuning%start_stages
-                  call bend_start(model, mesh, axial, torque, rotary, &
-                                  wall*(mesh%wall/wall)**(real(i, wp)/tuning%start_stages), bent, hard, sharp)
-               end do
-            end if
-         end associate
+         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
          if (sharp) then
             y = bent
             forces = hard
