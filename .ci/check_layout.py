@@ -94,26 +94,26 @@ END_PROCEDURE = re.compile(r"^\s*end\s*(?:subroutine|function)\b", re.I)
 
 
 def large_procedures(path, name):
-    """Procedures of a file that are too long, or take too much."""
-    lines, open_ones, found, ended = path.read_text(encoding="utf-8").splitlines(), [], [], set()
+    """Procedures of a file that are too long, or take too much; the names of all."""
+    lines, open_ones, found, names = path.read_text(encoding="utf-8").splitlines(), [], [], set()
     for number, line in enumerate(lines, 1):
         bare = line.split("!")[0]
         begin = BEGIN_PROCEDURE.match(bare)
         if END_PROCEDURE.match(bare):
             procedure, first = open_ones.pop()
-            ended.add(procedure)
             if number - first + 1 > LARGEST and procedure not in LONGER:
                 found.append(f"{name}: {procedure} has {number - first + 1} lines, more than {LARGEST}")
         elif begin:
-            open_ones.append((begin.group(1).lower(), number))
+            procedure = begin.group(1).lower()
+            names.add(procedure)
+            open_ones.append((procedure, number))
             head, k = begin.group(2) or "", number
             while head.rstrip().endswith("&"):
                 head, k = head.rstrip().rstrip("&") + lines[k].split("!")[0], k + 1
-            arguments = re.match(r"\(([^)]*)\)", head)
-            ended.add(begin.group(1).lower())
-            if arguments and len(arguments.group(1).split(",")) > MOST_ARGUMENTS and begin.group(1).lower() not in WIDER:
-                found.append(f"{name}: {begin.group(1)} takes {len(arguments.group(1).split(','))} arguments, more than {MOST_ARGUMENTS}")
-    return found, ended
+            arguments = head[1:head.find(")")].split(",")
+            if len(arguments) > MOST_ARGUMENTS and procedure not in WIDER:
+                found.append(f"{name}: {procedure} takes {len(arguments)} arguments, more than {MOST_ARGUMENTS}")
+    return found, names
 
 
 def without_caller(root):
@@ -149,9 +149,9 @@ def check(root):
             lines = text.count("\n")
             if lines > LONGEST[top] and name not in TABLES:
                 faults.append(f"{name}: {lines} lines, more than {LONGEST[top]}")
-            large, ended = large_procedures(path, name)
+            large, names = large_procedures(path, name)
             faults += large
-            procedures |= ended
+            procedures |= names
             if "implicit none" not in text.lower():
                 faults.append(f"{name}: no implicit none")
             modules = MODULE.findall(text)

@@ -150,10 +150,7 @@ contains
          call note_failure(error, status)
          if (lost > 0) status = graver(status, status_not_converged)
       end do
-      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) then
-         call close_records(ensembles, error)
-         call note_failure(error, status)
-      end if
+      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) call close_records(ensembles, status)
       if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
          call print_line('Results in '//job%output_dir// &
                          trim(merge('; open report.html there', '                        ', job%plots)))

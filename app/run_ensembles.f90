@@ -8,6 +8,7 @@ module dg_run_ensembles
    use dg_ensemble_record, only: close_record, ensemble_title, ensemble_type, failed_text, open_record, taken_text, take_parts, &
       write_record
    use dg_error, only: error_type, raise, status_failure
+   use dg_exit_status, only: note_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type
    use dg_model, only: model_type
@@ -16,7 +17,7 @@ module dg_run_ensembles
    use dg_printed_text, only: print_and_keep, print_line, printed_text_type
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_run_outcome, only: note_sweep, note_uncertainty
-   use dg_sample_points, only: add_indicator_to_samples, sample_text, solve_samples
+   use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_sweep, only: point_count
    use dg_sweep_file, only: write_sweep
@@ -152,7 +153,7 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
       associate (sweep => job%sweeps(ensemble%number))
-         call add_indicator(model, sweep, ensemble%points)
+         call add_indicator(model, sweep, 1, ensemble%points)
          call add_margins(job, model, sweep, ensemble%points)
          call note_sweep(printed%outcome, sweep, ensemble%points, sweep_sentences(job%units, sweep, ensemble%points))
          call write_sweep(job%output_dir//'/sweep_'//ensemble%name//'.csv', job, sweep, ensemble%points, error)
@@ -172,9 +173,9 @@ contains
       integer :: i
       associate (uncertainty => job%uncertainties(ensemble%number))
          call note_uncertainty(printed%outcome, uncertainty, ensemble%points)
+         call add_indicator(model, uncertainty%range, uncertainty%samples, ensemble%points)
          allocate (statistics(point_count(uncertainty%range)))
          do i = 1, size(statistics)
-            call add_indicator_to_samples(model, uncertainty, i, ensemble%points)
             statistics(i) = find_point_statistics(uncertainty, i, ensemble%points)
          end do
          call write_uncertainty(job%output_dir//'/uncertainty_'//ensemble%name//'.csv', job, uncertainty, statistics, error)
@@ -182,11 +183,12 @@ contains
       end associate
    end subroutine finish_uncertainty
 
-   !> Records of what is finished: they stay where points of any of them did not converge. `error` is the first of them.
-   subroutine close_records(ensembles, error)
+   !> Records of what is finished: they stay where points of any of them did not converge. What cannot be written is told, and
+   !> raises the exit status.
+   subroutine close_records(ensembles, status)
       type(ensemble_type), intent(inout) :: ensembles(:)
-      type(error_type), allocatable, intent(out) :: error
-      type(error_type), allocatable :: failure
+      integer, intent(inout) :: status
+      type(error_type), allocatable :: error
       logical :: lost
       integer :: i
       lost = .false.
@@ -194,8 +196,8 @@ contains
          lost = lost .or. any(ensembles(i)%points%status == result_not_converged)
       end do
       do i = 1, size(ensembles)
-         call close_record(ensembles(i), lost, failure)
-         if (allocated(failure) .and. .not. allocated(error)) call move_alloc(failure, error)
+         call close_record(ensembles(i), lost, error)
+         call note_failure(error, status)
       end do
    end subroutine close_records
 

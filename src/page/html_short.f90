@@ -42,8 +42,9 @@ contains
       rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
       if (size(rows) == 0 .and. .not. allocated(outcome%sweeps)) return
       call add_line(lines, '<h2>In short</h2>')
+      if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p>')
+      call add_line(lines, '<ul>')
       if (size(rows) > 0) then
-         call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p><ul>')
          call append_governing(lines, job, model, results(rows), wholes(rows))
          call append_loads(lines, job, model, results(rows))
          call append_buckled(lines, model, results(rows), wholes(rows))
@@ -52,8 +53,6 @@ contains
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
          i = count([(has_message(results(rows(i))), i=1, size(rows))])
          if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
-      else
-         call add_line(lines, '<ul>')
       end if
       if (allocated(outcome%sweeps)) then
          do i = 1, size(outcome%sweeps)

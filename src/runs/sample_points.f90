@@ -1,18 +1,16 @@
 !> The samples of a Monte Carlo at the points of its range, on all cores.
 module dg_sample_points
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged, result_not_converged
+   use dg_case_result, only: result_converged, result_not_converged
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_model, only: model_type
-   use dg_rig, only: indicated_load
    use dg_sampled_model, only: draw_model
-   use dg_solve_case, only: solve_case
    use dg_sweep, only: point_at, point_case, point_count, point_type
-   use dg_sweep_points, only: point_text
+   use dg_sweep_points, only: point_text, solve_totals
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part
    use dg_text, only: to_text
@@ -21,7 +19,7 @@ module dg_sample_points
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: solve_samples, sample_text, add_indicator_to_samples
+   public :: solve_samples, sample_text
 
 contains
 
@@ -94,36 +92,12 @@ contains
       type(uncertainty_type), intent(in) :: uncertainty
       type(point_type), intent(in) :: point
       type(sweep_result_type), intent(out) :: found
-      type(case_result_type) :: result
-      type(error_type), allocatable :: error
       call point_case(uncertainty%range, point, model%cases(1))
       model%cases(1)%friction_axial%present = .false.      ! the sections have it as it was drawn
       model%cases(1)%friction_rotary%present = .false.
-      call solve_case(model, uncertainty%range%models(point%model), 1, result, error, totals_only=.true.)
-      ! a signal in the midst of a solution leaves it for the next run
-      if (is_interrupted() .and. result%status == result_not_converged) return
-      found%status = result%status
-      found%hookload = result%hookload
-      found%torque = result%torque
-      if (result%status /= result_converged) found%message = result%message
+      call solve_totals(model, uncertainty%range%models(point%model), found)
+      if (found%status == result_converged .and. allocated(found%message)) deallocate (found%message)
    end subroutine solve_point
-
-   !> What the rig shows of all samples of a point.
-   subroutine add_indicator_to_samples(model, uncertainty, point, pieces)
-      type(model_type), intent(in) :: model
-      type(uncertainty_type), intent(in) :: uncertainty
-      integer, intent(in) :: point                 !< its number in the range
-      type(sweep_result_type), intent(inout) :: pieces(:)
-      type(point_type) :: place
-      integer :: sample, piece
-      if (.not. model%rig%given) return
-      place = point_at(uncertainty%range, point)
-      do sample = 1, uncertainty%samples
-         piece = piece_number(uncertainty, point, sample)
-         pieces(piece)%weight_indicator = indicated_load(model%rig, uncertainty%range%operations(place%operation), &
-                                                         pieces(piece)%hookload)
-      end do
-   end subroutine add_indicator_to_samples
 
    !> A piece in words: point and sample.
    pure function sample_text(units, uncertainty, number) result(text)

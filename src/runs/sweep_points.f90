@@ -22,7 +22,7 @@ module dg_sweep_points
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: solve_points, point_text, add_indicator, add_margins
+   public :: solve_points, solve_totals, point_text, add_indicator, add_margins
 
    !> Most points that a thread solves before it hands over their results.
    integer, parameter :: block_size = 16
@@ -85,16 +85,17 @@ contains
       end subroutine share_points
    end subroutine solve_points
 
-   !> What the rig shows of points that are solved.
-   subroutine add_indicator(model, sweep, points)
+   !> What the rig shows of points that are solved, in the order of their numbers, each with all of its samples.
+   subroutine add_indicator(model, sweep, samples, points)
       type(model_type), intent(in) :: model
       type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: samples               !< of a point; 1 where nothing is drawn
       type(sweep_result_type), intent(inout) :: points(:)
       type(point_type) :: place
       integer :: i
       if (.not. model%rig%given) return
       do i = 1, size(points)
-         place = point_at(sweep, i)
+         place = point_at(sweep, (i - 1)/samples + 1)
          points(i)%weight_indicator = indicated_load(model%rig, sweep%operations(place%operation), points(i)%hookload)
       end do
    end subroutine add_indicator
@@ -170,18 +171,26 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(point_type), intent(in) :: point
       type(sweep_result_type), intent(out) :: found
-      type(case_result_type) :: result
-      type(error_type), allocatable :: error
       call point_case(sweep, point, model%cases(1))
       call point_holes(sweep, point, model%holes)
-      call solve_case(model, sweep%models(point%model), 1, result, error, totals_only=.true.)
-      ! a signal in the midst of a point leaves it for the next run
+      call solve_totals(model, sweep%models(point%model), found)
+   end subroutine solve_point
+
+   !> Hook load and torque of the first load case, with what its solution has to say. A signal in the midst of it leaves it
+   !> unsolved, for the next run.
+   subroutine solve_totals(model, number, found)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number                !< of the model that solves
+      type(sweep_result_type), intent(out) :: found
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call solve_case(model, number, 1, result, error, totals_only=.true.)
       if (is_interrupted() .and. result%status == result_not_converged) return
       found%status = result%status
       found%hookload = result%hookload
       found%torque = result%torque
       if (result%message /= '') found%message = result%message
-   end subroutine solve_point
+   end subroutine solve_totals
 
    !> Bit depth of a point [m].
    pure function depth_of(sweep, number) result(depth)

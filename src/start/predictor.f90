@@ -56,7 +56,7 @@ contains
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place, depth
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
-      real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
+      real(wp) :: hard(contact_places, mesh%elements)
       logical :: found, sharp
       integer :: i, e, laid
       wall = start%softness*mesh%wall
@@ -86,12 +86,8 @@ contains
       if (model%numerics%tuning%start_bent) &
          call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, wall, y, forces, found)
       if (found .and. .not. start%spread) then
-         bent = y
-         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
-         if (sharp) then
-            y = bent
-            forces = hard
-         end if
+         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, y, hard, sharp)
+         if (sharp) forces = hard
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements

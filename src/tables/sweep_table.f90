@@ -233,8 +233,8 @@ contains
                text = text//'; '//passed(i)%text
             end do
             if (size(passed) > most_passed) text = text//'; and '//to_text(size(passed) - most_passed)//' more in its table'
-         else if (any(.not. (is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
-                             is_missing(points%overpull_margin)))) then
+         else if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
+                             is_missing(points%overpull_margin))) then
             text = text//'no limit of rig or string is passed, and nothing is pushed at surface'
          else
             text = text//'nothing is pushed at surface; no limits of rig or string are known'
