@@ -45,6 +45,10 @@ module dg_tuning
       logical :: start_buckled = .true.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
+      !> Where a node of that line lies farther off the axis than so many times its clearance, the start is the line bent against
+      !> walls of their own stiffness [-]: a stabiliser's clearance is a thirtieth of a collar's, and soft walls that suit collars
+      !> let it out of the hole by all of theirs.
+      real(wp) :: start_outside = 2.0_wp
       !> Nodes closer than this to one above, over the length of the element below, start on a smooth line between others, but at
       !> tool joints [-]: a sliver may jump there with the clearance.
       real(wp) :: sliver = 0.4_wp

@@ -41,9 +41,9 @@ module dg_predictor
 contains
 
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
-   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is bent against
-   !> the soft wall, and from there against the wall itself, where contact forces are not to be left spread: a stabiliser's
-   !> clearance is a thirtieth of a collar's, and walls that suit collars let it out of the hole by all of theirs.
+   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
+   !> the soft wall, or against the wall itself where it would lie far outside the hole; contact forces are those against the wall
+   !> itself, where they are not left spread.
    pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -56,7 +56,7 @@ contains
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place, depth
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
-      real(wp) :: hard(contact_places, mesh%elements)
+      real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
       logical :: found, sharp
       integer :: i, e, laid
       wall = start%softness*mesh%wall
@@ -86,8 +86,12 @@ contains
       if (model%numerics%tuning%start_bent) &
          call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, wall, y, forces, found)
       if (found .and. .not. start%spread) then
-         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, y, hard, sharp)
-         if (sharp) forces = hard
+         bent = y
+         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
+         if (sharp) then
+            forces = hard
+            if (lies_outside(model%numerics%tuning%start_outside, mesh, y)) y = bent
+         end if
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
@@ -102,6 +106,20 @@ contains
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
+
+   !> Whether a node of the line y(4,nodes) lies farther off the axis than so many times its clearance.
+   pure function lies_outside(times, mesh, y) result(outside)
+      real(wp), intent(in) :: times
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: y(:, :)
+      logical :: outside
+      integer :: i
+      outside = .false.
+      do i = 1, mesh%nodes
+         outside = norm2(y(1:2, i)) > times*maxval(mesh%clearance(max(1, i - 1):min(i, mesh%elements)))
+         if (outside) return
+      end do
+   end function lies_outside
 
    !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes close to one above, as where a component ends beside a
    !> station, next to an element many times as long, are laid on the cubic through their neighbours: the offset may jump there with
