@@ -123,8 +123,8 @@ contains
              trim(in_units(units, unit_diameter, outside%clearance, shown))//' clearance'
       if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
       if (outside%gives_way) then
-         text = 'the wall gives way: the string stands '//text//'; with a wall_stiffness of '// &
-                trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' it is as good as rigid'
+         text = 'the wall gives way: the string stands '//text//'; set wall_stiffness to '// &
+                trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' for a wall that is as good as rigid'
       else
          text = 'between its contact points the string stands '//text//': contact there may be off'
          if (outside%length > short) text = text//'; an element_length of '// &

@@ -2,6 +2,7 @@
 !> assumed, the deck. It refers to nothing outside itself.
 module dg_html_report
    use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
@@ -9,6 +10,7 @@ module dg_html_report
    use dg_html_short, only: append_short
    use dg_html_style, only: append_style
    use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
+   use dg_kinds, only: wp
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_model, only: model_type
@@ -35,8 +37,11 @@ module dg_html_report
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin']
    character(*), parameter :: most_shown(14) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
-      'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'shape', 'snaking_length', 'coiled_length', &
-      'coil_turns', 'bit_side_force', 'bit_side_clock', 'bit_tilt']
+      'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
+      'bit_tilt', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
+   !> Of these, the columns up to here are for all models; the others tell what only gap elements find.
+   integer, parameter :: most_of_all_models = 10
+   integer, parameter :: few = 4    !< digits
 
 contains
 
@@ -135,6 +140,9 @@ contains
       call add_line(lines, '<h2>Hook load, friction, torque</h2>')
       call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; hookload: negative going up, '// &
                     'positive going down. Axial forces are effective (buoyed), tension positive.</p>')
+      if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
+         '<p>error: difference of the hook load from the measured one in per cent of that, without sign; reference error: '// &
+         'the same from the reference.</p>')
       call append_summary(lines, job, model, results, summary_shown)
    end subroutine append_results
 
@@ -169,7 +177,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       type(field_list_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
-      integer :: i, k
+      integer :: i, k, columns
       call add_line(lines, '<h2>Limits</h2>')
       call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
                     'margin is beyond them. Safety factors stand where the deck gives a yield strength.</p>')
@@ -177,9 +185,10 @@ contains
                     'the top before anything yields, bending included. wob buckling, no hookload, lockup: weight on bit '// &
                     'at which the string begins to buckle, that leaves nothing on the hook, and the same with the friction '// &
                     'of a coiled string.</p>')
-      call add_line(lines, '<p>governing limit: the strength that is used most, how much of it, where. shape, snaking and '// &
-                    'coiled length, coil turns: what the string was found to do by mcge. bit side force and bit tilt: of the '// &
-                    'bit on the formation, and between bit and hole axis; clock angles count from the high side.</p>')
+      call add_line(lines, '<p>governing limit: the limit of strength, slips or rig that is used most, how much of it, where; '// &
+                    'buckling is not among them. '//factors_text(job%design)//' bit side force and bit tilt: of the bit on '// &
+                    'the formation, and between bit and hole axis; clock angles count from the high side. shape, snaking and '// &
+                    'coiled length, coil turns: what the string was found to do; only mcge looks for it.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])
@@ -190,9 +199,26 @@ contains
          end do
          call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
          call append_table(lines, limits_columns, limits_shown, job%units, fields, results(rows)%status /= result_converged)
-         call append_table(lines, limits_columns, most_shown, job%units, fields, results(rows)%status /= result_converged)
+         columns = size(most_shown)
+         if (job%models(k) /= model_mcge) columns = most_of_all_models
+         call append_table(lines, limits_columns, most_shown(:columns), job%units, fields, results(rows)%status /= result_converged)
       end do
    end subroutine append_limits
+
+   !> By what loads were multiplied before they were compared with strengths.
+   pure function factors_text(design) result(text)
+      type(design_factors_type), intent(in) :: design
+      character(:), allocatable :: text
+      real(wp) :: factors(5)
+      factors = [design%von_mises, design%tension, design%torsion, design%burst, design%collapse]
+      if (all(abs(factors - 1.0_wp) <= 0.0_wp)) then
+         text = 'All design factors are 1.'
+      else
+         text = 'Design factors: von Mises '//to_text(factors(1), few)//', tension and slips '//to_text(factors(2), few)// &
+                ', torsion '//to_text(factors(3), few)//', burst '//to_text(factors(4), few)//', collapse '// &
+                to_text(factors(5), few)//'.'
+      end if
+   end function factors_text
 
    !> Those of the run first, then those of each case.
    subroutine append_pictures(lines, job, model, list)

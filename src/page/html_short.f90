@@ -91,7 +91,7 @@ contains
       if (any(used > 1.0_wp)) then
          call add_line(lines, '<li><b>Beyond a limit</b>: '//named(model, pack(results%case_index, used > 1.0_wp))//'.</li>')
       else
-         call add_line(lines, '<li>All load cases with known strengths are within them, design factors included.</li>')
+         call add_line(lines, '<li>No load case is beyond a known limit of strength, slips or rig, design factors included.</li>')
       end if
    end subroutine append_governing
 

@@ -264,8 +264,8 @@ contains
             call tell(lines, 'Beyond max_torque of the rig', beyond(margins))
             margins = points(first:last)%overpull_margin
             call tell(lines, 'Beyond yield', beyond(margins))
-            call tell(lines, 'Must be pushed at surface', points(first:last)%status == result_converged .and. &
-                      points(first:last)%hookload < 0.0_wp)
+            call tell(lines, 'Must be pushed at surface (hook load below zero, block not counted)', &
+                      points(first:last)%status == result_converged .and. points(first:last)%hookload < 0.0_wp)
          end do
       end do
    contains
@@ -279,12 +279,23 @@ contains
          type(text_type), allocatable, intent(inout) :: page(:)
          character(*), intent(in) :: what
          logical, intent(in) :: there(:)     !< at each depth
+         character(:), allocatable :: where_to
+         integer :: upper, lower
          if (.not. any(there)) return
+         upper = findloc(there, .true., dim=1)
+         lower = findloc(there, .true., dim=1, back=.true.)
+         where_to = depth_text(upper)
+         if (upper < lower) where_to = where_to//' to '//depth_text(lower)
+         if (.not. all(there(upper:lower))) where_to = where_to//', though not at each depth between'
          call append_text(page, what//': '//trim(operation_label(sweep%operations(o)))//' at '// &
-                          factor_text(sweep, f)//' first with the bit at '// &
-                          to_text(sweep%depths(findloc(there, .true., dim=1))/units%length, depth_digits)//' '// &
-                          trim(units%length_label))
+                          factor_text(sweep, f)//', bit at '//where_to)
       end subroutine tell
+
+      pure function depth_text(number) result(text)
+         integer, intent(in) :: number       !< of a depth
+         character(:), allocatable :: text
+         text = to_text(sweep%depths(number)/units%length, depth_digits)//' '//trim(units%length_label)
+      end function depth_text
    end subroutine append_passed
 
    pure function quantity_text(units, quantity, indicated) result(text)

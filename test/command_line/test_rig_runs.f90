@@ -183,8 +183,8 @@ contains
       call assertEqual(0, index(run%output, 'Must be pushed'), message=run%output)
       ! 150 kN at the bit are more than the weight along the hole: the string does not go down by itself.
       run = run_deck_text(replaced(text, 'wob = 0, 20', 'wob = 0, 150'))
-      call assertTrue(index(run%output, 'Must be pushed at surface: rotary drilling at .1/.35') > 0, message=run%output)
-      call assertEqual(0, index(run%output, 'Must be pushed at surface: up'), message=run%output)
+      call assertTrue(index(run%output, 'block not counted): rotary drilling at .1/.35') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'block not counted): up'), message=run%output)
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1, 3'), 'frictions_cased(2) = 3 is out of')
       call assertEqual(0, index(run%diagnostics, 'go in pairs'), message='one message a fault')

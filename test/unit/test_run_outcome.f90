@@ -109,8 +109,10 @@ contains
       points([7, 8])%hookload = -1.0_wp
       points(7)%status = result_not_converged
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: Beyond max_hookload of the rig: up at 0.25 first with the bit at 1100 m; '// &
-                       'Must be pushed at surface: down at 0.25 first with the bit at 1300 m', lines(1)%text)
+      call assertEqual('Sweep b, model soft: Beyond max_hookload of the rig: up at 0.25, bit at 1100 m to 1300 m, '// &
+                       'though not at each depth between; '// &
+                       'Must be pushed at surface (hook load below zero, block not counted): down at 0.25, bit at 1300 m', &
+                       lines(1)%text)
    end subroutine test_sentences
 
    !> A row a point, with the first sample that failed there.
