@@ -15,7 +15,8 @@
 !>   (t + d)/(1 + t.d),
 !> it is one more such element, from d to the t of the hole: its end moment on d, m (d x t)/(1 + t.d), works + m (1 - t.d) d theta,
 !> and the sum is nothing. With contact forces as they are the string is then at a minimum of an energy: what is not symmetric in
-!> the torques' tangents cancels as inside the string. Where nothing whirls torques act as they always did.
+!> the torques' tangents cancels as inside the string. Where nothing is compressed near buckling torques act about the string's own
+!> axis.
 module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
@@ -49,9 +50,11 @@ module dg_whirling
 
 contains
 
-   !> Share of circumferential friction's force that climbs, by element [-]: 1 but where friction acts on a string that the soft one
-   !> finds compressed near buckling; in a vertical stretch of hole in which it is compressed at all, as no weight holds it to
-   !> a side there; and in a vertical hole where any torque does.
+   !> Share of circumferential friction's force that climbs, by element [-]: less than 1 where the soft string is compressed near
+   !> buckling, and 0 for a turning string in a vertical stretch of hole in which it is compressed at all, as no weight holds it
+   !> to a side there. Where it is less than 1 anywhere, torques at bit and top act semi-tangentially; for a string that slides
+   !> without turning, which has no such force, that is all that it says. A torque about the string's own axis at a free bit would
+   !> drive its coil around a vertical stretch for ever.
    pure subroutine find_climb(model, case_index, mesh, compressed, climb)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -66,7 +69,6 @@ contains
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
-         if (.not. (mesh%rotary(e) > 0.0_wp .or. all(vertical))) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))

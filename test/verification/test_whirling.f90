@@ -15,6 +15,7 @@ module dg_test_whirling
    use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
+   use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe, solve, string_weight
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
@@ -33,6 +34,7 @@ contains
       call suite%addTest(TestMethod('drive', test_drive))
       call suite%addTest(TestMethod('iterations', test_iterations))
       call suite%addTest(TestMethod('assembly', test_assembly))
+      call suite%addTest(TestMethod('sliding_in_s_wells', test_sliding_in_s_wells))
    end function whirling_suite
 
    !> Drilling in a vertical hole with three stabilisers, from where the collars begin to bend between them to where they coil
@@ -76,6 +78,39 @@ contains
          end do
       end do
    end subroutine test_assembly
+
+   !> A string that slides with a motor's torque and coils in the vertical stretch below an S-shaped well: its hook load beside that
+   !> of an integration along a string without bending stiffness. None of these was found while the torque at a free bit acted
+   !> about the string's own axis, which drives the coil around.
+   subroutine test_sliding_in_s_wells()
+      real(wp), parameter :: frictions(2) = [0.1_wp, 0.3_wp], weights(3) = [20.0e3_wp, 35.0e3_wp, 50.0e3_wp]
+      real(wp), parameter :: torques(2) = [1.0e3_wp, 6.0e3_wp]
+      real(wp), parameter :: bent = 2.0e-3_wp     ! what bending changes of the hook load [-]; up to 1.5e-3 is seen
+      integer, parameter :: most = 60             ! up to 44 are seen
+      type(model_type) :: model
+      type(case_result_type) :: result, soft
+      character(40) :: what
+      type(error_type), allocatable :: error
+      integer :: f, w, t
+      do f = 1, size(frictions)
+         call new_well(model, [0.0_wp, 700.0_wp, 1200.0_wp, 1700.0_wp, 2000.0_wp, 2535.0_wp], &
+                       [0.0_wp, 0.0_wp, 33.0_wp, 33.0_wp, 0.0_wp, 0.0_wp], spread(0.0_wp, 1, 6), 0.1524_wp, frictions(f), &
+                       pipe(200.0_wp, 0.0889_wp, 0.0702_wp))
+         do w = 1, size(weights)
+            model%cases(1)%wob = weights(w)
+            model%cases(1)%operation = operation_sliding_drilling
+            call solve_soft_string(model, 1, soft, error, totals_only=.true.)
+            call assertFalse(allocated(error), message='soft string')
+            do t = 1, size(torques)
+               write (what, '(a, f4.2, 2(a, f5.1))') 'friction ', frictions(f), ', kN ', 1.0e-3_wp*weights(w), ', kN.m ', &
+                  1.0e-3_wp*torques(t)
+               call solve(model, operation_sliding_drilling, weights(w), torques(t), result, trim(what))
+               call assertRelativelyEqual(soft%hookload, result%hookload, bent, message=trim(what))
+               call assertLessThan(result%iterations, most, message=trim(what))
+            end do
+         end do
+      end do
+   end subroutine test_sliding_in_s_wells
 
    !> Torques of friction, bit and top do no work together as a string that whirls in a vertical hole turns as a whole, whatever its
    !> contact forces, once its twist balances them; the moments that they bend it with are not nothing. About the string's own axis
