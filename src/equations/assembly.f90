@@ -252,7 +252,8 @@ contains
       call hold_top(matrix)
    end subroutine add_friction
 
-   !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis, which bends nothing.
+   !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,
+   !> which bends nothing.
    pure subroutine add_end_torques(mesh, at_bit, at_top, state, part, wanted, work, matrix)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and what holds the top [N.m]

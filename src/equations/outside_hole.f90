@@ -43,15 +43,17 @@ contains
 
    !> Measures every element of a solution at the largest offset of its cubic shape, ends included. In a mud sheath the string may
    !> stand as deep as that is thick. `work` has the nodes placed and the gaps surveyed.
-   pure subroutine measure_outside(trajectory, mesh, work, outside, told)
+   pure subroutine measure_outside(trajectory, mesh, work, outside, cut)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(outside_type), intent(out) :: outside
-      logical, intent(out), optional :: told(:)      !< elements that stand outside by more than is told
-      real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), offset, xi, largest, excess
+      logical, intent(out), optional :: cut(:)       !< elements that stand outside by more than is told where their gap does not:
+                                                     !< shorter ones help, as it is not the wall that gives way
+      real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), offset, xi, largest, excess, &
+                  pressed_in
       integer :: e, arc
-      if (present(told)) told = .false.
+      if (present(cut)) cut = .false.
       call node_offset(trajectory, mesh, work, 1, gap_j, t_j)
       do e = 1, mesh%elements
          gap_i = gap_j
@@ -63,7 +65,8 @@ contains
          call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
          excess = norm2(gap)/mesh%clearance(e) - 1.0_wp
          if (.not. is_told(excess, mesh, e)) cycle
-         if (present(told)) told(e) = .true.
+         pressed_in = max(work%displacement(e)/mesh%clearance(e) - 1.0_wp, 0.0_wp)
+         if (present(cut)) cut(e) = is_told(excess - pressed_in, mesh, e)
          outside%elements = outside%elements + 1
          if (excess <= outside%excess) cycle
          outside%excess = excess

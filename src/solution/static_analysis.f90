@@ -12,6 +12,7 @@ module dg_static_analysis
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_bending_profile, only: bend_profile
+   use dg_bent_start, only: pressing_of_bend
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
    use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside
@@ -22,7 +23,7 @@ module dg_static_analysis
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: load_case_type
    use dg_mesh, only: mesh_type, new_mesh
-   use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest
+   use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location
@@ -307,13 +308,14 @@ contains
          start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
          if (increment == 1) call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, &
                                           string%work%normal)
+         if (increment == 1) string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
          do cut = 0, numerics%tuning%most_cuts
             call new_iteration(numerics, string, it)
             it%growth = attempt%growth
             it%row%increment = increment
             it%row%attempt = number
             it%row%stage = 1 + cut
-            if (increment == numerics%load_steps .and. cut < numerics%tuning%most_cuts) it%cut_from = 2.0_wp*shortest
+            if (increment == numerics%load_steps .and. cut < numerics%tuning%most_cuts) it%cut_from = 2.0_wp*shortest_cut
             call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
             outcome = it%outcome
             if (outcome /= outcome_outside) exit

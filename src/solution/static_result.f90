@@ -248,22 +248,24 @@ contains
       end if
    end subroutine result_of_lock_up
 
-   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen
-   !> by the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no
-   !> result.
+   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen by the
+   !> wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no result. Where a
+   !> gap beside the node presses the wall in, the hole is as wide as that: a wall that gives way is no other hole.
    pure subroutine look_outside(model, mesh, work, worst, place)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: worst
       integer, intent(out) :: place
-      real(wp) :: gap(3), tangent(3), outside
-      integer :: n
+      real(wp) :: gap(3), tangent(3), outside, wide
+      integer :: n, beside(2)
       worst = -1.0_wp
       place = 1
       do n = 1, mesh%nodes
          call node_offset(model%trajectory, mesh, work, n, gap, tangent)
-         outside = norm2(gap)/maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements))) - 1.0_wp
+         beside = [max(n - 1, 1), min(n, mesh%elements)]
+         wide = maxval(mesh%clearance(beside))
+         outside = (norm2(gap) - max(wide, maxval(work%displacement(beside), mask=work%normal(beside) > 0.0_wp)))/wide
          if (outside <= worst) cycle
          worst = outside
          place = n

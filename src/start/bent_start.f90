@@ -11,15 +11,19 @@ module dg_bent_start
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
    use dg_bending_solution, only: solve_bending
    use dg_gap_state, only: gap_law_type
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: is_straight_down, mesh_type
    use dg_model, only: model_type
    use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
    private
-   public :: bend_start
+   public :: bend_start, pressing_of_bend
 
    !> Change of moments over the largest one at which a start is good enough [-].
    real(wp), parameter :: settled = 1.0e-3_wp
+
+   !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]: else
+   !> it might stand anywhere in the hole.
+   real(wp), parameter :: loose = 1.0e-3_wp
 
 contains
 
@@ -60,6 +64,7 @@ contains
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
       end do
+      if (allocated(mesh%bend)) beam%viscous = beam%viscous + loose*mesh%ei(n - 1)/(mesh%md(n) - mesh%md(1))**3
       arc = 1
       do e = 1, n
          arc = arc_at(model%trajectory, beam%place(e), near=arc)
@@ -83,4 +88,14 @@ contains
       call find_forces(beam, y, forces)
       pressed = forces%pressed
    end subroutine bend_start
+
+   !> Largest contact load over its clearance that the bend of a housing is expected to have in a vertical hole [N/m2], where
+   !> nothing else that the soft string knows of presses; else 0. From the contact forces of the start, by element [N].
+   pure function pressing_of_bend(mesh, force) result(pressing)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: force(:)
+      real(wp) :: pressing
+      pressing = 0.0_wp
+      if (allocated(mesh%bend) .and. is_straight_down(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))
+   end function pressing_of_bend
 end module dg_bent_start
