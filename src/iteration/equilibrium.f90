@@ -109,7 +109,8 @@ contains
       type(outside_type) :: outside
       logical :: definite
       ended = .false.
-      do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. it%row%flips == 0)
+      do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. &
+                it%flipped <= it%tolerance*equations%force_scale)
          definite = .true.
          if (it%watched) then
             if (it%row%lateral_step > it%numerics%tuning%still*maxval(mesh%clearance)) exit

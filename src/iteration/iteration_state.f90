@@ -48,6 +48,7 @@ module dg_iteration_state
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
       real(wp) :: old_growth = 1.0_wp
+      real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
       integer :: rounds = 0, round_start = 0
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
@@ -205,6 +206,7 @@ contains
       it%row%moves = 0
       if (relocate) call move_gaps(it, trajectory, mesh, it%numerics%tuning%gently, it%row%flips == 0, .false., gaps, work)
       it%row%flips = 0
+      it%flipped = 0.0_wp
       do e = 1, mesh%elements
          associate (law => gaps%law(e), force => work%normal(e))
             deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
@@ -216,7 +218,10 @@ contains
                if (force < -law%r_n0 .or. (force + it%soft*mesh%length(e)*deep < -law%r_n0 .and. &
                                            deep < -law%eps_n0*law%clearance)) next = state_free
             end if
-            if (next /= it%kept%state(e)) it%row%flips = it%row%flips + 1
+            if (next /= it%kept%state(e)) then
+               it%row%flips = it%row%flips + 1
+               it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
+            end if
             if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
             gaps%state(e) = next
             if (next == state_free) force = 0.0_wp
