@@ -54,7 +54,7 @@ contains
    !> buckling, and 0 for a turning string in a vertical stretch of hole in which it is compressed at all, as no weight holds it
    !> to a side there. Where it is less than 1 anywhere, torques at bit and top act semi-tangentially; for a string that slides
    !> without turning, which has no such force, that is all that it says. A torque about the string's own axis at a free bit would
-   !> drive its coil around a vertical stretch for ever.
+   !> drive its coil around a vertical stretch for ever. A shaft without friction keeps it: it buckles as Greenhill's (1883).
    pure subroutine find_climb(model, case_index, mesh, compressed, climb)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -69,6 +69,7 @@ contains
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
+         if (.not. (mesh%rotary(e) > 0.0_wp .or. abs(mesh%axial(e)) > 0.0_wp .or. all(vertical))) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
