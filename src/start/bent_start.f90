@@ -21,8 +21,8 @@ module dg_bent_start
    !> Change of moments over the largest one at which a start is good enough [-].
    real(wp), parameter :: settled = 1.0e-3_wp
 
-   !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]: else
-   !> it might stand anywhere in the hole.
+   !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]:
+   !> else it might stand anywhere in the hole.
    real(wp), parameter :: loose = 1.0e-3_wp
 
 contains
