@@ -6,6 +6,7 @@ module dg_test_bent_housing
    use dg_beam_bend, only: add_bend, bend_moment, holding_moment
    use dg_beam_element, only: beam_force, beam_section_type, membrane_length
    use dg_case_result, only: case_result_type
+   use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
@@ -367,9 +368,10 @@ contains
       real(wp), parameter :: depth = 1500.0_wp, diameter = 0.3111_wp, play(2) = [0.0_wp, 0.8e-3_wp], under_gauge = 3.0e-3_wp
       integer, parameter :: most = 100          ! up to 73 are seen
       type(model_type) :: model
+      type(component_type) :: parts(5)
       type(case_result_type) :: result
       character(60) :: what
-      integer :: i, b, k, blades
+      integer :: i, b, k, n, blades
       do i = 1, size(inclinations)
          do b = 1, size(bends)
             do k = 1, size(play)
@@ -378,15 +380,19 @@ contains
                      ' mm, blades ', blades
                   call new_well(model, [0.0_wp, depth], spread(inclinations(i), 1, 2), [0.0_wp, 0.0_wp], diameter, 0.3_wp, &
                                 part('drillpipe', 0.0_wp, 0.1397_wp, 0.1214_wp, 38.4_wp, 0.1842_wp))
-                  associate (pipe => model%strings(1)%components(1))
-                     model%strings(1)%components = [part('bit', 0.1_wp, 0.2032_wp, 0.05_wp, 200.0_wp, diameter - play(k)), &
-                                                    part('motor', 8.0_wp, 0.2032_wp, 0.08_wp, 215.0_wp, 0.0_wp), &
-                                                    part('stabilizer', 1.5_wp, 0.2032_wp, 0.0714_wp, 223.0_wp, &
-                                                         merge(diameter - under_gauge, 0.0_wp, blades == 1)), &
-                                                    part('collar', 30.0_wp, 0.2032_wp, 0.0714_wp, 223.0_wp, 0.0_wp), pipe]
-                  end associate
-                  model%strings(1)%components(2)%bend = bends(b)*degree
-                  model%strings(1)%components(2)%bend_position = 2.0_wp
+                  parts(1) = part('bit', 0.1_wp, 0.2032_wp, 0.05_wp, 200.0_wp, diameter - play(k))
+                  parts(2) = part('motor', 8.0_wp, 0.2032_wp, 0.08_wp, 215.0_wp, 0.0_wp)
+                  parts(2)%bend = bends(b)*degree
+                  parts(2)%bend_position = 2.0_wp
+                  parts(3) = part('stabilizer', 1.5_wp, 0.2032_wp, 0.0714_wp, 223.0_wp, &
+                                  merge(diameter - under_gauge, 0.0_wp, blades == 1))
+                  parts(4) = part('collar', 30.0_wp, 0.2032_wp, 0.0714_wp, 223.0_wp, 0.0_wp)
+                  parts(5) = model%strings(1)%components(1)
+                  deallocate (model%strings(1)%components)
+                  allocate (model%strings(1)%components(5))
+                  do n = 1, 5
+                     model%strings(1)%components(n) = parts(n)
+                  end do
                   model%cases(1)%toolface = 0.5_wp*pi
                   model%boundary%top_centred = .true.
                   call solve(model, operation_static, 0.0_wp, 0.0_wp, result, trim(what))
