@@ -366,7 +366,7 @@ contains
    subroutine test_free_bit()
       real(wp), parameter :: inclinations(3) = [0.0_wp, 40.0_wp, 85.0_wp], bends(3) = [0.8_wp, 1.2_wp, 1.8_wp]
       real(wp), parameter :: depth = 1500.0_wp, diameter = 0.3111_wp, play(2) = [0.0_wp, 0.8e-3_wp], under_gauge = 3.0e-3_wp
-      integer, parameter :: most = 100          ! up to 73 are seen
+      integer, parameter :: most = 60           ! up to 26 are seen
       type(model_type) :: model
       type(component_type) :: parts(5)
       type(case_result_type) :: result
