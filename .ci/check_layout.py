@@ -12,9 +12,6 @@ LARGEST = 120   # lines a procedure, those that it contains among them
 MOST_ARGUMENTS = 9
 # Procedures that are longer, and why.
 LONGER = {
-    "read_legacy_file": "one pass over a table; what it contains shares the row and its marks",
-    "read_stations": "checks of one table; what it contains tells faults of deck or file",
-    "parse_groups": "one pass over tokens; what it contains shares the group and the entry that are open",
     "load_tests": "a list of suites, two lines each",
 }
 PREFIX = "dg_"

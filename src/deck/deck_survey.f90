@@ -33,17 +33,16 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(unit_system_type) :: file_units
       logical :: from_file
-
       sound = .false.
       from_file = is_given(group, 'survey_file')
       if (from_file .and. is_given(group, 'md')) then
-         call fault(line_of(group, 'survey_file'), 'both survey_file and md are given; keep one')
+         call fault(path, line_of(group, 'survey_file'), 'both survey_file and md are given; keep one', sound, faults)
          return
       end if
       if (from_file) then
          if (.not. is_sound(group, 'survey_file')) return
          if (text_of(group, 'survey_file', '') == '') then
-            call fault(line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck')
+            call fault(path, line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck', sound, faults)
             return
          end if
          file_units = units
@@ -53,94 +52,122 @@ contains
                                is_given(group, 'survey_units'), &
                                fault_at(path, line_of(group, 'survey_file'), 'group &trajectory: survey_file'))
       else
-         call take_arrays(sound)
+         call take_arrays(path, group, stations, sound, faults)
       end if
+      if (sound) call check_stations(path, group, units, stations, sound, faults)
+   end subroutine read_stations
+
+   !> A fault of the group; what is read is then not sound.
+   subroutine fault(path, line, message, sound, faults)
+      character(*), intent(in) :: path
+      integer, intent(in) :: line
+      character(*), intent(in) :: message
+      logical, intent(inout) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      call add_fault(faults, path, line, 'group &trajectory: '//message)
+      sound = .false.
+   end subroutine fault
+
+   !> A key of the stations that is not there.
+   subroutine missing(path, group, key, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical, intent(inout) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      call fault(path, group%line, 'key '//key//' is missing; give md, inc and azi, or a survey_file', sound, faults)
+   end subroutine missing
+
+   !> The stations that the group itself lists.
+   subroutine take_arrays(path, group, stations, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(station_list_type), intent(inout) :: stations
+      logical, intent(out) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      integer :: n
+      stations%file = path
+      stations%md = reals_of(group, 'md')
+      stations%inclination = reals_of(group, 'inc')
+      stations%azimuth = reals_of(group, 'azi')
+      n = size(stations%md)
+      sound = .true.
+      if (.not. is_given(group, 'md')) call missing(path, group, 'md', sound, faults)
+      if (.not. is_given(group, 'inc')) call missing(path, group, 'inc', sound, faults)
+      if (is_given(group, 'md')) sound = sound .and. is_sound(group, 'md')
+      if (is_given(group, 'inc')) sound = sound .and. is_sound(group, 'inc')
+      if (is_given(group, 'azi')) sound = sound .and. is_sound(group, 'azi')
       if (.not. sound) return
-      call check_order()
-
+      stations%has_azimuth = is_given(group, 'azi')
+      if (size(stations%inclination) /= n) call uneven('inc', size(stations%inclination))
+      if (stations%has_azimuth .and. size(stations%azimuth) /= n) call uneven('azi', size(stations%azimuth))
+      if (.not. stations%has_azimuth) stations%azimuth = 0.0_wp*stations%md
+      stations%lines = spread(line_of(group, 'md'), 1, n)
    contains
-
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &trajectory: '//message)
-         sound = .false.
-      end subroutine fault
-
-      !> A fault of one station, where it stands.
-      subroutine station_fault(i, message)
-         integer, intent(in) :: i
-         character(*), intent(in) :: message
-         if (from_file) then
-            call add_fault(faults, stations%file, stations%lines(i), 'survey: '//message)
-            sound = .false.
-         else
-            call fault(stations%lines(i), message)
-         end if
-      end subroutine station_fault
-
-      subroutine take_arrays(complete)
-         logical, intent(out) :: complete
-         integer :: n
-         stations%file = path
-         stations%md = reals_of(group, 'md')
-         stations%inclination = reals_of(group, 'inc')
-         stations%azimuth = reals_of(group, 'azi')
-         n = size(stations%md)
-         complete = .true.
-         if (.not. is_given(group, 'md')) call missing('md')
-         if (.not. is_given(group, 'inc')) call missing('inc')
-         if (is_given(group, 'md')) complete = complete .and. is_sound(group, 'md')
-         if (is_given(group, 'inc')) complete = complete .and. is_sound(group, 'inc')
-         if (is_given(group, 'azi')) complete = complete .and. is_sound(group, 'azi')
-         if (.not. complete) return
-         stations%has_azimuth = is_given(group, 'azi')
-         if (size(stations%inclination) /= n) call uneven('inc', size(stations%inclination))
-         if (stations%has_azimuth .and. size(stations%azimuth) /= n) call uneven('azi', size(stations%azimuth))
-         if (.not. stations%has_azimuth) stations%azimuth = 0.0_wp*stations%md
-         stations%lines = spread(line_of(group, 'md'), 1, n)
-      end subroutine take_arrays
-
-      subroutine missing(key)
-         character(*), intent(in) :: key
-         call fault(group%line, 'key '//key//' is missing; give md, inc and azi, or a survey_file')
-      end subroutine missing
-
       subroutine uneven(key, found)
          character(*), intent(in) :: key
          integer, intent(in) :: found
-         call fault(line_of(group, key), key//' has '//to_text(found)//' values, md has '// &
-                    to_text(size(stations%md))//'; give one for each station')
+         call fault(path, line_of(group, key), key//' has '//to_text(found)//' values, md has '//to_text(n)// &
+                    '; give one for each station', sound, faults)
       end subroutine uneven
+   end subroutine take_arrays
 
-      subroutine check_order()
-         type(model_faults_type) :: found
-         integer :: i, n
-         n = size(stations%md)
-         if (n < 2) then
-            if (from_file) then
-               call add_fault(faults, stations%file, 0, 'survey: '//to_text(n)//' station(s); at least two are needed')
-               sound = .false.
-            else
-               call fault(line_of(group, 'md'), 'md holds '//to_text(n)//' station; at least two are needed')
-            end if
-            return
+   !> Whether stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
+   subroutine check_stations(path, group, units, stations, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(station_list_type), intent(in) :: stations
+      logical, intent(inout) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
+      logical :: from_file
+      integer :: i, n
+      from_file = is_given(group, 'survey_file')
+      n = size(stations%md)
+      if (n < 2) then
+         if (from_file) then
+            call add_fault(faults, stations%file, 0, 'survey: '//to_text(n)//' station(s); at least two are needed')
+            sound = .false.
+         else
+            call fault(path, line_of(group, 'md'), 'md holds '//to_text(n)//' station; at least two are needed', sound, faults)
          end if
-         if (begins_below(stations%md(1)) .and. .not. begins_vertical(stations%inclination(1)) .and. &
-             text_of(group, 'tie_on', 'none') == 'none') &
-            call station_fault(1, 'the first station is at '//depth(1)//' and inclined; the survey must begin at surface, '// &
-                               "md = 0, or where the hole is still vertical; or give tie_on = 'vertical'")
-         call check_station_order(stations%md, units, found)
-         do i = 1, found%count
-            call station_fault(found%items(i)%place, found%items(i)%message)
-         end do
-         if (from_file) then         ! the table of keys has checked the deck's own numbers
-            call check_range('md', stations%md)
-            call check_range('inc', stations%inclination)
-            call check_range('azi', stations%azimuth)
+         return
+      end if
+      if (begins_below(stations%md(1)) .and. .not. begins_vertical(stations%inclination(1)) .and. &
+          text_of(group, 'tie_on', 'none') == 'none') &
+         call station_fault(1, 'the first station is at '// &
+                            trim(in_units(units, unit_length, stations%md(1), depth_digits))//' and inclined; the survey must '// &
+                            "begin at surface, md = 0, or where the hole is still vertical; or give tie_on = 'vertical'")
+      call check_station_order(stations%md, units, found)
+      do i = 1, found%count
+         call station_fault(found%items(i)%place, found%items(i)%message)
+      end do
+      if (from_file) then         ! the table of keys has checked the deck's own numbers
+         call check_range('md', stations%md)
+         call check_range('inc', stations%inclination)
+         call check_range('azi', stations%azimuth)
+      end if
+      if (.not. sound .or. stations%has_azimuth .or. all(stations%inclination <= vertical)) return
+      if (from_file) then
+         call station_fault(1, 'the table has no column azi, but the hole is inclined; give azimuths')
+      else
+         call missing(path, group, 'azi', sound, faults)
+      end if
+
+   contains
+
+      !> A fault of one station, where it stands.
+      subroutine station_fault(place, message)
+         integer, intent(in) :: place
+         character(*), intent(in) :: message
+         if (from_file) then
+            call add_fault(faults, stations%file, stations%lines(place), 'survey: '//message)
+            sound = .false.
+         else
+            call fault(path, stations%lines(place), message, sound, faults)
          end if
-         if (sound) call check_azimuth()
-      end subroutine check_order
+      end subroutine station_fault
 
       !> Stations of a file have the ranges of those in the deck.
       subroutine check_range(key, values)
@@ -149,33 +176,17 @@ contains
          type(key_rule_type) :: rule
          type(unit_system_type) :: si
          real(wp) :: held
-         integer :: i
+         integer :: k
          logical :: holds
          si = si_units()
          rule = group%rules(rule_index(group%rules, key))
-         do i = 1, size(values)
-            held = values(i)
+         do k = 1, size(values)
+            held = values(k)
             call hold_in_range(rule, si, held, holds)
             if (holds) cycle
-            call station_fault(i, key//' = '//to_text(values(i)/unit_factor(units, rule%unit), depth_digits)// &
+            call station_fault(k, key//' = '//to_text(values(k)/unit_factor(units, rule%unit), depth_digits)// &
                                ' is out of range; needs a number, '//range_text(rule, units, si))
          end do
       end subroutine check_range
-
-      subroutine check_azimuth()
-         if (stations%has_azimuth) return
-         if (all(stations%inclination <= vertical)) return
-         if (from_file) then
-            call station_fault(1, 'the table has no column azi, but the hole is inclined; give azimuths')
-         else
-            call missing('azi')
-         end if
-      end subroutine check_azimuth
-
-      function depth(i) result(text)
-         integer, intent(in) :: i
-         character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, stations%md(i), depth_digits))
-      end function depth
-   end subroutine read_stations
+   end subroutine check_stations
 end module dg_deck_survey

@@ -31,7 +31,18 @@ module dg_deck_text
       type(entry_type), allocatable :: entries(:)
    end type group_type
 
-   character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyz_'
+   !> Groups as far as they are read, with the group and the entry that are open.
+   type :: parser_type
+      character(:), allocatable :: path
+      type(group_type), allocatable :: groups(:)
+      type(group_type) :: group
+      type(entry_type) :: entry
+      type(value_text_type), allocatable :: values(:)             !< of the entry
+      integer :: n_groups = 0, n_entries = 0, n_values = 0        !< of the lists, which have room for more
+      logical :: in_group = .false., in_entry = .false.
+      logical :: lost = .false.     !< after a fault: nothing more is said until the next key
+   end type parser_type
+
    character(*), parameter :: digits = '0123456789'
    !> Subscripts of more digits are no station of a deck.
    integer, parameter :: longest_subscript = 6
@@ -46,20 +57,10 @@ contains
       type(token_type), intent(in) :: tokens(:)
       type(group_type), allocatable, intent(out) :: groups(:)
       type(fault_list_type), intent(inout) :: faults
-      type(group_type) :: group
-      type(entry_type) :: entry
-      type(value_text_type), allocatable :: values(:)   ! of the entry; the first n_values are meant
-      integer :: n_values, n_entries, n_groups          ! of the lists, which have room for more
-      logical :: in_group, in_entry, lost
+      type(parser_type) :: parser
       integer :: i, previous, this, next, stray_line
-
-      allocate (groups(first_capacity), values(first_capacity))
-      n_values = 0
-      n_entries = 0
-      n_groups = 0
-      in_group = .false.
-      in_entry = .false.
-      lost = .false.         ! after a fault: nothing more is said until the next key
+      parser%path = path
+      allocate (parser%groups(first_capacity), parser%values(first_capacity))
       stray_line = 0
       this = 0
       do i = 1, size(tokens)
@@ -75,122 +76,142 @@ contains
                call add_fault(faults, path, token%line, 'text outside any group: '//quoted(token%text)// &
                               '; start a comment with !, put a text that holds a / into quotes')
             case (token_group)
-               call close_entry()
-               if (in_group) then
-                  call add_fault(faults, path, group%line, 'group &'//group%name//': not closed before &'// &
-                                 lower_case(token%text)//' in line '//to_text(token%line)//'; end it with /')
-                  call close_group()
+               call close_entry(parser, faults)
+               if (parser%in_group) then
+                  call group_fault(parser, parser%group%line, 'not closed before &'//lower_case(token%text)//' in line '// &
+                                   to_text(token%line)//'; end it with /', faults)
+                  call close_group(parser)
                end if
-               in_group = .true.
-               lost = .false.
-               group%name = lower_case(token%text)
-               group%line = token%line
-               if (allocated(group%entries)) deallocate (group%entries)
-               allocate (group%entries(first_capacity))
-               n_entries = 0
+               call open_group(parser, token)
             case (token_end)
-               call close_entry()
-               if (in_group) then
-                  call close_group()
+               call close_entry(parser, faults)
+               if (parser%in_group) then
+                  call close_group(parser)
                else
                   call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
                end if
-               in_group = .false.
             case (token_equals)
-               if (in_entry .and. previous == token_word) then
-                  if (n_values == 0) cycle   ! the key's own
+               if (parser%in_entry .and. previous == token_word) then
+                  if (parser%n_values == 0) cycle   ! the key's own
                end if
-               if (.not. lost) call group_fault(token%line, "'=' without a key before it; write key = value")
-               call close_entry()
-               lost = .true.
+               if (.not. parser%lost) &
+                  call group_fault(parser, token%line, "'=' without a key before it; write key = value", faults)
+               call close_entry(parser, faults)
+               parser%lost = .true.
             case (token_comma)
-               if (.not. in_entry) cycle
+               if (.not. parser%in_entry) cycle
                if (previous == token_comma .or. previous == token_equals) &
-                  call entry_fault('no value before a comma; give every value')
+                  call entry_fault(parser, 'no value before a comma; give every value', faults)
             case (token_word, token_text, token_open_text)
                if (token%kind == token_word .and. next == token_equals) then
-                  call close_entry()
-                  call open_entry(token)
-               else if (in_entry) then
-                  call take_value(token)
-               else if (.not. lost) then
-                  call group_fault(token%line, quoted(token%text)//' belongs to no key; write key = value')
-                  lost = .true.
+                  call close_entry(parser, faults)
+                  call open_entry(parser, token, faults)
+               else if (parser%in_entry) then
+                  call take_value(parser, token, faults)
+               else if (.not. parser%lost) then
+                  call group_fault(parser, token%line, quoted(token%text)//' belongs to no key; write key = value', faults)
+                  parser%lost = .true.
                end if
             case default
             end select
          end associate
       end do
-      call close_entry()
-      if (in_group) then
-         call add_fault(faults, path, group%line, 'group &'//group%name//': not closed; end it with /')
-         call close_group()
+      call close_entry(parser, faults)
+      if (parser%in_group) then
+         call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
+         call close_group(parser)
       end if
-      groups = groups(:n_groups)
+      groups = parser%groups(:parser%n_groups)
+   end subroutine parse_groups
 
-   contains
+   subroutine open_group(parser, token)
+      type(parser_type), intent(inout) :: parser
+      type(token_type), intent(in) :: token
+      parser%in_group = .true.
+      parser%lost = .false.
+      parser%group%name = lower_case(token%text)
+      parser%group%line = token%line
+      if (allocated(parser%group%entries)) deallocate (parser%group%entries)
+      allocate (parser%group%entries(first_capacity))
+      parser%n_entries = 0
+   end subroutine open_group
 
-      subroutine close_group()
-         group%entries = group%entries(:n_entries)
-         call append_group(groups, n_groups, group)
-      end subroutine close_group
+   subroutine close_group(parser)
+      type(parser_type), intent(inout) :: parser
+      parser%group%entries = parser%group%entries(:parser%n_entries)
+      call append_group(parser%groups, parser%n_groups, parser%group)
+      parser%in_group = .false.
+   end subroutine close_group
 
-      subroutine group_fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &'//group%name//': '//message)
-      end subroutine group_fault
+   !> A fault within the group that is open, or was last.
+   subroutine group_fault(parser, line, message, faults)
+      type(parser_type), intent(in) :: parser
+      integer, intent(in) :: line
+      character(*), intent(in) :: message
+      type(fault_list_type), intent(inout) :: faults
+      call add_fault(faults, parser%path, line, 'group &'//parser%group%name//': '//message)
+   end subroutine group_fault
 
-      !> One fault an entry is enough: what follows from it would only confuse.
-      subroutine entry_fault(message)
-         character(*), intent(in) :: message
-         if (entry%sound) call group_fault(entry%line, entry%key//': '//message)
-         entry%sound = .false.
-      end subroutine entry_fault
+   !> One fault an entry is enough: what follows from it would only confuse.
+   subroutine entry_fault(parser, message, faults)
+      type(parser_type), intent(inout) :: parser
+      character(*), intent(in) :: message
+      type(fault_list_type), intent(inout) :: faults
+      if (parser%entry%sound) call group_fault(parser, parser%entry%line, parser%entry%key//': '//message, faults)
+      parser%entry%sound = .false.
+   end subroutine entry_fault
 
-      subroutine open_entry(token)
-         type(token_type), intent(in) :: token
-         logical :: legal
-         in_entry = .true.
-         lost = .false.
+   subroutine open_entry(parser, token, faults)
+      type(parser_type), intent(inout) :: parser
+      type(token_type), intent(in) :: token
+      type(fault_list_type), intent(inout) :: faults
+      logical :: legal
+      parser%in_entry = .true.
+      parser%lost = .false.
+      parser%n_values = 0
+      associate (entry => parser%entry)
          entry%line = token%line
          entry%sound = .true.
-         n_values = 0
          call split_subscript(lower_case(token%text), entry%key, entry%first, entry%last, legal)
-         if (.not. legal) then
-            call entry_fault('the subscript of '//quoted(token%text)//' is none; write key(1) = or key(2:5) =')
-         end if
-      end subroutine open_entry
+      end associate
+      if (.not. legal) call entry_fault(parser, 'the subscript of '//quoted(token%text)// &
+                                        ' is none; write key(1) = or key(2:5) =', faults)
+   end subroutine open_entry
 
-      subroutine take_value(token)
-         type(token_type), intent(in) :: token
-         type(value_text_type) :: value
-         if (token%kind == token_open_text) then
-            call entry_fault('the quote before '//quoted(token%text)//' is not closed on its line')
-         else if (token%kind == token_word .and. token%text == '') then
-            call entry_fault('a repeat count without a value; write 3*0.1')
-         else if (token%repeat < 1) then
-            call entry_fault('repeat counts are 1 to 999999')
-         end if
-         value%text = token%text
-         value%in_quotes = token%kind /= token_word
-         value%line = token%line
-         if (entry%sound) call append_values(values, n_values, value, token%repeat)
-      end subroutine take_value
+   subroutine take_value(parser, token, faults)
+      type(parser_type), intent(inout) :: parser
+      type(token_type), intent(in) :: token
+      type(fault_list_type), intent(inout) :: faults
+      type(value_text_type) :: value
+      if (token%kind == token_open_text) then
+         call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line', faults)
+      else if (token%kind == token_word .and. token%text == '') then
+         call entry_fault(parser, 'a repeat count without a value; write 3*0.1', faults)
+      else if (token%repeat < 1) then
+         call entry_fault(parser, 'repeat counts are 1 to 999999', faults)
+      end if
+      value%text = token%text
+      value%in_quotes = token%kind /= token_word
+      value%line = token%line
+      if (parser%entry%sound) call append_values(parser%values, parser%n_values, value, token%repeat)
+   end subroutine take_value
 
-      subroutine close_entry()
-         if (in_entry) then
-            entry%values = values(:n_values)
-            if (n_values == 0) call entry_fault('no value; write '//entry%key//' = value')
-            if (entry%sound .and. entry%last > 0) then
-               if (entry%last - entry%first + 1 /= size(entry%values)) call entry_fault('the subscript asks for '// &
-                  to_text(entry%last - entry%first + 1)//' values, '//to_text(size(entry%values))//' given')
-            end if
-            call append_entry(group%entries, n_entries, entry)
-         end if
-         in_entry = .false.
-      end subroutine close_entry
-   end subroutine parse_groups
+   !> Puts the entry that is open, if one is, into its group.
+   subroutine close_entry(parser, faults)
+      type(parser_type), intent(inout) :: parser
+      type(fault_list_type), intent(inout) :: faults
+      integer :: wanted
+      if (.not. parser%in_entry) return
+      parser%in_entry = .false.
+      parser%entry%values = parser%values(:parser%n_values)
+      if (parser%n_values == 0) call entry_fault(parser, 'no value; write '//parser%entry%key//' = value', faults)
+      if (parser%entry%sound .and. parser%entry%last > 0) then
+         wanted = parser%entry%last - parser%entry%first + 1
+         if (wanted /= parser%n_values) call entry_fault(parser, 'the subscript asks for '//to_text(wanted)//' values, '// &
+                                                         to_text(parser%n_values)//' given', faults)
+      end if
+      call append_entry(parser%group%entries, parser%n_entries, parser%entry)
+   end subroutine close_entry
 
    !> Splits `md(2:5)` into key and subscripts; (:) is none, (n) gives the place of the first value.
    pure subroutine split_subscript(text, key, first, last, legal)

@@ -30,6 +30,19 @@ module dg_legacy_file
       integer :: first = 0, last = 0         !< characters of a fixed column; 0: not fixed
    end type column_type
 
+   !> The table as far as it is read.
+   type :: table_type
+      character(:), allocatable :: path
+      real(wp), allocatable :: numbers(:, :)   !< (:, column_count) [SI]
+      integer, allocatable :: line_of(:)       !< of its rows
+      integer :: n = 0                         !< rows; the arrays have room for more
+      integer :: line = 0                      !< that is read
+      integer :: wide = 0                      !< columns of the header
+      character :: separator = ' '
+      type(marks_type) :: marks                !< how its numbers are written
+      logical :: sound = .true.
+   end type table_type
+
 contains
 
    !> Reads the columns of a file; without fault only where `sound`.
@@ -43,15 +56,9 @@ contains
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
       type(fault_type), intent(in), optional :: asked      !< where the deck names the file, for one that cannot be read
-      type(text_type), allocatable :: lines(:), fields(:)
-      type(row_type) :: row
-      type(marks_type) :: marks
-      character(:), allocatable :: failure, text
-      real(wp), allocatable :: table(:, :)
-      integer, allocatable :: line_of(:)
-      character :: separator
-      integer :: line, n, wide, c
-      logical :: fixed, started, legal
+      type(text_type), allocatable :: lines(:)
+      type(table_type) :: table
+      character(:), allocatable :: failure
       sound = .false.
       has = .false.
       call read_lines(path, lines, failure)
@@ -59,169 +66,218 @@ contains
          call add_unreadable(faults, path, 'legacy file '//failure, asked)
          return
       end if
-      sound = .true.
+      table%path = path
+      allocate (table%numbers(size(lines), column_count), source=0.0_wp)
+      allocate (table%line_of(size(lines)), source=0)
+      call take_lines(lines, skip, columns, table, faults)
+      call check_rows(columns, table, faults)
+      has = columns(2:column_count)%number > 0 .or. columns(2:column_count)%last > 0
+      if (table%sound .and. .not. any(has)) &
+         call fault(table, 0, 'it has none of axial, torque, side_force; name at least one of its columns', faults)
+      sound = table%sound
+      allocate (md, source=table%numbers(:table%n, 1))
+      allocate (values, source=table%numbers(:table%n, 2:))
+   end subroutine read_legacy_file
+
+   !> A fault of the file, or of a line in it; the table is then not sound.
+   subroutine fault(table, line, message, faults)
+      type(table_type), intent(inout) :: table
+      integer, intent(in) :: line
+      character(*), intent(in) :: message
+      type(fault_list_type), intent(inout) :: faults
+      table%sound = .false.
+      call add_fault(faults, table%path, line, 'legacy: '//message)
+   end subroutine fault
+
+   !> Rows of numbers from the lines below those that are skipped: header first, unless columns are fixed.
+   subroutine take_lines(lines, skip, columns, table, faults)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: skip
+      type(column_type), intent(inout) :: columns(:)
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: fields(:)
+      character(:), allocatable :: text
+      logical :: fixed, started
+      integer :: line
       fixed = any(columns%last > 0)
       started = fixed
-      separator = ' '
-      wide = 0
-      n = 0
-      allocate (table(size(lines), column_count), source=0.0_wp)
-      allocate (line_of(size(lines)), source=0)
       do line = skip + 1, size(lines)
          text = without_comment(lines(line)%text)
          if (text == '') cycle
-         if (fixed) then
-            n = n + 1
-            call take_fixed(lines(line)%text)
-            cycle
-         end if
+         table%line = line
          if (.not. started) then
             started = .true.
-            call find_separator(text, separator)
-            call split_fields(close_brackets(text), separator, fields)
-            wide = size(fields)
-            call find_columns(fields)
-            if (.not. sound) exit
-            if (.not. is_data(fields)) cycle
+            call find_separator(text, table%separator)
+            call split_fields(close_brackets(text), table%separator, fields)
+            table%wide = size(fields)
+            call find_columns(fields, columns, table, faults)
+            if (.not. table%sound) exit
+            if (.not. is_data(columns, fields)) cycle
          end if
-         call split_row(text, separator, row)
-         n = n + 1
-         call take_row()
+         table%n = table%n + 1
+         table%line_of(table%n) = line
+         if (fixed) then
+            call take_fixed(lines(line)%text, columns, table, faults)
+         else
+            call take_row(text, columns, table, faults)
+         end if
       end do
-      line = doubtful_line(marks, separator == ',')
-      if (sound .and. line > 0) call fault(line, doubt(marks, line))
-      if (sound .and. n < 2) call fault(0, 'it has '//to_text(n)//' rows of numbers; two or more make a table')
-      do line = 2, n
-         if (.not. sound) exit
-         if (table(line, 1) <= table(line - 1, 1)) &
-            call fault(line_of(line), 'md = '//to_text(table(line, 1)/columns(1)%unit, depth_digits)//' is not below md = '// &
-                       to_text(table(line - 1, 1)/columns(1)%unit, depth_digits)//' of line '//to_text(line_of(line - 1))// &
-                       '; depths must increase')
+   end subroutine take_lines
+
+   !> Whether numbers are written in one way, rows are two or more, and depths increase.
+   subroutine check_rows(columns, table, faults)
+      type(column_type), intent(in) :: columns(:)
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      integer :: line, i
+      line = doubtful_line(table%marks, table%separator == ',')
+      if (table%sound .and. line > 0) call fault(table, line, doubt(table%marks, line), faults)
+      if (table%sound .and. table%n < 2) &
+         call fault(table, 0, 'it has '//to_text(table%n)//' rows of numbers; two or more make a table', faults)
+      do i = 2, table%n
+         if (.not. table%sound) exit
+         associate (md => table%numbers(i - 1:i, 1), unit => columns(1)%unit)
+            if (md(2) <= md(1)) call fault(table, table%line_of(i), 'md = '//to_text(md(2)/unit, depth_digits)// &
+               ' is not below md = '//to_text(md(1)/unit, depth_digits)//' of line '//to_text(table%line_of(i - 1))// &
+               '; depths must increase', faults)
+         end associate
       end do
-      do c = 2, column_count
-         has(c - 1) = columns(c)%number > 0 .or. columns(c)%last > 0
+   end subroutine check_rows
+
+   !> Columns by heading or number, and their units.
+   subroutine find_columns(headings, columns, table, faults)
+      type(text_type), intent(in) :: headings(:)
+      type(column_type), intent(inout) :: columns(:)
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      character(heading_length) :: names(size(headings))
+      character(:), allocatable :: name, unit
+      integer :: i, k
+      do i = 1, size(headings)
+         names(i) = headings(i)%text
       end do
-      if (sound .and. .not. any(has)) call fault(0, 'it has none of axial, torque, side_force; name at least one of its columns')
-      allocate (md, source=table(:n, 1))
-      allocate (values, source=table(:n, 2:))
-
-   contains
-
-      subroutine fault(where, message)
-         integer, intent(in) :: where
-         character(*), intent(in) :: message
-         sound = .false.
-         call add_fault(faults, path, where, 'legacy: '//message)
-      end subroutine fault
-
-      !> Columns by heading or number, and their units.
-      subroutine find_columns(headings)
-         type(text_type), intent(in) :: headings(:)
-         character(heading_length) :: names(size(headings))
-         character(:), allocatable :: name, unit
-         integer :: i, k
+      do k = 1, column_count
+         if (columns(k)%number > 0) then
+            if (columns(k)%number > size(headings)) call fault(table, table%line, trim(column_name(k))//' is to be column '// &
+               to_text(columns(k)%number)//'; the table has '//to_text(size(headings)), faults)
+            if (.not. table%sound) cycle
+            call split_unit(headings(columns(k)%number)%text, name, unit)
+            call check_unit(k, columns(k), unit, table, faults)
+            cycle
+         end if
          do i = 1, size(headings)
-            names(i) = headings(i)%text
+            call split_unit(headings(i)%text, name, unit)
+            if (.not. matches(k, columns(k)%place, name, unit)) cycle
+            if (columns(k)%number > 0) call fault(table, table%line, 'the header names '//quoted(columns(k)%place)// &
+               ' twice; give '//trim(column_name(k))//' as the number of its column', faults)
+            columns(k)%number = i
+            call check_unit(k, columns(k), unit, table, faults)
          end do
-         do k = 1, column_count
-            if (columns(k)%number > 0) then
-               if (columns(k)%number > size(headings)) call fault(line, trim(column_name(k))//' is to be column '// &
-                  to_text(columns(k)%number)//'; the table has '//to_text(size(headings)))
-               if (.not. sound) cycle
-               call split_unit(headings(columns(k)%number)%text, name, unit)
-               call check_unit(k, unit)
-               cycle
-            end if
-            do i = 1, size(headings)
-               call split_unit(headings(i)%text, name, unit)
-               if (.not. matches(k, name, unit)) cycle
-               if (columns(k)%number > 0) call fault(line, 'the header names '//quoted(columns(k)%place)// &
-                                                     ' twice; give '//trim(column_name(k))//' as the number of its column')
-               columns(k)%number = i
-               call check_unit(k, unit)
-            end do
-            if (columns(k)%number == 0 .and. columns(k)%required) &
-               call fault(line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))//'; '// &
-                          suggestion(columns(k)%place, names))
-         end do
-      end subroutine find_columns
+         if (columns(k)%number == 0 .and. columns(k)%required) &
+            call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
+                       '; '//suggestion(columns(k)%place, names), faults)
+      end do
+   end subroutine find_columns
 
-      !> Whether a heading is that of a column, plain or followed by _ and a unit, which then counts as bracketed.
-      function matches(k, name, unit) result(is)
-         integer, intent(in) :: k
-         character(*), intent(in) :: name
-         character(:), allocatable, intent(inout) :: unit
-         logical :: is
-         character(:), allocatable :: wanted
-         wanted = lower_case(columns(k)%place)
-         is = name == wanted
-         if (is .or. len(name) < len(wanted) + 2) return
-         if (name(:len(wanted) + 1) /= wanted//'_') return
-         is = unit_value(k, name(len(wanted) + 2:)) > 0.0_wp
-         if (is) unit = name(len(wanted) + 2:)
-      end function matches
+   !> Whether a heading is that of a column, plain or followed by _ and a unit, which then counts as bracketed.
+   function matches(k, place, name, unit) result(is)
+      integer, intent(in) :: k
+      character(*), intent(in) :: place        !< heading that is looked for
+      character(*), intent(in) :: name
+      character(:), allocatable, intent(inout) :: unit
+      logical :: is
+      character(:), allocatable :: wanted
+      wanted = lower_case(place)
+      is = name == wanted
+      if (is .or. len(name) < len(wanted) + 2) return
+      if (name(:len(wanted) + 1) /= wanted//'_') return
+      is = unit_value(k, name(len(wanted) + 2:)) > 0.0_wp
+      if (is) unit = name(len(wanted) + 2:)
+   end function matches
 
-      !> A unit in the header must be the one in which the group reads the column, and one that is known unless the deck gives
-      !> the column's own.
-      subroutine check_unit(k, unit)
-         integer, intent(in) :: k
-         character(*), intent(in) :: unit
-         real(wp), parameter :: same = 1.0e-6_wp
-         if (unit_value(k, unit) <= 0.0_wp) then
-            if (unit /= '' .and. .not. columns(k)%unit_given) call fault(line, 'the header gives '//trim(column_name(k))//' in '// &
-               quoted(unit)//', which is unknown; set '//trim(column_name(k))//'_unit in the deck')
-            return
-         end if
-         if (abs(unit_value(k, unit) - columns(k)%unit) <= same*columns(k)%unit) return
-         call fault(line, 'the header gives '//trim(column_name(k))//' in '//unit//', the group &legacy reads it in '// &
-                    columns(k)%unit_name//'; set '//trim(column_name(k))//'_unit, or units, in the deck')
-      end subroutine check_unit
+   !> A unit in the header must be the one in which the group reads the column, and one that is known unless the deck gives
+   !> the column's own.
+   subroutine check_unit(k, column, unit, table, faults)
+      integer, intent(in) :: k
+      type(column_type), intent(in) :: column
+      character(*), intent(in) :: unit
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      real(wp), parameter :: same = 1.0e-6_wp
+      if (unit_value(k, unit) <= 0.0_wp) then
+         if (unit /= '' .and. .not. column%unit_given) call fault(table, table%line, 'the header gives '// &
+            trim(column_name(k))//' in '//quoted(unit)//', which is unknown; set '//trim(column_name(k))// &
+            '_unit in the deck', faults)
+         return
+      end if
+      if (abs(unit_value(k, unit) - column%unit) <= same*column%unit) return
+      call fault(table, table%line, 'the header gives '//trim(column_name(k))//' in '//unit// &
+                 ', the group &legacy reads it in '//column%unit_name//'; set '//trim(column_name(k))// &
+                 '_unit, or units, in the deck', faults)
+   end subroutine check_unit
 
-      !> Whether a first row is data already: columns given by number, no headings.
-      function is_data(row) result(is)
-         type(text_type), intent(in) :: row(:)
-         logical :: is
-         real(wp) :: number
-         call read_real(row(columns(1)%number)%text, number, is)
-      end function is_data
+   !> Whether a first row is data already: columns given by number, no headings.
+   function is_data(columns, row) result(is)
+      type(column_type), intent(in) :: columns(:)
+      type(text_type), intent(in) :: row(:)
+      logical :: is
+      real(wp) :: number
+      call read_real(row(columns(1)%number)%text, number, is)
+   end function is_data
 
-      subroutine take_row()
-         integer :: k
-         line_of(n) = line
-         if (row%count /= wide) then
-            call fault(line, 'the row has '//to_text(row%count)//' columns, the table '//to_text(wide))
-            return
-         end if
-         do k = 1, column_count
-            if (columns(k)%number == 0) cycle
-            call take(k, row%text(row%first(columns(k)%number):row%last(columns(k)%number)))
-         end do
-      end subroutine take_row
+   !> The last row of the table, from columns that are parted.
+   subroutine take_row(text, columns, table, faults)
+      character(*), intent(in) :: text
+      type(column_type), intent(in) :: columns(:)
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      type(row_type) :: row
+      integer :: k
+      call split_row(text, table%separator, row)
+      if (row%count /= table%wide) then
+         call fault(table, table%line, 'the row has '//to_text(row%count)//' columns, the table '//to_text(table%wide), faults)
+         return
+      end if
+      do k = 1, column_count
+         if (columns(k)%number == 0) cycle
+         call take(k, columns(k), row%text(row%first(columns(k)%number):row%last(columns(k)%number)), table, faults)
+      end do
+   end subroutine take_row
 
-      subroutine take_fixed(letters)
-         character(*), intent(in) :: letters
-         integer :: k
-         line_of(n) = line
-         do k = 1, column_count
-            if (columns(k)%last == 0) cycle
-            if (columns(k)%first > len(letters)) then
-               call fault(line, 'the row ends at character '//to_text(len(letters))//', '//trim(column_name(k))//' begins at '// &
-                          to_text(columns(k)%first))
+   !> The same from columns at fixed places.
+   subroutine take_fixed(letters, columns, table, faults)
+      character(*), intent(in) :: letters
+      type(column_type), intent(in) :: columns(:)
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      integer :: k
+      do k = 1, column_count
+         associate (first => columns(k)%first, last => columns(k)%last)
+            if (last == 0) cycle
+            if (first > len(letters)) then
+               call fault(table, table%line, 'the row ends at character '//to_text(len(letters))//', '// &
+                          trim(column_name(k))//' begins at '//to_text(first), faults)
             else
-               call take(k, trim(adjustl(letters(columns(k)%first:min(columns(k)%last, len(letters))))))  ! editors cut blanks
+               call take(k, columns(k), trim(adjustl(letters(first:min(last, len(letters))))), table, faults)  ! editors cut blanks
             end if
-         end do
-      end subroutine take_fixed
+         end associate
+      end do
+   end subroutine take_fixed
 
-      subroutine take(k, field)
-         integer, intent(in) :: k
-         character(*), intent(in) :: field
-         real(wp) :: number
-         call read_cell(field, separator == ',', line, marks, number, legal)
-         table(n, k) = number*columns(k)%unit
-         if (.not. legal) call fault(line, trim(column_name(k))//' = '//quoted(field)//' is no number')
-      end subroutine take
-   end subroutine read_legacy_file
+   !> One number of the last row.
+   subroutine take(k, column, field, table, faults)
+      integer, intent(in) :: k
+      type(column_type), intent(in) :: column
+      character(*), intent(in) :: field
+      type(table_type), intent(inout) :: table
+      type(fault_list_type), intent(inout) :: faults
+      real(wp) :: number
+      logical :: legal
+      call read_cell(field, table%separator == ',', table%line, table%marks, number, legal)
+      table%numbers(table%n, k) = number*column%unit
+      if (.not. legal) call fault(table, table%line, trim(column_name(k))//' = '//quoted(field)//' is no number', faults)
+   end subroutine take
 
    !> The character between columns of a row.
    pure subroutine find_separator(text, separator)
