@@ -20,7 +20,7 @@ module dg_mesh
    use dg_vector, only: cross
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, upright
+   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, upright, widest_beside
 
    type :: mesh_type
       integer :: nodes = 0
@@ -72,6 +72,14 @@ contains
       logical :: straight
       straight = all(mesh%frame(3, 1, :) > upright)
    end function is_straight_down
+
+   !> Clearance of the wider of the elements beside a node [m].
+   pure function widest_beside(mesh, n) result(clearance)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: n
+      real(wp) :: clearance
+      clearance = maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements)))
+   end function widest_beside
 
    !> The mesh of a load case on given nodes. The case's string and depths have been checked with the deck.
    pure subroutine new_mesh(model, load_case, depths, mesh)

@@ -7,7 +7,7 @@ module dg_static_result
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
    use dg_job, only: model_mcge
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type
    use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
@@ -264,7 +264,7 @@ contains
       do n = 1, mesh%nodes
          call node_offset(model%trajectory, mesh, work, n, gap, tangent)
          beside = [max(n - 1, 1), min(n, mesh%elements)]
-         wide = maxval(mesh%clearance(beside))
+         wide = widest_beside(mesh, n)
          outside = (norm2(gap) - max(wide, maxval(work%displacement(beside), mask=work%normal(beside) > 0.0_wp)))/wide
          if (outside <= worst) cycle
          worst = outside

@@ -13,7 +13,7 @@ module dg_predictor
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum
    use dg_predicted_helix, only: touch_above_bit
@@ -116,7 +116,7 @@ contains
       integer :: i
       outside = .false.
       do i = 1, mesh%nodes
-         outside = norm2(y(1:2, i)) > times*maxval(mesh%clearance(max(1, i - 1):min(i, mesh%elements)))
+         outside = norm2(y(1:2, i)) > times*widest_beside(mesh, i)
          if (outside) return
       end do
    end function lies_outside

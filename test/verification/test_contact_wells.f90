@@ -93,8 +93,9 @@ contains
       call compare(model, operation_sliding_drilling, 327352.3_wp, tob, 'buildhold, sliding')
    end subroutine test_buildhold
 
-   !> Hook load of a build well, pulled, at 10 m down to 0.6 m: what the mesh still changes falls with every halving.
-   !> Seen, over the finest: 1.4, 0.6, 0.16, 0.02 N with gaps at x0 and 2.6, 0.7, 0.2, 0.03 N at nodes, of 157 kN.
+   !> Hook load of a build well, pulled, at 5 m down to 0.6 m: what the mesh still changes falls to 0.6 of it or less with every
+   !> halving, and to 0.4 a halving counted from 5 m. Seen, over that at 0.3 m: 0.8, 0.05, 0.03, 0.0001 N with gaps at x0 and 0.7,
+   !> 0.2, 0.03, 0.002 N at nodes, of 157 kN.
    subroutine test_mesh_refinement()
       type(model_type) :: model
       type(case_result_type) :: result
@@ -114,9 +115,10 @@ contains
          do i = 1, 4
             call note('build: hook load over the finest mesh''s', error(i, place))
          end do
-         call assertLessThan(error(1, place), 1.0e-4_wp*hookload(5, place), message='5 m')
+         call assertLessThan(error(1, place), 1.0e-5_wp*hookload(5, place), message='5 m')
          do i = 2, 4
-            call assertLessThan(error(i, place), 0.6_wp*error(i - 1, place), message='falls')
+            call assertLessThan(error(i, place), min(0.6_wp*error(i - 1, place), 0.4_wp**(i - 1)*error(1, place)), &
+                                message='falls')
          end do
       end do
       call assertRelativelyEqual(hookload(5, 1), hookload(5, 2), 1.0e-6_wp, message='either place, in the end')
