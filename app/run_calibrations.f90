@@ -4,11 +4,12 @@ module dg_run_calibrations
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, apply_factors, apply_offset, calibration_type, factors_of_deck, hookload_datum, &
       predicts, torque_datum, variance_kinds
-   use dg_calibration_file, only: write_calibrations
+   use dg_calibration_file, only: factor_columns, write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
    use dg_case_result, only: result_not_converged
    use dg_clock, only: seconds_between
+   use dg_csv_table, only: begin_table, csv_table_type
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_fit_by_kinds, only: fit_by_kinds
@@ -53,7 +54,7 @@ contains
       type(calibration_result_type), allocatable :: results(:)
       integer, allocatable :: owner(:)     !< number of the calibration of each result
       type(text_type), allocatable :: lines(:)
-      type(text_type), allocatable :: others(:)
+      type(csv_table_type) :: others
       type(error_type), allocatable :: failure
       integer :: i, j, n, n_lost, before
       logical :: divided, applied
@@ -100,7 +101,7 @@ contains
       end do
       n_lost = lost
       if (.not. divided) then
-         allocate (others(0))
+         call begin_table(others, factor_columns, job%units)
          if (.not. allocated(error)) call run_stickings(printed, job, calibrated, others, lost)
          lost = lost + n_lost
          call write_calibrations(job, model, owner(:n), results(:n), others, failure)

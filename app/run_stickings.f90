@@ -2,6 +2,7 @@
 module dg_run_stickings
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_not_converged
+   use dg_csv_table, only: csv_table_type
    use dg_diagnostic, only: tell
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
@@ -17,7 +18,7 @@ module dg_run_stickings
    use dg_sticking, only: find_free_point, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
       sticking_result_type
-   use dg_sticking_rows, only: sticking_rows
+   use dg_sticking_rows, only: add_stickings
    use dg_sticking_table, only: sticking_table
    use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
    use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
@@ -38,18 +39,17 @@ module dg_run_stickings
 
 contains
 
-   !> Each with each of its models. `rows` are theirs in calibration.csv; `lost` counts those without result.
+   !> Each with each of its models. Their rows are put at the end of `rows`, of calibration.csv; `lost` counts those without result.
    subroutine run_stickings(printed, job, model, rows, lost)
       type(printed_text_type), intent(inout) :: printed
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      type(text_type), allocatable, intent(out) :: rows(:)
+      type(csv_table_type), intent(inout) :: rows
       integer, intent(out) :: lost
       type(sticking_result_type), allocatable :: results(:)
       type(text_type), allocatable :: lines(:)
       integer :: i, j, k, n
       lost = 0
-      allocate (rows(0))
       do i = 1, size(job%stickings)
          associate (sticking => job%stickings(i))
             n = 0
@@ -79,9 +79,7 @@ contains
             call add_part(printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
             allocate (lines, source=sticking_table(job%units, model, sticking, results(:n)))
             call print_and_keep(printed, lines)
-            deallocate (lines)
-            allocate (lines, source=sticking_rows(job, model, sticking, results(:n)))
-            rows = [rows, lines]
+            call add_stickings(model, sticking, results(:n), rows)
             deallocate (lines, results)
          end associate
       end do

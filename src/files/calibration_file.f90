@@ -3,17 +3,17 @@ module dg_calibration_file
    use dg_kinds, only: wp
    use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
+   use dg_csv_table, only: add_row, add_rows_of, begin_table, csv_table_type, is_begun, write_table
    use dg_comparison, only: difference, known, percent_error
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, operation_name
    use dg_least_squares, only: fit_done
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
-   use dg_prediction_table, only: prediction_rows
+   use dg_prediction_table, only: add_predictions
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -80,33 +80,31 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: owner(:)               !< number of the calibration of each result
       type(calibration_result_type), intent(in) :: results(:)
-      type(text_type), intent(in) :: others(:)      !< rows of calibration.csv that follow
+      type(csv_table_type), intent(in) :: others    !< rows of calibration.csv that follow
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: factors(:), data(:), predictions(:)
+      type(csv_table_type) :: factors, data, predictions
       type(field_list_type) :: row
       integer :: i, k
-      call append_text(factors, csv_header(factor_columns, job%units))
-      call append_text(data, csv_header(datum_columns, job%units))
+      call begin_table(factors, factor_columns, job%units)
+      call begin_table(data, datum_columns, job%units)
       do i = 1, size(results)
          associate (calibration => job%calibrations(owner(i)))
-            if (predicts(calibration)) call prediction_rows(job, model, calibration, results(i), predictions)
+            if (predicts(calibration)) call add_predictions(job, model, calibration, results(i), predictions)
             do k = 1, size(calibration%unknowns)
                call factor_fields(model, calibration, results(i), k, row)
-               call append_text(factors, csv_row(factor_columns, job%units, row%fields))
+               call add_row(factors, row)
             end do
             do k = 1, size(calibration%data)
                call datum_fields(model, calibration, results(i), k, row)
-               call append_text(data, csv_row(datum_columns, job%units, row%fields))
+               call add_row(data, row)
             end do
          end associate
       end do
-      do i = 1, size(others)
-         call append_text(factors, others(i)%text)
-      end do
-      call write_text_file(job%output_dir//'/calibration.csv', factors, error)
-      if (.not. allocated(error) .and. size(results) > 0) call write_text_file(job%output_dir//'/calibration_data.csv', data, error)
-      if (.not. allocated(error) .and. allocated(predictions)) &
-         call write_text_file(job%output_dir//'/calibration_prediction.csv', predictions, error)
+      call add_rows_of(others, factors)
+      call write_table(factors, job%output_dir//'/calibration.csv', error)
+      if (.not. allocated(error) .and. size(results) > 0) call write_table(data, job%output_dir//'/calibration_data.csv', error)
+      if (.not. allocated(error) .and. is_begun(predictions)) &
+         call write_table(predictions, job%output_dir//'/calibration_prediction.csv', error)
    end subroutine write_calibrations
 
    subroutine factor_fields(model, calibration, result, unknown, row)

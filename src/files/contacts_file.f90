@@ -1,12 +1,11 @@
 !> contacts_<case>_<model>.csv: the concentrated contacts of a string, one row each.
 module dg_contacts_file
    use dg_case_result, only: case_result_type, contact_name, contact_point_type
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_angle, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, quantity_angle, quantity_force, quantity_length, &
                         quantity_text
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type
-   use dg_text, only: text_type
    implicit none
    private
    public :: write_contacts, contact_columns, contact_fields
@@ -28,18 +27,17 @@ contains
       type(job_type), intent(in) :: job
       type(case_result_type), intent(in) :: result
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
-      integer :: i, n
-      n = 0
-      if (allocated(result%contacts)) n = size(result%contacts)
-      allocate (lines(0:n))
-      lines(0)%text = csv_header(contact_columns, job%units)
-      do i = 1, n
-         call contact_fields(result%contacts(i), row)
-         lines(i)%text = csv_row(contact_columns, job%units, row%fields)
-      end do
-      call write_text_file(path, lines, error)
+      integer :: i
+      call begin_table(table, contact_columns, job%units)
+      if (allocated(result%contacts)) then
+         do i = 1, size(result%contacts)
+            call contact_fields(result%contacts(i), row)
+            call add_row(table, row)
+         end do
+      end if
+      call write_table(table, path, error)
    end subroutine write_contacts
 
    !> Values of one contact in the order of the columns.

@@ -1,12 +1,11 @@
 !> history_<case>_<model>.csv: the course of the iteration, one row an iteration.
 module dg_history_file
    use dg_case_result, only: case_result_type, iteration_type, judged_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_force, quantity_moment, &
+   use dg_column, only: column_type, field_list_type, put, quantity_force, quantity_moment, &
                         quantity_none, quantity_width
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type
-   use dg_text, only: text_type
    implicit none
    private
    public :: write_history, history_columns, history_fields
@@ -39,18 +38,17 @@ contains
       type(job_type), intent(in) :: job
       type(case_result_type), intent(in) :: result
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
-      integer :: i, n
-      n = 0
-      if (allocated(result%history)) n = size(result%history)
-      allocate (lines(0:n))
-      lines(0)%text = csv_header(history_columns, job%units)
-      do i = 1, n
-         call history_fields(result%history(i), row)
-         lines(i)%text = csv_row(history_columns, job%units, row%fields)
-      end do
-      call write_text_file(path, lines, error)
+      integer :: i
+      call begin_table(table, history_columns, job%units)
+      if (allocated(result%history)) then
+         do i = 1, size(result%history)
+            call history_fields(result%history(i), row)
+            call add_row(table, row)
+         end do
+      end if
+      call write_table(table, path, error)
    end subroutine write_history
 
    !> Values of one iteration in the order of the columns.

@@ -1,20 +1,15 @@
 !> legacy_<label>.csv: another program's results beside ours, one row a model and depth.
 module dg_legacy_rows
-   use dg_column, only: column_type, csv_header, quantity_force, quantity_length, quantity_line_load, quantity_moment, &
-                        quantity_text
-   use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, quantity_line_load, &
+                        quantity_moment, quantity_text
+   use dg_csv_table, only: add_row, csv_table_type
    use dg_hole_interval, only: interval_at, interval_name
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_legacy_comparison, only: comparison_type
    use dg_legacy_table, only: quantity_count
-   use dg_kinds, only: wp
-   use dg_number_text, only: csv_number
-   use dg_text, only: append_text, text_type
-   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_legacy_rows, legacy_columns, write_legacy_file
+   public :: add_legacy_rows, legacy_columns
 
    type(column_type), parameter :: legacy_columns(13) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
@@ -34,46 +29,31 @@ module dg_legacy_rows
 
 contains
 
-   !> Appends the rows of one model; fields of a quantity that the table has not are empty but for ours.
-   subroutine append_legacy_rows(lines, units, case_name, model, comparison)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
+   !> Puts the rows of one model at the end; fields of a quantity that the table has not are empty but for ours.
+   pure subroutine add_legacy_rows(table, case_name, model, comparison)
+      type(csv_table_type), intent(inout) :: table     !< begun with `legacy_columns`
       character(*), intent(in) :: case_name
       integer, intent(in) :: model
       type(comparison_type), intent(in) :: comparison
-      character(:), allocatable :: row
-      real(wp) :: factor(quantity_count)
+      type(field_list_type) :: row
       integer :: i, k
-      factor = [units%force, units%moment, units%force_per_length]
       do i = 1, size(comparison%md)
-         row = case_name//','//trim(model_name(model))//','//csv_number(comparison%md(i)/units%length)//','// &
-            trim(interval_name(comparison%intervals(interval_at(comparison%intervals, comparison%md(i)))%kind))
+         row%count = 0
+         call put(row, case_name)
+         call put(row, trim(model_name(model)))
+         call put(row, comparison%md(i))
+         call put(row, trim(interval_name(comparison%intervals(interval_at(comparison%intervals, comparison%md(i)))%kind)))
          do k = 1, quantity_count
-            row = row//','//csv_number(comparison%ours(i, k)/factor(k))
+            call put(row, comparison%ours(i, k))
             if (comparison%parting(k)%present) then
-               row = row//','//csv_number(comparison%theirs(i, k)/factor(k))//','// &
-                  csv_number((comparison%theirs(i, k) - comparison%ours(i, k))/factor(k))
+               call put(row, comparison%theirs(i, k))
+               call put(row, comparison%theirs(i, k) - comparison%ours(i, k))
             else
-               row = row//',,'
+               call put_none(row)
+               call put_none(row)
             end if
          end do
-         call append_text(lines, row)
+         call add_row(table, row)
       end do
-   end subroutine append_legacy_rows
-
-   !> Writes header and rows to `path`.
-   subroutine write_legacy_file(path, job, rows, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(text_type), intent(in) :: rows(:)
-      type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
-      integer :: i
-      allocate (lines(0:size(rows)))
-      lines(0)%text = csv_header(legacy_columns, job%units)
-      do i = 1, size(rows)
-         lines(i)%text = rows(i)%text
-      end do
-      call write_text_file(path, lines, error)
-   end subroutine write_legacy_file
+   end subroutine add_legacy_rows
 end module dg_legacy_rows

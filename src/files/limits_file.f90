@@ -2,16 +2,15 @@
 module dg_limits_file
    use dg_buckling_limits, only: buckling_name
    use dg_case_result, only: case_result_type, result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_angle, quantity_force, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_stress, &
                         quantity_text, quantity_turns
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
-   use dg_text, only: text_type
    use dg_utilisation, only: governing_name, limit_count
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -97,19 +96,16 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)   !< as many
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
-      integer :: i, n
-      allocate (lines(0:count([(allocated(results(i)%profile%md), i=1, size(results))])))
-      lines(0)%text = csv_header(limits_columns, job%units)
-      n = 0
+      integer :: i
+      call begin_table(table, limits_columns, job%units)
       do i = 1, size(results)
          if (.not. allocated(results(i)%profile%md)) cycle
          call limits_fields(model%cases(results(i)%case_index)%name, results(i), wholes(i), row)
-         n = n + 1
-         lines(n)%text = csv_row(limits_columns, job%units, row%fields)
+         call add_row(table, row)
       end do
-      call write_text_file(path, lines, error)
+      call write_table(table, path, error)
    end subroutine write_limits
 
    !> Values of one result in the order of the columns.

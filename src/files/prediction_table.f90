@@ -4,8 +4,9 @@ module dg_prediction_table
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, calibration_type, hookload_datum
    use dg_calibration_result, only: calibration_result_type
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_percent, quantity_text
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, is_begun
    use dg_comparison, only: difference, known, percent_error
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name, optional_real
@@ -17,7 +18,7 @@ module dg_prediction_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_predictions, prediction_rows, prediction_columns, quantity_words
+   public :: append_predictions, add_predictions, prediction_columns, quantity_words
 
    !> New ones are added at the end only: others rely on the names and the order.
    type(column_type), parameter :: prediction_columns(15) = [ &
@@ -137,18 +138,18 @@ contains
       end function two
    end subroutine append_verdict
 
-   !> Rows of calibration_prediction.csv of a calibration.
-   subroutine prediction_rows(job, model, calibration, result, lines)
+   !> Puts the rows of a calibration at the end of calibration_prediction.csv, which is begun where it is not.
+   subroutine add_predictions(job, model, calibration, result, table)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      type(text_type), allocatable, intent(inout) :: lines(:)      !< the header comes first, where there is nothing yet
+      type(csv_table_type), intent(inout) :: table
       type(calibration_type) :: ahead
       type(field_list_type) :: row
       type(optional_real) :: measured
       integer :: d
-      if (.not. allocated(lines)) call append_text(lines, csv_header(prediction_columns, job%units))
+      if (.not. is_begun(table)) call begin_table(table, prediction_columns, job%units)
       if (.not. allocated(result%prediction%values)) return
       ahead = ahead_of(calibration, model%cases)
       do d = 1, size(ahead%data)
@@ -173,7 +174,7 @@ contains
                call put(row, percent_error(value, measured))
             end if
             call put(row, within(result, d, measured))
-            call append_text(lines, csv_row(prediction_columns, job%units, row%fields))
+            call add_row(table, row)
          end associate
       end do
    contains
@@ -185,7 +186,7 @@ contains
             call put_none(fields)
          end do
       end subroutine skip
-   end subroutine prediction_rows
+   end subroutine add_predictions
 
    !> Whether a measured value lies in its interval: yes, no, or nothing where there is no value or no interval.
    pure function within(result, number, measured) result(text)

@@ -1,16 +1,15 @@
 !> steering.csv: where assemblies drill to, one row a load case and toolface.
 module dg_steering_file
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_angle, quantity_curvature, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_curvature, &
                         quantity_force, quantity_none, quantity_text
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_constants, only: pi
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_steering_result, only: steering_result_type
-   use dg_text, only: text_type
    implicit none
    private
    public :: write_steering, steering_columns, turn_rate, dogleg_clock
@@ -46,16 +45,15 @@ contains
       type(model_type), intent(in) :: model
       type(steering_result_type), intent(in) :: results(:)
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
       integer :: i
-      allocate (lines(0:size(results)))
-      lines(0)%text = csv_header(steering_columns, job%units)
+      call begin_table(table, steering_columns, job%units)
       do i = 1, size(results)
          call steering_fields(model, results(i), row)
-         lines(i)%text = csv_row(steering_columns, job%units, row%fields)
+         call add_row(table, row)
       end do
-      call write_text_file(path, lines, error)
+      call write_table(table, path, error)
    end subroutine write_steering
 
    subroutine steering_fields(model, result, row)

@@ -1,35 +1,32 @@
 !> Rows of calibration.csv that tell of strings that are held.
 module dg_sticking_rows
-   use dg_calibration_file, only: factor_columns
-   use dg_column, only: csv_row, field_list_type, put, put_none
+   use dg_column, only: field_list_type, put, put_none
    use dg_comparison, only: difference, known
-   use dg_job, only: job_type, model_name
+   use dg_csv_table, only: add_row, csv_table_type
+   use dg_job, only: model_name
    use dg_load_case, only: operation_name
    use dg_model, only: model_type
    use dg_sticking, only: sticking_name, sticking_type
    use dg_sticking_result, only: sticking_result_type, sticking_status_name
-   use dg_text, only: text_type
    implicit none
    private
-   public :: sticking_rows
+   public :: add_stickings
 
 contains
 
-   !> One row a result.
-   function sticking_rows(job, model, sticking, results) result(lines)
-      type(job_type), intent(in) :: job
+   !> Puts one row a result at the end of calibration.csv.
+   subroutine add_stickings(model, sticking, results, table)
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: results(:)
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type), intent(inout) :: table      !< begun with `factor_columns`
       type(field_list_type) :: row
       integer :: i
-      allocate (lines(size(results)))
       do i = 1, size(results)
          call sticking_fields(model, sticking, results(i), row)
-         lines(i)%text = csv_row(factor_columns, job%units, row%fields)
+         call add_row(table, row)
       end do
-   end function sticking_rows
+   end subroutine add_stickings
 
    subroutine sticking_fields(model, sticking, result, row)
       type(model_type), intent(in) :: model

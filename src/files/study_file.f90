@@ -1,10 +1,10 @@
 !> study.csv: accuracy and cost, one row a load case and variant.
 module dg_study_file
    use dg_case_result, only: result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time, quantity_wall
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_mcge, model_name
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
@@ -13,7 +13,6 @@ module dg_study_file
    use dg_study_comparison, only: error_bending, error_bending_rms, error_hookload, error_normal_force, error_torque, &
                                   study_record_type
    use dg_study_variant, only: variant_type
-   use dg_text, only: text_type
    implicit none
    private
    public :: write_study, study_columns
@@ -67,20 +66,17 @@ contains
       type(study_record_type), intent(in) :: records(:, :)
       integer, intent(in) :: solved
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
-      integer :: i, j, n
-      allocate (lines(0:size(variants)*solved))
-      lines(0)%text = csv_header(study_columns, job%units)
-      n = 0
+      integer :: i, j
+      call begin_table(table, study_columns, job%units)
       do j = 1, solved
          do i = 1, size(variants)
             call study_fields(model%cases(job%study%cases(j))%name, variants(i), records(i, j), row)
-            n = n + 1     ! gfortran 12 loses the length of a text put to an index that is an expression
-            lines(n)%text = csv_row(study_columns, job%units, row%fields)
+            call add_row(table, row)
          end do
       end do
-      call write_text_file(path, lines, error)
+      call write_table(table, path, error)
    end subroutine write_study
 
    !> Values of one row in the order of the columns.

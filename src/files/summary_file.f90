@@ -1,11 +1,11 @@
 !> summary.csv: one row a case and model.
 module dg_summary_file
    use dg_case_result, only: case_result_type, result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, quantity_angle, quantity_force, &
+   use dg_column, only: column_type, field_list_type, put, quantity_angle, quantity_force, &
                         quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: as_measured, known, percent_error
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, operation_name, optional_real
@@ -14,7 +14,7 @@ module dg_summary_file
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: write_summary, summary_row, summary_columns, summary_fields
+   public :: write_summary, summary_columns, summary_fields
 
    !> New ones are added at the end only: others rely on the names and the order.
    type(column_type), parameter :: summary_columns(30) = [ &
@@ -63,24 +63,16 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(error_type), allocatable, intent(out) :: error
-      type(text_type) :: lines(0:size(results))
-      integer :: i
-      lines(0)%text = csv_header(summary_columns, job%units)
-      do i = 1, size(results)
-         lines(i)%text = summary_row(job%units, model%cases(results(i)%case_index), results(i))
-      end do
-      call write_text_file(path, lines, error)
-   end subroutine write_summary
-
-   pure function summary_row(units, load_case, result) result(line)
-      type(unit_system_type), intent(in) :: units
-      type(load_case_type), intent(in) :: load_case
-      type(case_result_type), intent(in) :: result
-      character(:), allocatable :: line
+      type(csv_table_type) :: table
       type(field_list_type) :: row
-      call summary_fields(load_case, result, row)
-      line = csv_row(summary_columns, units, row%fields)
-   end function summary_row
+      integer :: i
+      call begin_table(table, summary_columns, job%units)
+      do i = 1, size(results)
+         call summary_fields(model%cases(results(i)%case_index), results(i), row)
+         call add_row(table, row)
+      end do
+      call write_table(table, path, error)
+   end subroutine write_summary
 
    !> Values of a result in the order of the columns; none calculated where the result holds nothing.
    pure subroutine summary_fields(load_case, result, row)

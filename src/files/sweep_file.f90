@@ -2,11 +2,11 @@
 module dg_sweep_file
    use dg_kinds, only: wp
    use dg_case_result, only: result_status_name
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: as_measured, known, percent_error
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: operation_name, optional_real
    use dg_sweep, only: point_at, point_type, sweep_type
@@ -47,16 +47,15 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
       integer :: i
-      allocate (lines(0:size(points)))
-      lines(0)%text = csv_header(sweep_columns, job%units)
+      call begin_table(table, sweep_columns, job%units)
       do i = 1, size(points)
          call sweep_fields(sweep, point_at(sweep, i), points(i), row)
-         lines(i)%text = csv_row(sweep_columns, job%units, row%fields)
+         call add_row(table, row)
       end do
-      call write_text_file(path, lines, error)
+      call write_table(table, path, error)
    end subroutine write_sweep
 
    !> Values of a point in the order of the columns.

@@ -1,15 +1,14 @@
 !> uncertainty_<name>.csv: one row a point, with the quantiles of its samples.
 module dg_uncertainty_file
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type, put, put_none, quantity_force, quantity_length, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_text
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: known
    use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: operation_name
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_at, point_type
-   use dg_text, only: text_type
    use dg_uncertainty, only: uncertainty_type
    implicit none
    private
@@ -47,12 +46,11 @@ contains
       type(uncertainty_type), intent(in) :: uncertainty
       type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(field_list_type) :: row
       type(point_type) :: point
       integer :: i
-      allocate (lines(0:size(statistics)))
-      lines(0)%text = csv_header(uncertainty_columns, job%units)
+      call begin_table(table, uncertainty_columns, job%units)
       do i = 1, size(statistics)
          point = point_at(uncertainty%range, i)
          row%count = 0
@@ -67,9 +65,9 @@ contains
          call put(row, known(statistics(i)%weight_indicator%quantiles(p10)))
          call put(row, known(statistics(i)%weight_indicator%quantiles(p50)))
          call put(row, known(statistics(i)%weight_indicator%quantiles(p90)))
-         lines(i)%text = csv_row(uncertainty_columns, job%units, row%fields)
+         call add_row(table, row)
       end do
-      call write_text_file(path, lines, error)
+      call write_table(table, path, error)
    end subroutine write_uncertainty
 
    pure subroutine put_distribution(row, distribution)

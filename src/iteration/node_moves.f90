@@ -4,6 +4,7 @@ module dg_node_moves
    use dg_arc, only: point_on_arc
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: closest_point, trajectory_type
+   use dg_vector, only: in_frame, in_space
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
@@ -31,10 +32,10 @@ contains
          point = mesh%base(:, n) + work%shift(:, n)
          call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
          offset(:, n) = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
-         local = matmul(tangent, mesh%frame(:, :, n))
+         local = in_frame(mesh%frame(:, :, n), tangent)
          slide(n) = dot_product(step(:3, n), local)
          across(1:2, n) = step(dof_lateral_1:dof_lateral_2, n) - slide(n)*local(2:3)
-         local = matmul(curvature, mesh%frame(:, :, n))
+         local = in_frame(mesh%frame(:, :, n), curvature)
          across(3:4, n) = step(dof_slope_1:dof_slope_2, n) - slide(n)*local(2:3)
       end do
    end subroutine split_step
@@ -77,11 +78,11 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: distance
-      real(wp), intent(inout) :: state(:)        !< of the node
+      real(wp), contiguous, intent(inout) :: state(:)   !< of the node
       real(wp) :: point(3), gap(3), tangent(3), curvature(3), way(3), turn(3), foot
       integer :: arc
       arc = mesh%arc(node)
-      point = mesh%base(:, node) + matmul(mesh%frame(:, :, node), state(:3))
+      point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), state(:3))
       call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
       if (abs(distance) < shortest_slide) then
          way = distance*tangent
@@ -104,8 +105,8 @@ contains
          way = way + point
          turn = turn - tangent
       end if
-      state(:3) = state(:3) + matmul(way, mesh%frame(:, :, node))
-      turn = matmul(turn, mesh%frame(:, :, node))
+      state(:3) = state(:3) + in_frame(mesh%frame(:, :, node), way)
+      turn = in_frame(mesh%frame(:, :, node), turn)
       state(dof_slope_1:dof_slope_2) = state(dof_slope_1:dof_slope_2) + turn(2:3)
    end subroutine slide_along
 

@@ -2,7 +2,8 @@
 module dg_html_outcome
    use dg_column, only: column_type, field_list_type
    use dg_error, only: status_not_converged
-   use dg_html_text, only: add_line, append_table, page_type
+   use dg_html_text, only: append_table
+   use dg_line_list, only: add_line, line_list_type
    use dg_run_outcome, only: locked_count, lost_columns, lost_count, outcome_type, part_columns, part_fields, solution_count
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
@@ -14,7 +15,7 @@ contains
 
    !> One sentence for all parts of a run; the parts where there are several.
    pure subroutine append_outcome(lines, units, outcome)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
       type(field_list_type), allocatable :: rows(:)
@@ -49,7 +50,7 @@ contains
 
    !> A row for each solution that is none.
    pure subroutine append_lost(lines, units, outcome)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
       if (.not. allocated(outcome%lost)) return
@@ -61,7 +62,7 @@ contains
 
    !> A table of all columns that have any value, no row of it marked.
    pure subroutine append_whole_table(lines, columns, units, rows)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(column_type), intent(in) :: columns(:)
       type(unit_system_type), intent(in) :: units
       type(field_list_type), intent(in) :: rows(:)

@@ -9,10 +9,11 @@ module dg_html_report
    use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_short, only: append_short
    use dg_html_style, only: append_style
-   use dg_html_text, only: add_line, append_inline_svg, append_preformatted, append_table, html_safe, page_type, spaced
+   use dg_html_text, only: append_inline_svg, append_preformatted, append_table, html_safe, spaced
    use dg_kinds, only: wp
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_picture_data, only: picture_data_type
    use dg_picture_list, only: folder_in, picture_list_type, picture_type
@@ -57,7 +58,7 @@ contains
       type(picture_list_type), intent(in) :: pictures
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
-      type(page_type) :: lines
+      type(line_list_type) :: lines
       integer :: i
       call start_page(job, lines)
       call append_outcome(lines, job%units, outcome)
@@ -91,7 +92,7 @@ contains
    !> Head of the page: title, when and with what it was made.
    subroutine start_page(job, lines)
       type(job_type), intent(in) :: job
-      type(page_type), intent(out) :: lines
+      type(line_list_type), intent(out) :: lines
       character(:), allocatable :: title, stamp
       title = job%title
       if (title == '') title = job%deck_path
@@ -109,7 +110,7 @@ contains
 
    !> What results have to say of themselves.
    subroutine append_warnings(lines, model, results)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       integer :: i
@@ -133,7 +134,7 @@ contains
 
    !> A table a model.
    subroutine append_results(lines, job, model, results)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -148,7 +149,7 @@ contains
 
    !> Those columns of summary.csv, a table a model.
    subroutine append_summary(lines, job, model, results, shown)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -170,7 +171,7 @@ contains
 
    !> What limits the string, a table a model.
    subroutine append_limits(lines, job, model, results, wholes)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -222,7 +223,7 @@ contains
 
    !> Those of the run first, then those of each case.
    subroutine append_pictures(lines, job, model, list)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(picture_list_type), intent(in) :: list
@@ -245,7 +246,7 @@ contains
    end subroutine append_pictures
 
    subroutine append_picture(lines, job, picture, number)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(picture_type), intent(in) :: picture
       integer, intent(in) :: number
@@ -265,7 +266,7 @@ contains
 
    !> The numbers of a picture, in a table that opens beneath it; the file that has all.
    subroutine append_data(lines, job, data)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(picture_data_type), intent(in) :: data
       character(:), allocatable :: link
@@ -291,7 +292,7 @@ contains
 
    !> What every result rests on, and what each model adds.
    subroutine append_assumptions(lines, job)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       call add_line(lines, '<h3>Assumptions</h3><ul>')
       call add_line(lines, '<li>Static: no vibration, no stick-slip. The mud stands still: no flow, no heat.</li>')
@@ -311,7 +312,7 @@ contains
 
    !> How the solutions were found: a table a model.
    subroutine append_costs(lines, job, model, results)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -322,7 +323,7 @@ contains
 
    !> The deck's text, line by line.
    subroutine append_deck(lines, text)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       character(:), allocatable, intent(in) :: text    !< every line ends with a new line
       type(text_type), allocatable :: deck(:)
       integer :: first, length, n, i

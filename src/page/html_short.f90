@@ -5,9 +5,10 @@ module dg_html_short
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: field_list_type, field_text
    use dg_comparison, only: as_measured, percent_error
-   use dg_html_text, only: add_line, html_safe, page_type, spaced
+   use dg_html_text, only: html_safe, spaced
    use dg_job, only: job_type, model_mcge, model_name
    use dg_limits_file, only: limits_columns, limits_fields
+   use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: load_case_type, operation_label, optional_real
    use dg_model, only: model_type
    use dg_run_outcome, only: outcome_type
@@ -29,7 +30,7 @@ contains
 
    !> The sentences, of the load cases with one model: gap elements where they are asked for, else the first model; then of sweeps.
    subroutine append_short(lines, job, model, results, wholes, outcome)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -64,7 +65,7 @@ contains
 
    !> Which case uses most of a strength, and which go beyond one.
    subroutine append_governing(lines, job, model, results, wholes)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -97,7 +98,7 @@ contains
 
    !> Least and greatest hook load.
    subroutine append_loads(lines, job, model, results)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -119,7 +120,7 @@ contains
 
    !> Which cases were found to buckle, or by models on the axis are beyond the published limit.
    subroutine append_buckled(lines, model, results, wholes)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
@@ -145,7 +146,7 @@ contains
 
    !> Hook loads against what was measured, and against another calculation.
    subroutine append_errors(lines, model, results)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(optional_real) :: measured(size(results)), reference(size(results))
@@ -173,7 +174,7 @@ contains
 
    !> How far the hook loads of other models are from these.
    subroutine append_models(lines, job, model, results, rows)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -205,7 +206,7 @@ contains
 
    !> How far bending moments may be off.
    subroutine append_moments(lines, model, results, wholes)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)

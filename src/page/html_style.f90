@@ -1,6 +1,7 @@
 !> How the page of a run looks: on a screen, on a phone, on paper.
 module dg_html_style
-   use dg_html_text, only: add_line, css_string, page_type
+   use dg_html_text, only: css_string
+   use dg_line_list, only: add_line, line_list_type
    implicit none
    private
    public :: append_style
@@ -49,7 +50,7 @@ contains
    !> The style with its element. Each sheet has `title` and `stamp` above, its number below, in browsers that know margin boxes of
    !> pages; others leave them out.
    pure subroutine append_style(lines, title, stamp)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: title, stamp
       integer :: i
       call add_line(lines, '<style>')

@@ -4,6 +4,7 @@ module dg_html_text
    use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_turns, unit_size, unit_text
+   use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_from_name, operation_label
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
@@ -11,7 +12,7 @@ module dg_html_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: page_type, add_line, html_safe, append_table, append_preformatted, append_inline_svg, spaced, css_string
+   public :: html_safe, append_table, append_preformatted, append_inline_svg, spaced, css_string
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -23,34 +24,9 @@ module dg_html_text
    !> A text longer than this is a sentence, which may be broken.
    integer, parameter :: longest_name = 40
 
-   !> Lines of a page as it grows: by doubling, for pictures have tens of thousands.
-   type :: page_type
-      integer :: count = 0
-      type(text_type), allocatable :: lines(:)
-   end type page_type
-
-   integer, parameter :: first_capacity = 1024
    integer, parameter :: last_ascii = 127
 
 contains
-
-   !> Puts a line at the end of a page.
-   pure subroutine add_line(page, text)
-      type(page_type), intent(inout) :: page
-      character(*), intent(in) :: text
-      type(text_type), allocatable :: longer(:)
-      integer :: i
-      if (.not. allocated(page%lines)) allocate (page%lines(first_capacity))
-      if (page%count == size(page%lines)) then
-         allocate (longer(2*page%count))
-         do i = 1, page%count
-            call move_alloc(page%lines(i)%text, longer(i)%text)
-         end do
-         call move_alloc(longer, page%lines)
-      end if
-      page%count = page%count + 1
-      page%lines(page%count)%text = text
-   end subroutine add_line
 
    !> A text as HTML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'. Put in place piece by piece: lines
    !> of a hundred kilobytes are legal in a deck, and a text that grows by a byte at a time takes the square of its length.
@@ -103,7 +79,7 @@ contains
 
    !> A table of the columns of those names that have any value; each with its unit below, its meaning where the mouse rests.
    pure subroutine append_table(page, columns, shown, units, rows, marked)
-      type(page_type), intent(inout) :: page
+      type(line_list_type), intent(inout) :: page
       type(column_type), intent(in) :: columns(:)
       character(*), intent(in) :: shown(:)
       type(unit_system_type), intent(in) :: units
@@ -208,7 +184,7 @@ contains
 
    !> Lines as they are, in letters of one width.
    pure subroutine append_preformatted(lines, texts)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: texts(:)
       integer :: i
       call add_line(lines, '<pre>')
@@ -220,7 +196,7 @@ contains
 
    !> A picture within the page: what stands before <svg> left out, names of its marks made its own by `prefix`.
    pure subroutine append_inline_svg(lines, svg, prefix)
-      type(page_type), intent(inout) :: lines
+      type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: svg(:)      !< lines of the file
       character(*), intent(in) :: prefix         !< other for each picture of a page
       integer :: i

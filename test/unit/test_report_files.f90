@@ -9,9 +9,9 @@ module dg_test_report_files
    use dg_kinds, only: wp
    use dg_model, only: model_type
    use dg_along_string, only: new_along_string
-   use dg_column, only: csv_header
+   use dg_column, only: csv_header, csv_row, field_list_type
    use dg_profile_file, only: write_profile
-   use dg_summary_file, only: summary_columns, summary_row, write_summary
+   use dg_summary_file, only: summary_columns, summary_fields, write_summary
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
    use dg_case_result, only: case_result_type, contact_joint, contact_point_type
@@ -112,14 +112,17 @@ contains
       type(job_type) :: job
       type(case_result_type), allocatable :: results(:)
       character(:), allocatable :: row
+      type(field_list_type) :: fields
       model = sample_model()
       model%cases(1)%section = 'curve, "upper"'
       job = sample_job()
       allocate (results, source=sample_results())
-      row = summary_row(job%units, model%cases(1), results(1))
+      call summary_fields(model%cases(1), results(1), fields)
+      row = csv_row(summary_columns, job%units, fields%fields)
       call assertEqual(1, index(row, 'i_up,"curve, ""upper""",mcge,'), message=row)
       deallocate (model%cases(1)%section)
-      row = summary_row(job%units, model%cases(1), results(1))
+      call summary_fields(model%cases(1), results(1), fields)
+      row = csv_row(summary_columns, job%units, fields%fields)
       call assertEqual(1, index(row, 'i_up,,mcge,'), message=row)
    end subroutine test_summary_quotes_text
 
