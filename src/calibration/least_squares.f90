@@ -7,7 +7,7 @@ module dg_least_squares
    implicit none
    private
    public :: measured_function_type, unknowns_type, fit_type, fit_least_squares, fit_from_less
-   public :: fit_done, fit_out_of_iterations, fit_without_values
+   public :: fit_done, fit_without_values
 
    integer, parameter :: fit_done = 1                !< at rest
    integer, parameter :: fit_out_of_iterations = 2   !< the best found so far
@@ -151,36 +151,47 @@ contains
       fit%status = fit_out_of_iterations
    end subroutine fit_least_squares
 
-   !> Derivatives of the values over the deviations, by one-sided differences that stay within the bounds.
+   !> Derivatives of the values over the deviations, by one-sided differences that stay within the bounds. An unknown on one side of
+   !> which the function has no values is looked at on the other. Where it has none there either, the fit is without values, and
+   !> fit%lost is one that lacks.
    subroutine differentiate(function, scale, lower, upper, deviation, fit)
       class(measured_function_type), intent(inout) :: function
       real(wp), intent(in) :: scale(:), lower(:), upper(:), deviation(:)
       type(fit_type), intent(inout) :: fit
-      real(wp) :: points(size(scale), size(scale)), values(size(deviation), size(scale)), width(size(scale))
-      logical :: solved(size(deviation), size(scale))
-      integer :: side, k
-      width = difference_share*scale
-      where (fit%unknowns + width > upper) width = -width
+      real(wp) :: points(size(scale), size(scale)), values(size(deviation), size(scale))
+      real(wp), dimension(size(scale)) :: above, below, width
+      logical :: solved(size(deviation), size(scale)), known(size(scale))
+      integer :: lost(size(scale)), side, k
+      above = min(difference_share*scale, upper - fit%unknowns)
+      below = min(difference_share*scale, fit%unknowns - lower)
+      width = merge(above, -below, above >= below)
+      lost = 0
       do side = 1, 2
          do k = 1, size(scale)
             points(:, k) = fit%unknowns
-            points(k, k) = min(max(fit%unknowns(k) + width(k), lower(k)), upper(k))
-            width(k) = points(k, k) - fit%unknowns(k)
+            points(k, k) = fit%unknowns(k) + width(k)
+            width(k) = points(k, k) - fit%unknowns(k)     ! as rounded
          end do
          call function%evaluate(points, values, solved)
-         if (all(solved)) exit
-         width = -width       ! the function may have values on the other side
+         known = all(solved, dim=1) .and. abs(width) > 0.0_wp
+         do k = 1, size(scale)
+            if (.not. all(solved(:, k))) lost(k) = first_false(solved(:, k))
+         end do
+         if (all(known)) exit
+         if (side == 1) where (.not. known) width = merge(-below, above, width > 0.0_wp)
       end do
       fit%lost = 0
-      do k = 1, size(scale)
-         if (.not. all(solved(:, k))) fit%lost = first_false(solved(:, k))
-         if (fit%lost > 0 .or. .not. abs(width(k)) > 0.0_wp) exit
-         fit%jacobian(:, k) = (values(:, k) - fit%values)/(width(k)*deviation)
+      do k = size(scale), 1, -1
+         if (.not. known(k) .and. lost(k) > 0) fit%lost = lost(k)
       end do
       if (fit%lost > 0) then
          fit%status = fit_without_values
          return
       end if
+      fit%jacobian = 0.0_wp
+      do k = 1, size(scale)
+         if (known(k)) fit%jacobian(:, k) = (values(:, k) - fit%values)/(width(k)*deviation)
+      end do
       do k = 1, size(scale)
          fit%unfelt(k) = maxval(abs(fit%jacobian(:, k)))*scale(k) < felt
       end do

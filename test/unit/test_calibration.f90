@@ -43,6 +43,7 @@ contains
       call suite%addTest(TestMethod('not_separated', test_mixture))
       call suite%addTest(TestMethod('not_felt', test_unfelt))
       call suite%addTest(TestMethod('without_values', test_lost))
+      call suite%addTest(TestMethod('lost_on_one_side', test_lost_on_one_side))
       call suite%addTest(TestMethod('from_less', test_from_less))
       call suite%addTest(TestMethod('unknowns', test_unknowns))
       call suite%addTest(TestMethod('data_and_weights', test_data))
@@ -231,6 +232,20 @@ contains
       call assertEqual(fit_without_values, fit%status)
       call assertEqual(1, fit%lost)
    end subroutine test_lost
+
+   !> One unknown begins at its bound, the other where there are values on one side only: both are found all the same.
+   subroutine test_lost_on_one_side()
+      type(curve_type) :: curve
+      type(fit_type) :: fit
+      curve%x = [0.0_wp, 1.0_wp, 2.0_wp]
+      curve%lost_above = 0.5_wp
+      call fit_least_squares(curve, [0.0_wp, 0.5_wp], [0.0_wp, 0.0_wp], [1.0_wp, 1.0_wp], [1.0_wp, 1.0_wp], &
+                             [0.0_wp, 0.2_wp, 0.4_wp], [0.1_wp, 0.1_wp, 0.1_wp], fit)
+      call assertEqual(fit_done, fit%status)
+      call assertFalse(any(fit%unfelt), message='the data feel both')
+      call assertEqual(0.0_wp, fit%unknowns(1), at_rest)
+      call assertEqual(0.2_wp, fit%unknowns(2), at_rest)
+   end subroutine test_lost_on_one_side
 
    !> An exponent of 5 has no value and neither has 2.5, 1.25 has: the fit begins there, the other unknown where it was. From 100
    !> not even a sixteenth has one.
