@@ -3,9 +3,11 @@ module dg_text
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    use dg_kinds, only: wp
+   use dg_printable, only: printable
    implicit none
    private
    public :: text_type, append_text, text_list, put_piece, joined, text_or_nothing
+   public :: name_shown
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
    !> A text of its own length, for lists of texts.
@@ -17,6 +19,8 @@ module dg_text
    integer, parameter :: safe_digits = 15
    !> Longest piece of a user's text that a message repeats.
    integer, parameter :: quote_limit = 48
+   !> Letters of a name that a suggestion repeats.
+   integer, parameter :: name_shown = 64
 
    !> A number as text: integers plainly, reals with the fewest digits that give the number back.
    !>
@@ -102,19 +106,23 @@ contains
       end do
    end function lower_case
 
-   !> A user's text in quotes for a message: cut to a readable length, control bytes shown as '?'.
+   !> A user's text in quotes for a message: cut to a readable length between two letters, control bytes shown as '?'.
    pure function quoted(text) result(shown)
       character(*), intent(in) :: text
       character(min(len(text), quote_limit) + 2) :: shown
-      integer :: i
-      if (len(text) > quote_limit) then
-         shown = "'"//text(:quote_limit - 3)//"...'"
-      else
-         shown = "'"//text//"'"
+      integer :: last, letter
+      if (len(text) <= quote_limit) then
+         shown = "'"//printable(text, '')//"'"
+         return
       end if
-      do i = 1, len(shown)
-         if (iachar(shown(i:i)) < iachar(' ') .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
+      last = 0
+      do
+         letter = letter_end(text, last + 1)
+         if (letter == 0) letter = last + 1
+         if (letter > quote_limit - 3) exit
+         last = letter
       end do
+      shown = "'"//printable(text(:last), '')//repeat('.', quote_limit - last)//"'"
    end function quoted
 
    !> A text that every reader of UTF-8 and XML takes: control bytes become blanks, bytes that make no letter '?'.

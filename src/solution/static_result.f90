@@ -35,15 +35,16 @@ module dg_static_result
    !> they had been used up.
    real(wp), parameter :: other_length = 5.0_wp     ! [m]
    character(*), parameter :: other_ways = '), gap_location or load_steps: one of these finds it for about half of such strings'
-   !> Forces out of balance over the weight from which on a result is told with a warning, and is none [-]: sound ones have 1e-12
-   !> to 1e-6, those at walls of 1e12 kN/m2, with contact force a percent off, 1e-3 to 3e-3, ten times stiffer ones, 6 % off, 1e-2.
+   !> Forces out of balance over the weight [-]. Above the first number a result gets a warning. Above the second it is not a
+   !> solution. Sound results have 1e-12 to 1e-6. With walls of 1e12 kN/m2, 1e-3 to 3e-3 are left, and contact forces are a percent
+   !> off. With walls ten times as stiff it is 1e-2, and they are 6 % off.
    real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
    real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits in a message.
-   integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3
+   integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
 contains
 
@@ -63,7 +64,6 @@ contains
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
       logical :: whirls
-      character(200) :: text
       result%case_index = case_index
       result%model = model_mcge
       last = equations%history(equations%iterations + 1)
@@ -76,8 +76,7 @@ contains
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
-         write (text, '(f0.1)') worst
-         result%message = 'the string lies outside the hole by '//trim(text)//' clearances at '// &
+         result%message = 'the string lies outside the hole by '//to_text(worst, shown_clearances)//' clearances at '// &
             trim(in_units(model%units, unit_length, mesh%md(place), shown_depth))// &
             ', between two gap elements; try shorter elements'
       case (outcome_exhausted)
@@ -92,9 +91,8 @@ contains
             trim(in_units(model%units, unit_length, other_length, shown))//other_ways
       case default
          result%status = result_not_converged
-         write (text, '(a,i0,a)') 'no unique equilibrium at iteration ', last%iteration, &
+         result%message = 'no unique equilibrium at iteration '//to_text(last%iteration)// &
             ': the string can move freely somewhere; check supports and loads, or try more load_steps'
-         result%message = trim(text)
       end select
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)

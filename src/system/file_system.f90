@@ -90,14 +90,17 @@ contains
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
       character(:), allocatable, intent(out) :: failure
-      integer :: unit, status, i
+      integer :: unit, status, closing, i
       failure = ''
       open (newunit=unit, file=path, status='old', position='append', action='write', iostat=status)
-      do i = 1, size(lines)
-         if (status /= 0) exit
-         write (unit, '(a)', iostat=status) lines(i)%text
-      end do
-      if (status == 0) close (unit, iostat=status)
+      if (status == 0) then
+         do i = 1, size(lines)
+            write (unit, '(a)', iostat=status) lines(i)%text
+            if (status /= 0) exit
+         end do
+         close (unit, iostat=closing)
+         if (status == 0) status = closing
+      end if
       if (status == 0) return
       failure = reason_of_failed_write(path)
       if (failure == '') failure = 'it failed once'

@@ -71,9 +71,12 @@ contains
    end subroutine test_numbers_as_text
 
    subroutine test_texts_for_messages()
+      character(*), parameter :: u_umlaut = achar(195)//achar(188)
       call assertEqual('trip_out', lower_case('Trip_OUT'))
       call assertEqual("'a?b'", quoted('a'//achar(9)//'b'))
       call assertTrue(len(quoted(repeat('x', 500))) <= 50)
+      call assertEqual("'"//repeat(u_umlaut, 22)//"....'", quoted(repeat(u_umlaut, 100)), message='cut between two letters')
+      call assertEqual("'a??b'", quoted('a'//achar(194)//achar(155)//'b'), message='a command to a terminal')
       call assertTrue(is_separator_free('up_3190-a.b+'))
       call assertFalse(is_separator_free('a/b'))
       call assertFalse(is_separator_free('..'))
