@@ -5,7 +5,7 @@ module dg_bench_chain
    use dg_bench_tools, only: now
    use dg_gap_state, only: gap_law_type
    use dg_gap_survey, only: survey_gaps
-   use dg_gap_table, only: gap_table_type, judge_states, new_gap_table
+   use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_kinds, only: wp
    use dg_linear_solver, only: linear_solver_type, solve_linear
    use dg_mesh, only: mesh_type, new_mesh, node_depths
@@ -43,7 +43,7 @@ contains
       real(wp), intent(in) :: length
       type(chain_type), intent(out) :: chain
       type(gap_law_type), allocatable :: laws(:)
-      integer :: e, flips
+      integer :: e
       call new_mesh(model, model%cases(case_index), node_depths(model, model%cases(case_index), length), chain%mesh)
       associate (mesh => chain%mesh)
          allocate (laws(mesh%elements))
@@ -59,7 +59,6 @@ contains
       end associate
       chain%loads = load_type(wob=model%cases(case_index)%wob, top_support=support, bit_support=support)
       call survey_chain(model, chain)
-      call judge_states(chain%gaps, chain%work%displacement, flips)
       call assemble_chain(model, chain)
    end subroutine new_chain
 

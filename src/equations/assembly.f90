@@ -10,7 +10,7 @@ module dg_assembly
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
-   use dg_gap_action, only: act, contact_type, find_contact, load_type
+   use dg_gap_action, only: contact_action_at, contact_type, find_contact, load_type
    use dg_gap_contact, only: normal_force_type, sliding_couple
    use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
    use dg_gap_state, only: state_free
@@ -24,7 +24,7 @@ module dg_assembly
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, assemble, add_friction
+   public :: load_type, assemble, add_unsymmetric_part
 
 contains
 
@@ -169,7 +169,7 @@ contains
          return
       end if
       call find_contact(mesh, loads, gaps, e, work, contact)
-      call act(contact, contact%normal, contact%pressing, e, work, action, moment, by_point, moment_by_point)
+      call contact_action_at(contact, contact%normal, contact%pressing, e, work, action, moment, by_point, moment_by_point)
       if (allocated(work%contact_force)) then
          work%contact_force(:, e) = action
          work%contact_moment(:, e) = moment
@@ -180,7 +180,7 @@ contains
       residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
       residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
       if (conservative .and. tangent .and. (abs(contact%axial) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)) &
-         call act(contact, contact%normal, normal_force_type(), e, work, action, moment, by_point, moment_by_point)
+         call contact_action_at(contact, contact%normal, normal_force_type(), e, work, action, moment, by_point, moment_by_point)
       if (contact%sliding) then
          if (conservative) contact%pressing%stiffness = 0.0_wp
          ! along a curved axis the couple derives from no energy, if hardly so
@@ -199,9 +199,9 @@ contains
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap
 
-   !> Adds to a conservative tangent at `state` what friction and torque have besides, which makes it the whole one; elements
-   !> without either are left out.
-   pure subroutine add_friction(mesh, loads, gaps, state, work, matrix)
+   !> Adds to the symmetric tangent of the energy at `state` the unsymmetric part, which friction and torque make: the sum is the
+   !> whole tangent. Elements without either are left out.
+   pure subroutine add_unsymmetric_part(mesh, loads, gaps, state, work, matrix)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
@@ -227,7 +227,8 @@ contains
          contact%turning%lever = 0.0_wp
          if (rubs) then
             call find_contact(mesh, loads, gaps, e, work, contact)
-            call act(contact, normal_force_type(), contact%pressing, e, work, action, moment, by_point, moment_by_point)
+            call contact_action_at(contact, normal_force_type(), contact%pressing, e, work, action, moment, by_point, &
+                                   moment_by_point)
          end if
          if (contact%sliding) then
             call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, 0.0_wp, &
@@ -250,7 +251,7 @@ contains
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
       call hold_top(matrix)
-   end subroutine add_friction
+   end subroutine add_unsymmetric_part
 
    !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,
    !> which bends nothing.

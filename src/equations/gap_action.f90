@@ -14,7 +14,7 @@ module dg_gap_action
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, contact_type, find_contact, act, find_contact_rows
+   public :: load_type, contact_type, find_contact, contact_action_at, find_contact_rows
 
    !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
    real(wp), parameter :: near = 0.3_wp
@@ -80,8 +80,9 @@ contains
          work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
    end subroutine find_contact
 
-   !> contact_action_tangent at a gap.
-   pure subroutine act(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
+   !> Force [N] and bending vector [N.m] of a contact on the string at the gap of element e, and their derivatives by the point that
+   !> touches: contact_action_tangent there.
+   pure subroutine contact_action_at(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
       type(contact_type), intent(in) :: contact
       type(normal_force_type), intent(in) :: normal, pressing
       integer, intent(in) :: e
@@ -90,7 +91,7 @@ contains
       call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
                                   contact%axial, contact%rotary, contact%climbing, contact%radius, action, moment, &
                                   by_point, moment_by_point)
-   end subroutine act
+   end subroutine contact_action_at
 
    !> Of every gap near the wall: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m], and `on`(12,e), what a
    !> newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change dR adds on*dR to the
@@ -144,7 +145,7 @@ contains
       real(wp) :: action(3), moment(3), push(3), bend(3)
       real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
       integer :: a
-      call act(contact, one, one, e, work, action, moment, by_point, moment_by_point)
+      call contact_action_at(contact, one, one, e, work, action, moment, by_point, moment_by_point)
       call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
                            moment, nodal, twisting)
       nodal = -nodal

@@ -26,7 +26,7 @@ module dg_walls
 contains
 
    !> Stiffness of the walls that a start is made for over their own [-]: the expected load presses in by a visible part of the
-   !> clearance. Against the wall itself every gap that opens or closes throws its neighbours about.
+   !> clearance. Against the wall itself every gap that opens or closes changes the contact of its neighbours.
    pure function softness(soft_penetration, mesh, pressing) result(share)
       real(wp), intent(in) :: soft_penetration   !< as of tuning_type [-]
       type(mesh_type), intent(in) :: mesh

@@ -24,7 +24,7 @@ module dg_whirling
    use dg_coiling, only: coiling_load
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
-   use dg_scatter, only: element_type, part_all, part_energy, part_rest
+   use dg_scatter, only: element_type, part_energy, part_rest
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_vector, only: outer
    use dg_workspace, only: dof_twist, workspace_type

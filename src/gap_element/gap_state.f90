@@ -12,7 +12,7 @@ module dg_gap_state
    implicit none
    private
    public :: state_free, state_elastic, state_rigid, state_name
-   public :: gap_law_type, next_state, contact_force, depth_of, relative_compression
+   public :: gap_law_type, next_state, contact_force, depth_of
 
    integer, parameter :: state_free = 0    !< Eq. 7
    integer, parameter :: state_elastic = 1 !< Eq. 8
@@ -32,37 +32,24 @@ module dg_gap_state
 
 contains
 
-   !> eps of Eq. 3 [-] from the lateral displacement |f| [m].
-   pure function relative_compression(displacement, clearance) result(eps)
-      real(wp), intent(in) :: displacement, clearance
-      real(wp) :: eps
-      eps = displacement/clearance
-   end function relative_compression
-
-   !> State that follows from the present one (Eqs. 7 and 8). A change needs both thresholds passed: a free gap
-   !> closes when it is compressed beyond eps_n0 and would carry more than r_n0, a closed one opens when it is open
-   !> beyond eps_n0 and pulls with more than r_n0. Between, the state stays: two points cannot take turns over
-   !> round-off. The thresholds bound the error of a wrong state to r_n0 or gk c eps_n0.
-   pure function next_state(law, state, displacement) result(next)
+   !> State that follows from the present one (Eqs. 7 and 8), where contact force and depth are both unknowns. A change needs both
+   !> thresholds passed. A free gap closes when it is compressed beyond eps_n0 and would carry more than r_n0. A closed one opens
+   !> when it pulls with more than r_n0; or when it stands open beyond eps_n0 and would pull so by the force at its depth. Between,
+   !> the state stays, so that two points cannot take turns over round-off. A wrong state costs at most r_n0 or gk c eps_n0.
+   pure function next_state(law, state, force, deep, softness) result(next)
       type(gap_law_type), intent(in) :: law
-      integer, intent(in) :: state          !< present state
-      real(wp), intent(in) :: displacement  !< |f| [m]
+      integer, intent(in) :: state      !< present state
+      real(wp), intent(in) :: force     !< R; zero where it is free [N]
+      real(wp), intent(in) :: deep      !< |f| less the depth that belongs to R (depth_of) [m]
+      real(wp), intent(in) :: softness  !< stiffness that tells a closed gap's force at its depth, not above the wall's [N/m]
       integer :: next
-      real(wp) :: compression, pull
-      compression = relative_compression(displacement, law%clearance) - 1.0_wp
-      pull = -law%contact*(displacement - law%clearance)
+      next = state
       if (state == state_free) then
-         if (compression > law%eps_n0 .and. -pull > law%r_n0) then
-            next = state_elastic
-         else
-            next = state_free
-         end if
-      else if (compression < -law%eps_n0 .and. pull > law%r_n0) then
-         next = state_free
+         if (deep > law%eps_n0*law%clearance .and. law%contact*deep > law%r_n0) next = state_elastic
       else
-         next = state_elastic
+         next = merge(state_rigid, state_elastic, force > law%contact*law%clearance*law%eps_nmax)
+         if (force < -law%r_n0 .or. (force + softness*deep < -law%r_n0 .and. deep < -law%eps_n0*law%clearance)) next = state_free
       end if
-      if (next == state_elastic .and. compression > law%eps_nmax) next = state_rigid
    end function next_state
 
    !> Contact force R [N] >= 0 pressing inwards (but for the thresholds' width), and its derivative by |f| [N/m]

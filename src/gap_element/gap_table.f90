@@ -1,10 +1,10 @@
 !> The state table: one MCGE an element, its place, its state, and every flip recorded.
 module dg_gap_table
    use dg_kinds, only: wp
-   use dg_gap_state, only: gap_law_type, next_state, state_free
+   use dg_gap_state, only: gap_law_type, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, judge_states, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
+   public :: gap_table_type, new_gap_table, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -55,22 +55,6 @@ contains
       table%flips = kept%flips
       table%moves = kept%moves
    end subroutine take_gaps_back
-
-   !> Re-judges all states from the displacements |f| [m] at the gaps (Eqs. 7 and 8); `changed` counts the flips.
-   pure subroutine judge_states(table, displacement, changed)
-      type(gap_table_type), intent(inout) :: table
-      real(wp), intent(in) :: displacement(:)
-      integer, intent(out) :: changed
-      integer :: e, state
-      changed = 0
-      do e = 1, size(table%state)
-         state = next_state(table%law(e), table%state(e), displacement(e))
-         if (state == table%state(e)) cycle
-         table%state(e) = state
-         table%flips(e) = table%flips(e) + 1
-         changed = changed + 1
-      end do
-   end subroutine judge_states
 
    !> Moves a gap to the extremum x0 = xi L (Eq. 2). The paper puts x0 where the element "is to make first contact": a
    !> free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by

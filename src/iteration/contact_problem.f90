@@ -1,8 +1,8 @@
 !> The linear problem of one iteration in which contact forces are unknowns of their own.
 !>
 !> Unknowns are the step d of the nodes and the change dR of every closed gap's contact force R. A gap is closed where it presses,
-!> and then |f| = depth(R), the depth in the wall that carries R; else R = 0. To first order, with h = |f| - depth(R) what the gap
-!> is too deep for its force,
+!> and then |f| = depth(R), the depth in the wall that carries R; else R = 0. To first order, with h = |f| - depth(R) the depth
+!> beyond what the force R needs [m],
 !>   K d + on dR = -r(d, R),      dR = rho (h + by.d),
 !> r the residual with the forces as they are, K its tangent at given R, friction's directions in `on` (dg_gap_action). rho is
 !> the wall's stiffness in series with a softer one: a proximal step, the wall's own when that one is stiff. dR is eliminated

@@ -25,13 +25,14 @@ module dg_equilibrium
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
-   use dg_iteration_state, only: equilibrium_type, go_back, look, margin_of, measure, move_gaps, new_equilibrium, rigid, settle
+   use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
+                                 place_and_survey, rigid
    use dg_line_search, only: search_along
    use dg_mesh, only: mesh_type
    use dg_outside_hole, only: measure_outside, outside_type
    use dg_step, only: find_step
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_all
+   use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_string
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -52,8 +53,8 @@ contains
       work%separate = .true.
       equations%gaps_taken_back = .false.
       call keep_gaps(gaps, it%kept)
-      call settle(trajectory, mesh, gaps, state, work)
-      call look(it, trajectory, mesh, .true., gaps, work)
+      call place_and_survey(trajectory, mesh, gaps, state, work)
+      call judge_gaps(it, trajectory, mesh, .true., gaps, work)
       call measure_here(it, equations, trajectory, mesh, gaps, state, work)
       do
          call enter_row(it, equations, gaps, work)
@@ -114,7 +115,7 @@ contains
          definite = .true.
          if (it%watched) then
             if (it%row%lateral_step > it%numerics%tuning%still*maxval(mesh%clearance)) exit
-            call weigh_all(it%numerics%tuning, mesh, work, it%soft, it%lump)
+            call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
             it%problem%closed = gaps%state /= state_free
             call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, definite)
          end if
@@ -138,7 +139,7 @@ contains
             call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
             if (it%row%moves > 0) then
                it%growth = it%numerics%tuning%growth
-               call look(it, trajectory, mesh, .false., gaps, work)
+               call judge_gaps(it, trajectory, mesh, .false., gaps, work)
                call measure_here(it, equations, trajectory, mesh, gaps, state, work)
                cycle
             end if
@@ -156,8 +157,8 @@ contains
          equations%gaps_taken_back = .true.
          it%rounds = it%numerics%tuning%most_moves
          it%growth = rigid
-         call settle(trajectory, mesh, gaps, state, work)
-         call look(it, trajectory, mesh, .false., gaps, work)
+         call place_and_survey(trajectory, mesh, gaps, state, work)
+         call judge_gaps(it, trajectory, mesh, .false., gaps, work)
          call measure_here(it, equations, trajectory, mesh, gaps, state, work)
       end if
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()

@@ -6,7 +6,7 @@ module dg_iteration_state
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
    use dg_equations, only: equations_type, find_tangent, outcome_exhausted
    use dg_gap_action, only: load_type
-   use dg_gap_state, only: depth_of, state_elastic, state_free, state_rigid
+   use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
    use dg_mesh, only: is_straight_down, mesh_type
@@ -15,8 +15,8 @@ module dg_iteration_state
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
    implicit none
    private
-   public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, settle, go_back
-   public :: look, move_gaps, rigid
+   public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, place_and_survey, go_back
+   public :: judge_gaps, move_gaps, rigid
 
    !> What rho grows by where it is the wall's own [-].
    real(wp), parameter :: rigid = 1.0e30_wp
@@ -123,9 +123,9 @@ contains
    end subroutine measure
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
-   !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched: were
-   !> it always the farthest one, two that are as far would take turns. It stands in the tangent only, and what would turn the
-   !> string, some newtons of torque's work on the ends, is taken off the residual there.
+   !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched, and
+   !> it stays the same: if the farthest node were chosen each time, two equally far nodes would alternate. The spring stands in the
+   !> tangent only. What would turn the string, some newtons of torque's work on the ends, is taken off the residual there.
    pure subroutine hold_turn(state, node, matrix, residual)
       real(wp), intent(in) :: state(:, :)
       integer, intent(inout) :: node           !< that is held; 0: none yet
@@ -167,7 +167,7 @@ contains
    end function energy_slope
 
    !> Places the nodes and measures the gaps.
-   pure subroutine settle(trajectory, mesh, gaps, state, work)
+   pure subroutine place_and_survey(trajectory, mesh, gaps, state, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -175,7 +175,7 @@ contains
       type(workspace_type), intent(inout) :: work
       call place_nodes(mesh, state, work)
       call survey_gaps(trajectory, mesh, gaps, work)
-   end subroutine settle
+   end subroutine place_and_survey
 
    !> Back to the state before the step.
    pure subroutine go_back(it, trajectory, mesh, gaps, state, work)
@@ -188,13 +188,13 @@ contains
       state = it%old
       work%normal = it%old_force
       call take_gaps_back(it%kept, gaps)
-      call settle(trajectory, mesh, gaps, state, work)
+      call place_and_survey(trajectory, mesh, gaps, state, work)
    end subroutine go_back
 
    !> Which gaps are closed where the string is; row%flips counts those that changed since the step began. A gap closes
    !> when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho. Both by more than the
    !> thresholds of Eqs. 7 and 8.
-   pure subroutine look(it, trajectory, mesh, relocate, gaps, work)
+   pure subroutine judge_gaps(it, trajectory, mesh, relocate, gaps, work)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -210,14 +210,7 @@ contains
       do e = 1, mesh%elements
          associate (law => gaps%law(e), force => work%normal(e))
             deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
-            next = gaps%state(e)
-            if (next == state_free) then
-               if (deep > law%eps_n0*law%clearance .and. law%contact*deep > law%r_n0) next = state_elastic
-            else
-               next = merge(state_rigid, state_elastic, force > law%contact*law%clearance*law%eps_nmax)
-               if (force < -law%r_n0 .or. (force + it%soft*mesh%length(e)*deep < -law%r_n0 .and. &
-                                           deep < -law%eps_n0*law%clearance)) next = state_free
-            end if
+            next = next_state(law, gaps%state(e), force, deep, it%soft*mesh%length(e))
             if (next /= it%kept%state(e)) then
                it%row%flips = it%row%flips + 1
                it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
@@ -227,7 +220,7 @@ contains
             if (next == state_free) force = 0.0_wp
          end associate
       end do
-   end subroutine look
+   end subroutine judge_gaps
 
    !> Moves gaps to where the string is deepest (Eq. 2).
    pure subroutine move_gaps(it, trajectory, mesh, most, closed, closely, gaps, work)

@@ -8,7 +8,7 @@ module dg_line_search
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
-   use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, look, rigid
+   use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, rigid
    use dg_mesh, only: mesh_type
    use dg_node_moves, only: move_across, slide_along
    use dg_trajectory, only: trajectory_type
@@ -180,6 +180,6 @@ contains
          end if
          if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
       end do
-      call look(it, trajectory, mesh, it%growth < it%numerics%tuning%stiff, gaps, work)
+      call judge_gaps(it, trajectory, mesh, it%growth < it%numerics%tuning%stiff, gaps, work)
    end subroutine take_step
 end module dg_line_search

@@ -8,7 +8,7 @@ module dg_stability
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: weigh
+   use dg_viscosity, only: weigh_compression
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -34,7 +34,7 @@ contains
       logical :: definite
       integer :: i
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, equations%residual, equations%matrix)
-      call weigh(mesh, work, equations%step)
+      call weigh_compression(mesh, work, equations%step)
       low = 0.0_wp
       high = 1.0_wp
       margin = high

@@ -1,7 +1,7 @@
 !> One step of the iteration to equilibrium (dg_equilibrium): the linear problem, and the viscosity that holds it.
 module dg_step
    use dg_kinds, only: wp
-   use dg_assembly, only: add_friction
+   use dg_assembly, only: add_unsymmetric_part
    use dg_block_matrix, only: copy_matrix, swap_matrices
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
    use dg_equations, only: add_gap_rigidity, equations_type, find_tangent, outcome_singular
@@ -12,7 +12,7 @@ module dg_step
    use dg_node_moves, only: split_step
    use dg_plane, only: unfold
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: add_viscosity, weigh_all
+   use dg_viscosity, only: add_viscosity, weigh_string
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -57,9 +57,9 @@ contains
       it%move = it%share*it%move
    end subroutine find_step
 
-   !> The step of a string that is watched. Viscosity is raised while a node moves too far, and while gaps do not settle that have
-   !> walls of their own stiffness: a gap that would pull when closed and be in the wall when open has no solution in a linear
-   !> problem that is nearly indefinite, and leaves the string where it is.
+   !> The step of a string that is watched. Viscosity is raised while a node moves too far. It is also raised while gaps with full
+   !> wall stiffness do not settle: in a linear problem that is nearly indefinite a gap may pull when closed and be in the wall when
+   !> open. Such a problem has no solution, and the string would stay where it is.
    subroutine find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -73,7 +73,7 @@ contains
       logical :: live          ! friction follows the contact forces within the step
       logical :: settled       ! every gap is open or closed in the linear problem's solution, or walls are soft
       integer :: hold, fault
-      call weigh_all(it%numerics%tuning, mesh, work, it%soft, it%lump)
+      call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
       associate (tuning => it%numerics%tuning)
          margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
@@ -83,7 +83,7 @@ contains
             call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, equations%matrix, it%viscosity)
             do
                call copy_matrix(it%energy, equations%matrix)
-               if (live) call add_friction(mesh, it%loads, gaps, state, work, equations%matrix)
+               if (live) call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
                call add_viscosity(it%viscosity, it%lump, equations%matrix)
                call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
                call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)

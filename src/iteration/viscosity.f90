@@ -11,7 +11,7 @@ module dg_viscosity
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: weigh, weigh_all, add_viscosity, ease_viscosity, raise_viscosity
+   public :: weigh_compression, weigh_string, add_viscosity, ease_viscosity, raise_viscosity
    public :: viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
@@ -24,27 +24,28 @@ module dg_viscosity
 
 contains
 
-   !> What a unit of viscosity adds to the diagonal: F^2/(4 EI) of the place times the node's length for lateral unknowns,
-   !> times a part of its cube for slopes, as the consistent matrix of a line load has it, so that no pattern of slopes
-   !> escapes.
-   pure subroutine weigh(mesh, work, lump)
+   !> What a unit of viscosity adds to the diagonal where compression alone is to be held: for lateral unknowns F^2/(4 EI) of the
+   !> place times the node's length. For slopes it is a part of that length's cube, as the consistent matrix of a line load has it,
+   !> so that no pattern of slopes escapes.
+   pure subroutine weigh_compression(mesh, work, lump)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(inout) :: lump(:, :)
       real(wp) :: least
       least = viscosity_everywhere*maxval(min(work%axial, 0.0_wp)**2/(4.0_wp*mesh%ei))
       call lay_weights(mesh, work, least, 0.0_wp, lump)
-   end subroutine weigh
+   end subroutine weigh_compression
 
-   !> The same for strings that may be all in tension, and along the hole.
-   pure subroutine weigh_all(tuning, mesh, work, soft, lump)
+   !> The same for any string, in tension too: every place has at least a part of a soft wall's stiffness, and nodes are held along
+   !> the hole as well.
+   pure subroutine weigh_string(tuning, mesh, work, soft, lump)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: soft                 !< stiffness of a wall that yields visibly [N/m2]
       real(wp), intent(inout) :: lump(:, :)
       call lay_weights(mesh, work, tuning%of_soft_wall*soft, tuning%along_hole, lump)
-   end subroutine weigh_all
+   end subroutine weigh_string
 
    !> Weights of a string whose places have a least stiffness, with a part of the lateral one along the hole.
    pure subroutine lay_weights(mesh, work, least, along, lump)

@@ -21,12 +21,12 @@ module dg_buckled_start
    integer, parameter :: stretched = 0, lying = 1, snaking = 2, coiling = 3
    !> What ends a snake: nothing, its load fades; an end in the middle of the hole; a stiffer part that lies still; a coil.
    integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
-   !> Where a snake's first zero lies, in half waves from what ends it, and by how many radians of phase its envelope is longer
-   !> than the way from there. At an end in the middle of the hole: linear theory at the load of onset, where the snake
-   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall: 1.745 l long, with a contact
-   !> force of 2.019 n l where it touches, n the side load and l = (EI c/n)^(1/4). At a part r times as stiff: 1 - 1/(2 r) and
-   !> nothing, which is a clamp's where it is rigid and what the beams' own solutions have at heavy-weight pipe (r = 1.9: 0.73)
-   !> and at collars (r = 5: 0.87 to 0.93).
+   !> Distance of the first zero of the sine from the end of the buckled part [half waves], and extra phase of its envelope there
+   !> [rad]. For an end in the middle of the hole they follow from linear theory at the load of onset: the sinusoidal shape
+   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall. That string is 1.745 l long
+   !> and presses with 2.019 n l where it touches, n the side load and l = (EI c/n)^(1/4).
+   !> At a part r times as stiff they are 1 - 1/(2 r) and 0. A rigid part is a clamp. The beams' own solutions have 0.73 at
+   !> heavy-weight pipe (r = 1.9) and 0.87 to 0.93 at collars (r = 5).
    real(wp), parameter :: zero_at_end = 0.730_wp, lead_at_end = 2.926_wp
    real(wp), parameter :: zero_at_clamp = 1.0_wp, zero_by_stiffness = 0.5_wp
    !> Phase from a centred end at which a coil turns at its full rate [rad]: as the beams' own solutions do, a quarter turn late.
@@ -71,7 +71,7 @@ contains
       integer :: does(mesh%nodes), i, e
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
-      call sort_out(mesh, axial, load, does, rate)
+      call classify_nodes(mesh, axial, load, does, rate)
       laid = 0
       angle = 0.0_wp
       if (model%numerics%tuning%start_buckled) then
@@ -112,7 +112,7 @@ contains
    end subroutine lay_buckled
 
    !> What the string does at each node, and the wave number of that [rad/m].
-   pure subroutine sort_out(mesh, axial, load, does, rate)
+   pure subroutine classify_nodes(mesh, axial, load, does, rate)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)
       real(wp), intent(inout) :: load(:)      !< between two parts that of the weaker, which decides there
@@ -146,7 +146,7 @@ contains
          load(i) = load(e)
       end do
       call join_zones(mesh%md, rate, does)
-   end subroutine sort_out
+   end subroutine classify_nodes
 
    !> Gives a snake or coil that is shorter than half a wave, next to the other, to that: where what presses the string on changes
    !> from station to station they would else take turns.

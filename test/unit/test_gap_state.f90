@@ -1,8 +1,7 @@
 !> Every row of the state table (Eqs. 7 and 8), and the force law of Fig. 2.
 module dg_test_gap_state
    use funit, only: assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
-   use dg_gap_state, only: contact_force, gap_law_type, next_state, relative_compression, state_elastic, state_free, state_name, &
-      state_rigid
+   use dg_gap_state, only: contact_force, depth_of, gap_law_type, next_state, state_elastic, state_free, state_name, state_rigid
    use dg_kinds, only: wp
    implicit none
    private
@@ -24,60 +23,85 @@ contains
       call suite%addTest(TestMethod('table_by_compression', test_table_by_compression))
       call suite%addTest(TestMethod('table_by_force', test_table_by_force))
       call suite%addTest(TestMethod('no_thresholds', test_no_thresholds))
+      call suite%addTest(TestMethod('by_contact_force', test_by_contact_force))
+      call suite%addTest(TestMethod('softness', test_softness))
       call suite%addTest(TestMethod('settled', test_settled))
       call suite%addTest(TestMethod('force_is_continuous', test_force_is_continuous))
       call suite%addTest(TestMethod('names', test_names))
    end function gap_state_suite
 
-   !> Columns: eps - 1, then the state that follows free, elastic and rigid.
-   subroutine check_table(law, compression, from_free, from_elastic, from_rigid)
+   !> Columns: eps - 1 where no force presses yet; then the state that follows free and elastic.
+   subroutine check_depths(law, compression, from_free, from_elastic)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: compression(:)
-      integer, intent(in) :: from_free(:), from_elastic(:), from_rigid(:)
-      real(wp) :: displacement
+      integer, intent(in) :: from_free(:), from_elastic(:)
+      real(wp) :: deep
       integer :: i
       do i = 1, size(compression)
-         displacement = law%clearance*(1.0_wp + compression(i))
-         call assertEqual(from_free(i), next_state(law, state_free, displacement), message='from free')
-         call assertEqual(from_elastic(i), next_state(law, state_elastic, displacement), message='from elastic')
-         call assertEqual(from_rigid(i), next_state(law, state_rigid, displacement), message='from rigid')
+         deep = law%clearance*compression(i)
+         call assertEqual(from_free(i), next_state(law, state_free, 0.0_wp, deep, law%contact), message='from free')
+         call assertEqual(from_elastic(i), next_state(law, state_elastic, 0.0_wp, deep, law%contact), message='from elastic')
       end do
-   end subroutine check_table
+   end subroutine check_depths
 
    subroutine test_table_by_compression()
-      call check_table(by_compression, &
-         [-1.0_wp, -2.0e-4_wp, -0.9e-4_wp, -1.0e-6_wp, 1.0e-6_wp, 0.9e-4_wp, 2.0e-4_wp, 0.049_wp, 0.051_wp, 3.0_wp], &
-         [f, f, f, f, f, f, e, e, r, r], &
-         [f, f, e, e, e, e, e, e, r, r], &
-         [f, f, e, e, e, e, e, e, r, r])
+      call check_depths(by_compression, &
+         [-1.0_wp, -2.0e-4_wp, -0.9e-4_wp, -1.0e-6_wp, 1.0e-6_wp, 0.9e-4_wp, 2.0e-4_wp, 0.049_wp, 3.0_wp], &
+         [f, f, f, f, f, f, e, e, e], &
+         [f, f, e, e, e, e, e, e, e])
    end subroutine test_table_by_compression
 
    subroutine test_table_by_force()
-      call check_table(by_force, &
-         [-1.0_wp, -2.1e-3_wp, -1.9e-3_wp, -2.0e-4_wp, 0.0_wp, 2.0e-4_wp, 1.9e-3_wp, 2.1e-3_wp, 0.051_wp], &
-         [f, f, f, f, f, f, f, e, r], &
-         [f, f, e, e, e, e, e, e, r], &
-         [f, f, e, e, e, e, e, e, r])
+      call check_depths(by_force, &
+         [-1.0_wp, -2.1e-3_wp, -1.9e-3_wp, -2.0e-4_wp, 0.0_wp, 2.0e-4_wp, 1.9e-3_wp, 2.1e-3_wp], &
+         [f, f, f, f, f, f, f, e], &
+         [f, f, e, e, e, e, e, e])
    end subroutine test_table_by_force
 
    !> With both thresholds zero the sign of the compression decides, but for the point itself, which stays.
    subroutine test_no_thresholds()
       type(gap_law_type) :: law
       law = gap_law_type(clearance=0.5_wp, contact=1.0e6_wp, maximum=1.0e7_wp, eps_nmax=0.05_wp)
-      call check_table(law, [-1.0e-12_wp, 0.0_wp, 1.0e-12_wp], [f, f, e], [f, e, e], [f, e, e])
+      call check_depths(law, [-1.0e-12_wp, 0.0_wp, 1.0e-12_wp], [f, f, e], [f, e, e])
    end subroutine test_no_thresholds
 
-   !> A second judgement at the same place changes nothing: no state takes turns with another.
-   subroutine test_settled()
-      integer :: i, state, next
-      real(wp) :: displacement
-      do i = -60, 60
-         displacement = by_force%clearance*(1.0_wp + 1.0e-3_wp*i)
-         do state = state_free, state_rigid
-            next = next_state(by_force, state, displacement)
-            call assertEqual(next, next_state(by_force, next, displacement))
+   !> A closed gap whose force and depth belong together goes by its force: it opens where it pulls beyond r_n0, is elastic up to
+   !> Gkc c eps_nmax = 2500 N and rigid beyond.
+   subroutine test_by_contact_force()
+      real(wp), parameter :: force(6) = [-1.0e3_wp, -101.0_wp, -99.0_wp, 0.0_wp, 2499.0_wp, 2501.0_wp]
+      integer, parameter :: follows(6) = [f, f, e, e, e, r]
+      integer :: i, state
+      do i = 1, size(force)
+         do state = state_elastic, state_rigid
+            call assertEqual(follows(i), next_state(by_force, state, force(i), 0.0_wp, by_force%contact))
          end do
       end do
+   end subroutine test_by_contact_force
+
+   !> A gap that presses does not open where it stands open by less than its force closes at the softness that it is judged by:
+   !> 2000 N at 2e6 N/m is 1 mm.
+   subroutine test_softness()
+      call assertEqual(e, next_state(by_force, e, 2000.0_wp, -0.9e-3_wp, 2.0e6_wp))
+      call assertEqual(f, next_state(by_force, e, 2000.0_wp, -1.1e-3_wp, 2.0e6_wp))
+      call assertEqual(e, next_state(by_force, e, 2000.0_wp, -1.1e-3_wp, 1.0e5_wp))
+   end subroutine test_softness
+
+   !> A second judgement with the force that belongs to the first one's state changes nothing: no state takes turns with another.
+   subroutine test_settled()
+      integer :: i, state, next, again
+      real(wp) :: force, stiffness, displacement
+      associate (law => by_force)
+         do i = -60, 60
+            displacement = law%clearance*(1.0_wp + 1.0e-3_wp*i)
+            do state = state_free, state_elastic
+               call contact_force(law, state, displacement, force, stiffness)
+               next = next_state(law, state, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
+               call contact_force(law, next, displacement, force, stiffness)
+               again = next_state(law, next, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
+               if (state == state_elastic .or. i < 50) call assertEqual(next, again)     ! a free gap is elastic before it is rigid
+            end do
+         end do
+      end associate
    end subroutine test_settled
 
    !> Fig. 2: zero, then Gkc, then Gkmax, without a step where they join; the force is the integral of the rigidity.
@@ -106,6 +130,5 @@ contains
    subroutine test_names()
       call assertTrue(state_name(state_free) == 'free' .and. state_name(state_elastic) == 'elastic' &
                       .and. state_name(state_rigid) == 'rigid')
-      call assertEqual(0.8_wp, relative_compression(0.04_wp, 0.05_wp), 1.0e-15_wp, message='Eq. 3')
    end subroutine test_names
 end module dg_test_gap_state

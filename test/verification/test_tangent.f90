@@ -4,8 +4,8 @@ module dg_test_tangent
    use funit, only: TestMethod, TestSuite, assertTrue, assertEqual, assertLessThan
    use dg_kinds, only: wp
    use dg_constants, only: degree
-   use dg_assembly, only: add_friction, assemble, load_type
-   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
+   use dg_assembly, only: add_unsymmetric_part, assemble, load_type
+   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
@@ -226,7 +226,7 @@ contains
          call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, parts)
          added = to_dense(whole) - to_dense(parts)
          call assertTrue(maxval(abs(added)) > 1.0_wp .eqv. kind < 4, message='something is missing but without friction')
-         call add_friction(mesh, loads, gaps, state, work, parts)
+         call add_unsymmetric_part(mesh, loads, gaps, state, work, parts)
          added = to_dense(whole) - to_dense(parts)
          call assertLessThan(maxval(abs(added))/maxval(abs(to_dense(whole))), 1.0e-14_wp, message='whole')
       end do
