@@ -3,20 +3,18 @@ module dg_deck_calibrate
    use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
-   use dg_deck_draft, only: case_named, draft_type
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, places_of, real_of, text_of, texts_of
+   use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name, model_soft
    use dg_load_case, only: given, load_case_type, operation_name
    use dg_sticking, only: sticking_name
-   use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
+   use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
    public :: take_calibrations, take_cases, take_models
 
-   !> Letters of a name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
    character(*), parameter :: not_for_friction(2) = [character(14) :: 'sticking_depth', 'stretch']
@@ -110,15 +108,7 @@ contains
    subroutine take_models(group, models)
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: models(:)
-      type(text_type), allocatable :: texts(:)
-      integer :: i, m
-      allocate (texts, source=texts_of(group, 'model'))
-      allocate (models(0))
-      do i = 1, size(texts)
-         do m = 1, size(model_name)
-            if (texts(i)%text == model_name(m) .and. .not. any(models == m)) models = [models, m]
-         end do
-      end do
+      models = places_of(group, 'model', model_name)
       if (size(models) == 0) models = [model_soft]
    end subroutine take_models
 
@@ -130,25 +120,22 @@ contains
       type(fault_list_type), intent(inout) :: faults
       integer, intent(in), optional :: left_out(:)
       type(text_type), allocatable :: wanted(:)
-      character(name_shown) :: names(size(draft%cases))
       logical :: measured(size(draft%cases))
       integer :: i, k, found
       allocate (wanted, source=texts_of(group, 'cases'))
-      do k = 1, size(names)
-         names(k) = draft%cases(k)%load_case%name
+      do k = 1, size(measured)
          measured(k) = draft%cases(k)%load_case%measured_hookload%present .or. draft%cases(k)%load_case%measured_torque%present
       end do
       allocate (cases(0))
       if (.not. is_given(group, 'cases')) then
          if (present(left_out)) measured(left_out) = .false.
-         cases = pack([(k, k=1, size(names))], measured)
+         cases = pack([(k, k=1, size(measured))], measured)
          if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
       end if
       do i = 1, size(wanted)
-         found = case_named(draft, wanted(i)%text)
-         if (found == 0) then
-            call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
-         else if (.not. measured(found)) then
+         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         if (found == 0) cycle
+         if (.not. measured(found)) then
             call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
                        ') has neither measured_hookload nor measured_torque; give one or leave it out')
          else if (.not. any(cases == found)) then
@@ -169,19 +156,14 @@ contains
       integer, allocatable, intent(out) :: cases(:)
       type(fault_list_type), intent(inout) :: faults
       type(text_type), allocatable :: wanted(:), used(:)
-      character(name_shown) :: names(size(draft%cases))
       integer :: i, k, found
       allocate (cases(0))
       allocate (wanted, source=texts_of(group, 'predict'))
       allocate (used, source=texts_of(group, 'cases'))
-      do k = 1, size(names)
-         names(k) = draft%cases(k)%load_case%name
-      end do
       do i = 1, size(wanted)
-         found = case_named(draft, wanted(i)%text)
-         if (found == 0) then
-            call fault('there is no load case '//quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
-         else if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then
+         call find_case(draft, group, 'predict', wanted(i)%text, found, faults)
+         if (found == 0) cycle
+         if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then
             call fault('load case '//quoted(wanted(i)%text)//' is one of cases, so it would be no prediction; keep it in one')
          else if (.not. any(cases == found)) then
             cases = [cases, found]

@@ -8,13 +8,10 @@ module dg_deck_centralizer
    use dg_missing, only: missing
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_centralizer
-   use dg_text, only: quoted, suggestion, to_text
+   use dg_text, only: name_shown, quoted, suggestion, to_text
    implicit none
    private
    public :: take_centralizers
-
-   !> Letters of a component's name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
 
 contains
 

@@ -3,7 +3,7 @@
 !> that are legal in themselves take part, so that one slip gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name, name_shown
+   use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
    use dg_fault_list, only: fault_list_type, add_fault
@@ -11,7 +11,7 @@ module dg_deck_check
    use dg_hole_section, only: hole_section_type
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_in_string
-   use dg_text, only: quoted, to_text, lower_case
+   use dg_text, only: lower_case, name_shown, quoted, to_text
    implicit none
    private
    public :: close_holes, check_draft, check_case, tell_faults

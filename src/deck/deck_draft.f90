@@ -3,7 +3,9 @@
 module dg_deck_draft
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
+   use dg_checked_group, only: checked_group_type, line_of
    use dg_component, only: component_type
+   use dg_fault_list, only: add_fault, fault_list_type
    use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
@@ -11,12 +13,12 @@ module dg_deck_draft
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
    use dg_survey_file, only: station_list_type
-   use dg_text, only: text_type
+   use dg_text, only: name_shown, quoted, suggestion, text_type
    use dg_trajectory, only: interpolation_minimum_curvature
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, case_named
+   public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, find_case
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -76,14 +78,21 @@ module dg_deck_draft
 
 contains
 
-   !> Number of a load case by its name; 0: there is none.
-   pure function case_named(draft, name) result(number)
+   !> Number of the load case that a key of a group names. Where there is none, 0 and a fault.
+   pure subroutine find_case(draft, group, key, name, number, faults)
       type(draft_type), intent(in) :: draft
-      character(*), intent(in) :: name
-      integer :: number, k
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key, name
+      integer, intent(out) :: number
+      type(fault_list_type), intent(inout) :: faults
+      character(name_shown) :: names(size(draft%cases))
+      integer :: k
       number = 0
-      do k = 1, size(draft%cases)
+      do k = 1, size(names)
+         names(k) = draft%cases(k)%load_case%name
          if (draft%cases(k)%load_case%name == name) number = k
       end do
-   end function case_named
+      if (number == 0) call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name// &
+                                      ': there is no load case '//quoted(name)//'; '//suggestion(name, names))
+   end subroutine find_case
 end module dg_deck_draft

@@ -8,7 +8,6 @@ module dg_deck_fluid
    use dg_fluid, only: collar_name, collar_none, mud_type, standing_mud
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_model_fault, only: model_faults_type
-   use dg_text, only: to_text
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
    use dg_unit_kind, only: in_units, unit_length
    implicit none

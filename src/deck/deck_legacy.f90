@@ -2,19 +2,17 @@
 module dg_deck_legacy
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
-   use dg_deck_draft, only: case_named, draft_type
+   use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_type, read_legacy_file, unit_value
    use dg_legacy_table, only: legacy_table_type
-   use dg_text, only: is_separator_free, lower_case, quoted, suggestion, to_text
+   use dg_text, only: is_separator_free, lower_case, quoted
    implicit none
    private
    public :: take_legacy
 
    character(*), parameter :: digits = '0123456789'
-   !> Letters of a load case's name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
    !> Most digits of a column number.
    integer, parameter :: longest_number = 6
    !> Units of the four columns in the two systems.
@@ -56,7 +54,6 @@ contains
       type(legacy_table_type), intent(out) :: table
       type(fault_list_type), intent(inout) :: faults
       type(column_type) :: columns(column_count)
-      character(name_shown) :: names(size(draft%cases))
       logical :: field, sound
       integer :: k
 
@@ -65,14 +62,7 @@ contains
       table%file = beside(draft%path, text_of(group, 'file', ''))
       if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
          quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
-      if (is_sound(group, 'case')) then
-         do k = 1, size(names)
-            names(k) = draft%cases(k)%load_case%name
-         end do
-         table%case_index = case_named(draft, text_of(group, 'case', ''))
-         if (table%case_index == 0) call fault('case', 'there is no load case '//quoted(text_of(group, 'case', ''))//'; '// &
-                                               suggestion(text_of(group, 'case', ''), names))
-      end if
+      if (is_sound(group, 'case')) call find_case(draft, group, 'case', text_of(group, 'case', ''), table%case_index, faults)
       field = draft%units%name == 'field'
       if (is_given(group, 'units')) field = lower_case(text_of(group, 'units', '')) == 'field'
       do k = 1, column_count

@@ -1,19 +1,16 @@
 !> The group &study of a deck: what is compared, in which load cases.
 module dg_deck_study
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_sound, line_of, reals_of, texts_of
-   use dg_deck_draft, only: case_named, draft_type
+   use dg_checked_group, only: checked_group_type, is_sound, places_of, reals_of, texts_of
+   use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_plan, only: most_solutions, most_variants, study_plan_type
-   use dg_text, only: quoted, suggestion, text_type, to_text
+   use dg_text, only: text_type, to_text
    implicit none
    private
    public :: take_study, take_cases
-
-   !> Letters of a load case's name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
 
 contains
 
@@ -42,14 +39,14 @@ contains
       type(fault_list_type), intent(inout) :: faults
       real(wp) :: solutions
       call take_cases(draft, group, plan%cases, faults)
-      plan%models = places(group, 'models', model_name)
+      plan%models = places_of(group, 'models', model_name)
       if (size(plan%models) == 0) plan%models = models
       plan%element_lengths = without_repeats(reals_of(group, 'element_lengths'))
       plan%tolerances = without_repeats(reals_of(group, 'tolerances'))
       plan%wall_stiffnesses = without_repeats(reals_of(group, 'wall_stiffnesses'))
-      plan%gap_locations = places(group, 'gap_locations', gap_location_name)
-      plan%linear_solvers = places(group, 'linear_solvers', solver_name)
-      plan%fidelities = places(group, 'fidelities', fidelity_name)
+      plan%gap_locations = places_of(group, 'gap_locations', gap_location_name)
+      plan%linear_solvers = places_of(group, 'linear_solvers', solver_name)
+      plan%fidelities = places_of(group, 'fidelities', fidelity_name)
       if (.not. all(group%values%sound .or. .not. group%values%given)) return
       solutions = most_variants(plan)*size(plan%cases)
       if (solutions > most_solutions) then
@@ -69,41 +66,15 @@ contains
       integer, allocatable, intent(out) :: cases(:)
       type(fault_list_type), intent(inout) :: faults
       type(text_type), allocatable :: wanted(:)
-      character(name_shown) :: names(size(draft%cases))
       integer :: i, k, found
       allocate (wanted, source=texts_of(group, 'cases'))
       allocate (cases(0))
-      do k = 1, size(names)
-         names(k) = draft%cases(k)%load_case%name
-      end do
-      if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(names))]
+      if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(draft%cases))]
       do i = 1, size(wanted)
-         found = case_named(draft, wanted(i)%text)
-         if (found == 0) then
-            call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &'//group%name//': there is no load case '// &
-                           quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
-         else if (.not. any(cases == found)) then
-            cases = [cases, found]
-         end if
+         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         if (found > 0 .and. .not. any(cases == found)) cases = [cases, found]
       end do
    end subroutine take_cases
-
-   !> Places of a key's texts in a list of names, each once.
-   pure function places(group, key, names) result(found)
-      type(checked_group_type), intent(in) :: group
-      character(*), intent(in) :: key
-      character(*), intent(in) :: names(:)
-      integer, allocatable :: found(:)
-      type(text_type), allocatable :: texts(:)
-      integer :: i, k
-      allocate (texts, source=texts_of(group, key))
-      allocate (found(0))
-      do i = 1, size(texts)
-         do k = 1, size(names)
-            if (texts(i)%text == names(k) .and. .not. any(found == k)) found = [found, k]
-         end do
-      end do
-   end function places
 
    !> Numbers in their order, each once.
    pure function without_repeats(numbers) result(once)

@@ -1,11 +1,11 @@
 !> The groups &sweep of a deck: which string over which depths, with what was measured there.
 module dg_deck_sweep
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, reals_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, places_of, real_of, reals_of, text_of, texts_of
    use dg_deck_check, only: check_case
    use dg_deck_draft, only: draft_case_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_job, only: model_count, model_name
+   use dg_job, only: model_name
    use dg_load_case, only: given, moves_axially, operation_from_name, operation_name, &
       operation_rotate_off_bottom, operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, &
       operation_trip_out, rotates
@@ -85,15 +85,7 @@ contains
          end do
       end if
       sweep%models = models
-      if (is_given(group, 'model')) then
-         texts = texts_of(group, 'model')
-         sweep%models = [integer ::]
-         do i = 1, size(texts)
-            do m = 1, model_count
-               if (texts(i)%text == model_name(m) .and. .not. any(sweep%models == m)) sweep%models = [sweep%models, m]
-            end do
-         end do
-      end if
+      if (is_given(group, 'model')) sweep%models = places_of(group, 'model', model_name)
       call take_loads(draft, group, sweep, faults)
       key = 'frictions'
       if (group%name /= 'sweep') key = 'friction'      ! one of them

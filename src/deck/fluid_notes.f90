@@ -7,7 +7,7 @@ module dg_fluid_notes
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: append_text, quoted, text_type
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_length, unit_stress
    use dg_units, only: unit_system_type

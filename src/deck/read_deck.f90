@@ -2,7 +2,8 @@
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_read_deck
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, logical_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, logical_of, places_of, real_of, &
+                               text_of
    use dg_catalogue, only: catalogue_within
    use dg_deck_centralizer, only: take_centralizers
    use dg_deck_catalogue, only: fill_from_catalogue
@@ -31,11 +32,11 @@ module dg_read_deck
    use dg_deck_values, only: check_group
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: beside, read_lines
-   use dg_job, only: job_type, model_count, model_name
+   use dg_job, only: job_type, model_name
    use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, lower_case, quoted, suggestion, to_text
+   use dg_text, only: append_text, text_type, lower_case, suggestion, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    use dg_units, only: unit_system_type, si_units, field_units
    implicit none
@@ -242,16 +243,7 @@ contains
          if (is_given(groups(i), 'rig_limit') .and. is_sound(groups(i), 'rig_limit')) &
             job%rig_limit = given(real_of(groups(i), 'rig_limit', 0.0_wp))
          job%threads = integer_of(groups(i), 'threads', 0)
-         if (.not. is_sound(groups(i), 'models')) return
-         models = texts_of(groups(i), 'models')
-         deallocate (job%models)
-         allocate (job%models(0))
-         do k = 1, size(models)
-            do m = 1, model_count
-               ! a model named twice runs once
-               if (models(k)%text == model_name(m) .and. .not. any(job%models == m)) job%models = [job%models, m]
-            end do
-         end do
+         if (is_sound(groups(i), 'models')) job%models = places_of(groups(i), 'models', model_name)
          return
       end do
    end subroutine take_job

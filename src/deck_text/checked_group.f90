@@ -6,7 +6,7 @@ module dg_checked_group
    implicit none
    private
    public :: value_type, checked_group_type, rule_index
-   public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of
+   public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
 
    !> The value of one key in one group.
    type :: value_type
@@ -119,4 +119,21 @@ contains
       allocate (texts(0))
       if (is_sound(group, key)) texts = group%values(rule_index(group%rules, key))%texts
    end function texts_of
+
+   !> Places of a key's texts in a list of names, each once; none where the key has no legal ones.
+   pure function places_of(group, key, names) result(found)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      character(*), intent(in) :: names(:)
+      integer, allocatable :: found(:)
+      type(text_type), allocatable :: texts(:)
+      integer :: i, k
+      allocate (texts, source=texts_of(group, key))
+      allocate (found(0))
+      do i = 1, size(texts)
+         do k = 1, size(names)
+            if (texts(i)%text == names(k) .and. .not. any(found == k)) found = [found, k]
+         end do
+      end do
+   end function places_of
 end module dg_checked_group

@@ -9,7 +9,7 @@ module dg_deck_schema
    private
    public :: group_rule_type, key_rule_type, range_text, hold_in_range, split_words, listed
    public :: kind_text, kind_real, kind_integer, kind_logical
-   public :: name_length, words_length
+   public :: name_length
 
    integer, parameter :: kind_text = 1
    integer, parameter :: kind_real = 2

@@ -10,10 +10,7 @@ module dg_case_check
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: check_operation, check_reach, check_string_name, check_string_length, check_passage, name_shown
-
-   !> Letters of a string's name that a suggestion repeats.
-   integer, parameter :: name_shown = 64
+   public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
 
 contains
 

@@ -1,13 +1,12 @@
 !> Makes a model of parts that a program has filled in, and checks load cases of it: all that a deck's reading checks, and that
 !> everything is there. Messages are in SI units and name the component that is wrong: holes(2), strings(1)%components(3).
 module dg_checked_model
-   use dg_case_check, only: check_operation, check_passage, check_reach, check_string_length, check_string_name, name_shown
+   use dg_case_check, only: check_operation, check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
    use dg_error, only: error_type, raise, status_bad_input
    use dg_fluid, only: fluid_type, standing_mud
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_hole_check, only: check_section, join_sections
-   use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
@@ -19,7 +18,7 @@ module dg_checked_model
    use dg_settings_check, only: check_numerics
    use dg_string_check, only: check_centralizer, check_component, check_in_string
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
-   use dg_text, only: quoted, to_text
+   use dg_text, only: name_shown, quoted, to_text
    use dg_trajectory, only: bottom_md, interpolation_minimum_curvature, interpolation_spline, new_trajectory, top_md
    use dg_units, only: base_units
    implicit none

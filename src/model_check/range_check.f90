@@ -10,7 +10,7 @@ module dg_range_check
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, operation_count, optional_real
-   use dg_missing, only: is_missing, is_shown, missing
+   use dg_missing, only: is_shown, missing
    use dg_model_fault, only: model_faults_type, note_fault
    use dg_numerics, only: gap_location_count, numerics_type, solver_name
    use dg_rig, only: rig_type
