@@ -113,9 +113,25 @@ def large_procedures(path, name):
     return found, names
 
 
+def bare(text):
+    """Statements without comments and texts, each on one line; directives of OpenMP stay."""
+    text = re.sub(r"'[^'\n]*'|\"[^\"\n]*\"", "''", text)
+    return re.sub(r"&\s*\n\s*&?", " ", re.sub(r"!(?!\$).*", "", text))
+
+
+IMPORT = re.compile(r"^\s*use\s*(?:,\s*intrinsic\s*)?(?:::)?\s*\w+\s*,\s*only\s*:(.*)$", re.I | re.M)
+
+
+def unused_imports(text):
+    """Names that a file takes from other modules and does not use."""
+    rest = set(re.findall(r"(?:\b|(?<=\d_))[a-z]\w*", IMPORT.sub("", bare(text)).lower()))
+    names = [name.split("=>")[0].strip() for line in IMPORT.findall(bare(text)) for name in line.split(",")]
+    return [name for name in names if re.fullmatch(r"\w+", name) and name.lower() not in rest]
+
+
 def without_caller(root):
-    """Public procedures of src/ that no other file of src/, app/ or test/ names."""
-    texts = {path: re.sub(r"&\s*\n\s*&?", " ", re.sub(r"!.*", "", path.read_text(encoding="utf-8")))
+    """Public names of src/ that no other file of src/, app/ or test/ has."""
+    texts = {path: bare(path.read_text(encoding="utf-8"))
              for top in ("src", "app", "test") for path in sorted((root / top).rglob("*.f90"))}
     words = {path: set(re.findall(r"\w+", text.lower())) for path, text in texts.items()}
     found = []
@@ -123,10 +139,9 @@ def without_caller(root):
         if path.relative_to(root).parts[0] != "src":
             continue
         public = {name.strip().lower() for line in re.findall(r"^\s*public\s*::(.*)$", text, re.I | re.M) for name in line.split(",")}
-        own = {name.lower() for name in re.findall(r"^[^\n'\"]*\b(?:function|subroutine)\s+(\w+)\s*\(", text, re.I | re.M)}
-        for name in sorted(public & own):
+        for name in sorted(public):
             if not any(name in there for other, there in words.items() if other != path):
-                found.append(f"{path.relative_to(root)}: {name} is public, and nothing calls it")
+                found.append(f"{path.relative_to(root)}: {name} is public, and nothing uses it")
     return found
 
 
@@ -160,6 +175,7 @@ def check(root):
                 faults.append(f"{name}: holds {modules}, expected {wanted}")
             if modules and not re.search(r"^\s*private\s*$", text, re.M):
                 faults.append(f"{name}: not private by default")
+            faults += [f"{name}: {unused} is taken from another module, and not used" for unused in unused_imports(text)]
             if USE_ALL.search(text):
                 faults.append(f"{name}: use without only: {USE_ALL.search(text).group().strip()}")
             if top == "src" and STOP.search(text):

@@ -7,7 +7,7 @@ module dg_bench_orders
    use dg_error, only: error_type
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_name, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_name, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, gap_location_name

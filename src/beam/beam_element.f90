@@ -43,9 +43,9 @@ module dg_beam_element
    type :: measure_type
       real(wp) :: e(3), a_i(3), a_j(3)         ! chord direction, tangents less their part along it
       real(wp) :: length                       ! l
-      real(wp) :: c_i, c_j, p
+      real(wp) :: c_i, c_j
       real(wp) :: g_i, dg_i, ddg_i, g_j, dg_j, ddg_j
-      real(wp) :: s                            ! p - c_i c_j
+      real(wp) :: s                            ! p - c_i c_j, p = d_i.d_j
       real(wp) :: bowing                       ! b
       real(wp) :: a_ci, a_cj, b_ci, b_cj, b_p  ! first derivatives of A and B
    end type measure_type
@@ -82,7 +82,6 @@ contains
       m%e = chord/m%length
       m%c_i = dot_product(d_i, m%e)
       m%c_j = dot_product(d_j, m%e)
-      m%p = dot_product(d_i, d_j)
       m%a_i = d_i - m%c_i*m%e
       m%a_j = d_j - m%c_j*m%e
       call angle_ratio(m%c_i, m%g_i, m%dg_i, m%ddg_i)

@@ -16,7 +16,7 @@ module dg_buckling_limits
    implicit none
    private
    public :: sinusoidal_limit, curved_limit, least_curved_limit, vertical_unit, helical_limit, buckled_state
-   public :: helical_low, helical_high, lubinski_first, vertical_helical
+   public :: helical_low, helical_high, lubinski_first
    public :: buckling_none, buckling_sinusoidal, buckling_helical, buckling_name
 
    real(wp), parameter :: helical_low = sqrt(2.0_wp)                 !< over the sinusoidal limit (Chen et al.)

@@ -11,7 +11,7 @@ module dg_calibration_result
    implicit none
    private
    public :: calibration_result_type, judge_fit, verdict_of
-   public :: verdict_found, verdict_at_bound, verdict_not_felt, verdict_not_separated, verdict_no_fit, verdict_name
+   public :: verdict_found, verdict_at_bound, verdict_not_felt, verdict_not_separated, verdict_name
 
    integer, parameter :: verdict_found = 1
    integer, parameter :: verdict_at_bound = 2       !< 0 or the greatest: the data ask for more than friction can do

@@ -8,7 +8,7 @@ module dg_fit_statistics
    use dg_variance_components, only: adjust_covariance
    implicit none
    private
-   public :: statistics_type, mixture_type, find_statistics, student_quantile, quantile_between, as_normal
+   public :: statistics_type, find_statistics, student_quantile, quantile_between, as_normal
 
    !> Unknowns of which the data tell only a combination.
    type :: mixture_type

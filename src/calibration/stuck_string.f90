@@ -1,5 +1,5 @@
-!> A string that is held at some depth, taken as the part above: it ends there, and the pull and torque at its end stand for
-!> all that holds it. What would hang there if nothing stuck is read off the free string.
+!> A string that is held at some depth, taken as the part above: it ends there, and the pull and torque at its end replace
+!> everything that holds it. What would hang there if nothing stuck is read off the free string.
 module dg_stuck_string
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness

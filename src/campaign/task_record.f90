@@ -71,8 +71,8 @@ contains
    end function record_line
 
    !> Reads the lines of a record. `failure` is '' or says what is wrong with them, and in which line. A last line that was cut
-   !> short, without its end mark, is left out; any other line that is none is a failure, and so is a piece that stands there
-   !> twice with different texts.
+   !> short, without its end mark, is left out. Any other line that cannot be read is a failure, and so is a piece that stands
+   !> there twice with different texts.
    pure subroutine read_record(lines, record, failure)
       type(text_type), intent(in) :: lines(:)
       type(record_type), intent(out) :: record

@@ -10,13 +10,13 @@ module dg_catalogue
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
    use dg_table_text, only: split_fields, without_comment
-   use dg_text, only: joined, lower_case, quoted, suggestion, text_type, to_text
+   use dg_text, only: joined, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
-   public :: catalogue_name, catalogue_variable, catalogue_within, kind_of_grades
+   public :: catalogue_within, kind_of_grades
 
    !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder; else
    !> the one within the program, under a name that no file of a user has.

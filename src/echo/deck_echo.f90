@@ -9,7 +9,7 @@ module dg_deck_echo
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing
-   use dg_model, only: model_type, boundary_type
+   use dg_model, only: model_type
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength

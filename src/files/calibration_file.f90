@@ -14,7 +14,6 @@ module dg_calibration_file
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_prediction_table, only: add_predictions
-   use dg_text, only: append_text, text_type
    implicit none
    private
    public :: factor_columns, datum_columns, write_calibrations

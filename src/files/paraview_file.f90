@@ -9,7 +9,6 @@ module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
    use dg_column, only: column_header, quantity_text, unit_size
    use dg_constants, only: pi
    use dg_error, only: error_type

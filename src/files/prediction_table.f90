@@ -18,7 +18,7 @@ module dg_prediction_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_predictions, add_predictions, prediction_columns, quantity_words
+   public :: append_predictions, add_predictions, quantity_words
 
    !> New ones are added at the end only: others rely on the names and the order.
    type(column_type), parameter :: prediction_columns(15) = [ &

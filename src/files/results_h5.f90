@@ -29,7 +29,7 @@ module dg_results_h5
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: write_results_h5, survey_columns, gap_columns, time_stamp
+   public :: write_results_h5, time_stamp
 
    type(column_type), parameter :: survey_columns(3) = [ &
       column_type('md', quantity_length, 'measured depth of the station'), &

@@ -12,7 +12,7 @@ module dg_steering_file
    use dg_steering_result, only: steering_result_type
    implicit none
    private
-   public :: write_steering, steering_columns, turn_rate, dogleg_clock
+   public :: write_steering, turn_rate, dogleg_clock
 
    !> Round-off of an angle of many operations [rad].
    real(wp), parameter :: no_angle = 1.0e-9_wp

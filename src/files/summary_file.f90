@@ -10,8 +10,7 @@ module dg_summary_file
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type
-   use dg_text, only: text_or_nothing, text_type
-   use dg_units, only: unit_system_type
+   use dg_text, only: text_or_nothing
    implicit none
    private
    public :: write_summary, summary_columns, summary_fields

@@ -11,7 +11,7 @@ module dg_sweep_file
    use dg_load_case, only: operation_name, optional_real
    use dg_sweep, only: point_at, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
-   use dg_text, only: text_or_nothing, text_type
+   use dg_text, only: text_or_nothing
    implicit none
    private
    public :: sweep_columns, write_sweep

@@ -1,7 +1,7 @@
 !> uncertainty_<name>.csv: one row a point, with the quantiles of its samples.
 module dg_uncertainty_file
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
-                        quantity_moment, quantity_none, quantity_text
+   use dg_column, only: column_type, field_list_type, put, quantity_force, quantity_length, quantity_moment, quantity_none, &
+                        quantity_text
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: known
    use dg_error, only: error_type

@@ -84,7 +84,7 @@ module drillgap
 contains
 
    !> Makes a model of parts. Error (status_bad_input): its message has one line for each thing that is wrong, with the component
-   !> of `parts` that it is in; the model then is none. Example: "As a library" in README.md, its first program.
+   !> of `parts` that it is in. Then no model is made. Example: "As a library" in README.md, its first program.
    subroutine new_model(model, parts, error)
       type(model_type), intent(out) :: model
       type(model_parts_type), intent(in) :: parts

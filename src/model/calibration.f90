@@ -10,11 +10,11 @@ module dg_calibration
    use dg_rig, only: rig_type
    implicit none
    private
-   public :: calibration_type, unknown_type, datum_type
+   public :: calibration_type, unknown_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
    public :: apply_factors, apply_offset, applied_factor, variance_kinds, ahead_of, predicts
-   public :: offset_none, offset_one, offset_depths, offset_name
+   public :: offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
    integer, parameter :: calibrate_friction_axial = 2   !< mu2 alone

@@ -5,10 +5,10 @@ module dg_numerics
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type, default_elastic_share
+   public :: numerics_type
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
-   public :: fidelity_count, fidelity_name, settings_of, set_fidelity, other_location
+   public :: fidelity_name, settings_of, set_fidelity, other_location
    public :: solver_banded, solver_block, solver_name, solver_sparse
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2

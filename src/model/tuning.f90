@@ -29,7 +29,8 @@ module dg_tuning
       !> Iterations in the plane of the hole before the string is solved in space.
       integer :: longest_in_plane = 30
       !> Length of elements over what it was, where no attempt found an equilibrium [-]; 0: there are none. A string that is pushed
-      !> near lock-up leaves the soft string that its mesh was made for behind; a quarter cures most of those, a half few.
+      !> near lock-up lies far from the soft string that its mesh was made for. A quarter of the length cures most such cases, a
+      !> half few.
       real(wp) :: finer = 0.25_wp
       !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
       !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long. No more than 0.4: a string that may buckle

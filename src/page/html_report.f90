@@ -21,7 +21,7 @@ module dg_html_report
    use dg_results_h5, only: time_stamp
    use dg_run_outcome, only: outcome_type
    use dg_summary_file, only: summary_columns, summary_fields
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: text_type, to_text
    use dg_version, only: program_name, program_version
    use dg_whole_string, only: whole_string_type
    implicit none

@@ -12,8 +12,8 @@ module dg_run_outcome
    use dg_uncertainty, only: piece_number, uncertainty_type
    implicit none
    private
-   public :: outcome_type, part_type, part_columns, lost_columns, add_part, note_lost, note_cases, note_sweep, &
-             note_uncertainty, part_fields, solution_count, lost_count, locked_count
+   public :: outcome_type, part_columns, lost_columns, add_part, note_lost, note_cases, note_sweep, note_uncertainty, &
+             part_fields, solution_count, lost_count, locked_count
 
    !> Load cases, a sweep, a Monte Carlo, a calibration, a steering.
    type :: part_type

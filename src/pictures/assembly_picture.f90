@@ -7,8 +7,8 @@ module dg_assembly_picture
    use dg_component, only: has_blades, has_joints
    use dg_depth_panels, only: add_points
    use dg_drillstring, only: all_centralizer_ends, component_at, component_tops, drillstring_type, joint_ends
-   use dg_gnuplot_script, only: add_series, colour_black, colour_of, cut_text, dash_of, end_script, legend, panel, &
-                                plot, series_type, spelled, start_script, y_range
+   use dg_gnuplot_script, only: add_series, colour_of, cut_text, dash_of, end_script, legend, panel, plot, series_type, spelled, &
+                                start_script, y_range
    use dg_hole_section, only: hole_section_at, hole_section_type
    use dg_job, only: job_type, model_name
    use dg_missing, only: is_missing

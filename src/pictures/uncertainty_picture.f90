@@ -10,7 +10,7 @@ module dg_uncertainty_picture
    use dg_load_case, only: operation_label, operation_name, rotates
    use dg_rig, only: rig_type
    use dg_sweep, only: at_operation, sweep_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, text_type
    use dg_uncertainty_file, only: uncertainty_columns
    use dg_units, only: unit_system_type
    implicit none

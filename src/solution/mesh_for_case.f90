@@ -18,7 +18,7 @@ module dg_mesh_for_case
    public :: mesh_for_case, cut_elements, shortest, shortest_cut
 
    !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
-   !> element buckles between its nodes, where no gap can hold it, and the iteration ends nowhere.
+   !> element buckles between its nodes, where no gap can hold it, and the iteration does not converge.
    real(wp), parameter :: quarter_wave_share = 0.9_wp
    !> The same where the string is expected to coil: eight elements a turn.
    real(wp), parameter :: coil_share = 0.5_wp

@@ -4,7 +4,7 @@ module dg_connection
    use dg_constants, only: degree, pi
    implicit none
    private
-   public :: connection_type, connection_count, connection_name, find_connection, connection_torsion, makeup_share
+   public :: connection_name, find_connection, connection_torsion, makeup_share
 
    !> Dimensions [m] but the taper.
    type :: connection_type

@@ -1,6 +1,6 @@
 !> The chain matrix and its solutions, banded and by blocks, against the same matrix written out in full.
 module dg_test_block_matrix
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
    use dg_block_solver, only: block_positive_definite, block_solve, block_solver_type, new_block_solver

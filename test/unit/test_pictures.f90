@@ -13,7 +13,8 @@ module dg_test_pictures
    use dg_gnuplot_script, only: spelled, x_range
    use dg_hole_section, only: hole_section_type
    use dg_hookload_picture, only: hookload_script
-   use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe, page_type
+   use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe
+   use dg_line_list, only: line_list_type
    use dg_job, only: job_type, model_soft
    use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
       optional_real
@@ -89,7 +90,7 @@ contains
 
    !> Columns without any value are left out; what is there is in the deck's units.
    subroutine test_html_table()
-      type(page_type) :: page
+      type(line_list_type) :: page
       type(field_list_type) :: row
       type(job_type) :: job
       integer :: i
@@ -145,7 +146,7 @@ contains
 
    !> Two pictures in one page must not share the names of their marks.
    subroutine test_inline()
-      type(page_type) :: page
+      type(line_list_type) :: page
       type(text_type), allocatable :: svg(:)
       allocate (svg(0))
       call append_text(svg, '<?xml version="1.0"?>')

@@ -1,5 +1,5 @@
 module dg_test_report_table
-   use funit, only: assertEqual, assertFalse, assertLessThanOrEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertFalse, assertLessThanOrEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged, way_planar, way_rotates, way_turns
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_kinds, only: wp

@@ -3,7 +3,7 @@ module dg_test_run_outcome
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
    use dg_html_outcome, only: append_lost, append_outcome
-   use dg_html_text, only: page_type
+   use dg_line_list, only: line_list_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
@@ -51,7 +51,7 @@ contains
    !> One part needs no table.
    subroutine test_all_converged()
       type(outcome_type) :: outcome
-      type(page_type) :: page
+      type(line_list_type) :: page
       call append_outcome(page, si_units(), outcome)
       call assertEqual(0, page%count, message='nothing was asked for')
       call add_part(outcome, 'load cases', 8, 0, 0)
@@ -63,7 +63,7 @@ contains
    !> Points that failed have a row each; neighbouring depths that lock up have one, which ends with their curve.
    subroutine test_sweep()
       type(outcome_type) :: outcome
-      type(page_type) :: page
+      type(line_list_type) :: page
       type(sweep_result_type) :: points(8)
       call add_part(outcome, 'load cases', 8, 0, 0)
       points = points_of([result_converged, result_not_converged, result_converged, result_locked_up, &
@@ -118,7 +118,7 @@ contains
    !> A row a point, with the first sample that failed there.
    subroutine test_uncertainty()
       type(outcome_type) :: outcome
-      type(page_type) :: page
+      type(line_list_type) :: page
       type(uncertainty_type) :: uncertainty
       type(sweep_result_type) :: pieces(24)
       uncertainty%range = sample_sweep()
@@ -141,7 +141,7 @@ contains
    !> What is too much for a page is counted.
    subroutine test_too_many()
       type(outcome_type) :: outcome
-      type(page_type) :: page
+      type(line_list_type) :: page
       integer :: i
       call add_part(outcome, 'calibration c', 400, 0, 400)
       do i = 1, 400

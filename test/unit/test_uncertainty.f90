@@ -4,7 +4,6 @@ module dg_test_uncertainty
    use, intrinsic :: iso_fortran_env, only: int64
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
-   use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_counter_random, only: normal_number, philox
    use dg_error, only: error_type

@@ -9,8 +9,8 @@ module dg_test_centralizers
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, contact_centralizer
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: bending_stiffness, component_type
-   use dg_constants, only: degree, pi
+   use dg_component, only: bending_stiffness
+   use dg_constants, only: degree
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out

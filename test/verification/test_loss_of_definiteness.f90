@@ -14,7 +14,6 @@ module dg_test_loss_of_definiteness
    use dg_load_case, only: operation_static, operation_trip_out
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
-   use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, pipe, solve
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none

@@ -1,7 +1,7 @@
 !> What the program prints along a string at its default settings, against a string solved independently (dg_independent_beam):
 !> rotating and pulled strings in a hole that builds and turns, a tapered one, a sharp dogleg, casing run in.
 module dg_test_moments
-   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type

@@ -7,7 +7,6 @@ module dg_test_plane
    use dg_block_matrix, only: block_matrix_type, new_block_matrix, plane_block_size
    use dg_case_result, only: case_result_type, result_converged, way_buckles, way_left, way_not_asked, way_planar, way_rotates, &
                              way_turns
-   use dg_constants, only: degree
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
    use dg_gap_survey, only: survey_gaps
@@ -22,7 +21,7 @@ module dg_test_plane
    use dg_plane, only: find_plane, flatten, plane_type, unfold
    use dg_plane_assembly, only: assemble_in_plane
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, part, pipe, string_weight, three_part_well
+   use dg_test_wells, only: new_well, note, pipe, string_weight, three_part_well
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private

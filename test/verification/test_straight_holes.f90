@@ -4,8 +4,8 @@ module dg_test_straight_holes
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
-      operation_static, operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
+                           operation_static, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes
    use dg_profile, only: state_free

@@ -1,7 +1,6 @@
 !> A string that turns about the axis of a vertical hole: what drives it, and what it takes to find it.
 module dg_test_whirling
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
-                    TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_assembly, only: assemble, load_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_case_result, only: case_result_type, result_converged
