@@ -48,7 +48,7 @@ module dg_bending_beam
       real(wp), allocatable :: md(:)            !< depth of the nodes along the string, before loading [m]
       real(wp), allocatable :: place(:)         !< measured depth of the hole where a node now is [m]
       real(wp), allocatable :: axial(:)         !< T at the nodes [N]
-      real(wp), allocatable :: weight(:, :)     !< buoyed weight across the hole, per length, at the nodes (2,n) [N/m]
+      real(wp), allocatable :: down(:, :)       !< part of the unit vector downwards that is across the hole, at the nodes (2,n) [-]
       real(wp), allocatable :: viscous(:)       !< stiffness that holds a compressed string during the iteration, at the nodes [N/m]
       logical, allocatable :: held(:)           !< nodes whose offset and slope stay as they are
       logical, allocatable :: centred(:)        !< nodes whose offset stays as it is
@@ -56,7 +56,8 @@ module dg_bending_beam
       real(wp), allocatable :: curvature(:, :)  !< k of the hole, by element (2,e) [1/m]
       real(wp), allocatable :: bend(:, :)       !< b of the string, by element (2,e) [1/m]
       real(wp), allocatable :: torque(:)        !< M_t by element [N.m]
-      real(wp), allocatable :: ei(:)            !< [N.m2]
+      real(wp), allocatable :: weight(:)        !< buoyed weight per length, by element [N/m]
+      real(wp), allocatable :: ei(:)            !< by element [N.m2]
       type(gap_law_type), allocatable :: law(:) !< of a metre of wall, by element (stiffnesses in N/m2)
       real(wp), allocatable :: radius(:)        !< radius of contact r, by element [m]
       real(wp), allocatable :: along(:)         !< friction coefficient a, by element [-]
@@ -154,8 +155,8 @@ contains
          turned(2, :) = [-turn, -0.5_wp*torque, turn, -0.5_wp*torque]
          turned(3, :) = -turned(1, :)
          turned(4, :) = [turn, 0.5_wp*torque, -turn, 0.5_wp*torque]
-         upper = (beam%weight(:, e) + t(1)*k)*length
-         lower = (beam%weight(:, e + 1) + t(2)*k)*length
+         upper = (beam%weight(e)*beam%down(:, e) + t(1)*k)*length
+         lower = (beam%weight(e)*beam%down(:, e + 1) + t(2)*k)*length
          bend = beam%ei(e)*(k - beam%bend(:, e))
          f(1:2) = 0.35_wp*upper + 0.15_wp*lower + torque*[k(2), -k(1)]
          f(3:4) = length*(upper/20.0_wp + lower/30.0_wp) + bend

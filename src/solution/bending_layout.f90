@@ -221,8 +221,8 @@ contains
       integer :: n, e, o, arc
       n = size(nodes)
       beam%md = nodes
-      allocate (beam%place(n), beam%axial(n), beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
-                beam%ei(n - 1), beam%law(n - 1), beam%radius(n - 1), beam%along(n - 1), beam%around(n - 1))
+      allocate (beam%place(n), beam%axial(n), beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
+                beam%weight(n - 1), beam%ei(n - 1), beam%law(n - 1), beam%radius(n - 1), beam%along(n - 1), beam%around(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
@@ -239,7 +239,7 @@ contains
          beam%place(e) = place
          arc = arc_at(model%trajectory, place, near=arc)
          call frame_on_arc(model%trajectory%arcs(arc), place - model%trajectory%arcs(arc)%md, t, n_1, n_2)
-         beam%weight(:, e) = mesh%weight(o)*[dot_product(down, n_1), dot_product(down, n_2)]
+         beam%down(:, e) = [dot_product(down, n_1), dot_product(down, n_2)]
          if (.not. lying%bends(o)) beam%held(e) = .true.
          if (e > 1) beam%held(e) = beam%held(e) .or. .not. lying%bends(beam%owner(e - 1))
          if (e == n) exit
@@ -247,6 +247,7 @@ contains
          beam%torque(e) = -work%torque(o)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
             + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
+         beam%weight(e) = mesh%weight(o)
          beam%ei(e) = mesh%ei(o)
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)

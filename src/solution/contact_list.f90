@@ -96,8 +96,8 @@ contains
          length = beam%md(e + 1) - beam%md(e)
          do p = 1, contact_places
             associate (xi => contact_xi(p))
-               across = (1.0_wp - xi)*(beam%weight(:, e) + beam%axial(e)*beam%curvature(:, e)) &
-                        + xi*(beam%weight(:, e + 1) + beam%axial(e + 1)*beam%curvature(:, e))
+               across = (1.0_wp - xi)*(beam%weight(e)*beam%down(:, e) + beam%axial(e)*beam%curvature(:, e)) &
+                        + xi*(beam%weight(e)*beam%down(:, e + 1) + beam%axial(e + 1)*beam%curvature(:, e))
                if (scale(o) > 0.0_wp) then
                   call add(beam%md(e) + xi*length, length/contact_places, scale(o)*bent%pressed(p, e), length_of(across), &
                            o, .true., n, stretches)

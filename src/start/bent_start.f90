@@ -47,12 +47,13 @@ contains
       beam%md = mesh%md
       beam%place = mesh%md
       beam%axial = axial
-      allocate (beam%weight(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%law(n - 1))
+      allocate (beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%law(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
       allocate (beam%point(0), beam%point_owner(0), beam%point_law(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
+      beam%weight = mesh%weight
       beam%ei = mesh%ei
       beam%radius = mesh%radius
       beam%along = mesh%axial
@@ -72,7 +73,7 @@ contains
          n_1(:, 1) = n_1(:, 2)
          n_2(:, 1) = n_2(:, 2)
          call frame_on_arc(model%trajectory%arcs(arc), beam%place(e) - model%trajectory%arcs(arc)%md, t(:, 2), n_1(:, 2), n_2(:, 2))
-         beam%weight(:, e) = mesh%weight(min(e, n - 1))*[dot_product(down, n_1(:, 2)), dot_product(down, n_2(:, 2))]
+         beam%down(:, e) = [dot_product(down, n_1(:, 2)), dot_product(down, n_2(:, 2))]
          if (e == 1) cycle
          turn = 0.5_wp*(t(:, 2) - t(:, 1))/mesh%length(e - 1)
          if (allocated(mesh%bend)) beam%bend(:, e - 1) = [dot_product(mesh%bend(:, e - 1), n_1(:, 1)), &

@@ -318,7 +318,9 @@ contains
                           /norm2(state(2:3, n)), 0.05_wp*force, message='on the soft string''s side')
       end do
       call assertTrue(bending > 0 .and. bending < mesh%nodes/2, message='sides change, here and there')
-      load = [(0.5_wp*(norm2(contact(:, e)) + norm2(contact(:, e + 1)))*mesh%length(e), e=1, mesh%elements)]
-      call assertRelativelyEqual(sum(load), sum(pressed), 0.05_wp, message='contact force')
+      ! in the middle of elements: at their ends the weight may jump
+      call soft_string_at(model, 1, mesh%md(2:) - 0.5_wp*mesh%length, axial(2:), torque(2:), contact(:, 2:))
+      load = [(norm2(contact(:, e + 1))*mesh%length(e), e=1, mesh%elements)]
+      call assertRelativelyEqual(sum(load), sum(pressed), 0.02_wp, message='contact force')
    end subroutine test_predicted_start
 end module dg_test_mesh

@@ -27,6 +27,7 @@ contains
       suite = TestSuite('bit_side_force')
       call suite%addTest(TestMethod('shear_is_the_side_force', test_shear))
       call suite%addTest(TestMethod('at_the_default_settings', test_default))
+      call suite%addTest(TestMethod('heavy_foot', test_heavy_foot))
    end function bit_side_force_suite
 
    !> Horizontal, no friction, no bit load: tangency length (24 EI c/w)^(1/4), shear at the bit w L/2, none of bending there,
@@ -90,6 +91,49 @@ contains
       call assertLessThan(worst(1), at_default, message='side force')
       call assertLessThan(worst(2), at_default, message='tilt')
    end subroutine test_default
+
+   !> Horizontal, no friction, no bit load; the lowest part of the string, as stiff as the rest, is four times as heavy, or light.
+   !> With q its weight beyond the rest's, on a length a: EI y'' = -F x + w x^2/2 + q (x^2 - max(x - a, 0)^2)/2. It is zero at the
+   !> length L where the string lies down; no slope there gives L.
+   subroutine test_heavy_foot()
+      real(wp), parameter :: a(3) = [0.3_wp, 1.0_wp, 3.0_wp], part_of_weight(2) = [4.0_wp, 0.05_wp]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp) :: q, low, high, length, force, offset, worst
+      integer :: i, j, k
+      worst = 0.0_wp
+      do j = 1, size(part_of_weight)
+         q = w*(part_of_weight(j) - 1.0_wp)
+         do i = 1, size(a)
+            call new_well(model, [0.0_wp, 100.0_wp], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+            deallocate (model%strings(1)%components)
+            allocate (model%strings(1)%components(2))
+            model%strings(1)%components(1) = pipe(w + q, od, id)
+            model%strings(1)%components(1)%length = a(i)
+            model%strings(1)%components(2) = pipe(w, od, id)
+            model%numerics = settings_of('auto')
+            model%boundary%bit_centred = .true.
+            call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'heavy foot')
+            low = a(i)
+            high = 40.0_wp
+            do k = 1, 60
+               length = 0.5_wp*(low + high)
+               force = 0.5_wp*w*length + q*a(i)*(1.0_wp - 0.5_wp*a(i)/length)
+               ! EI times the offset at L: the moments of the curvature about the bit
+               offset = force*length**3/3.0_wp - w*length**4/8.0_wp &
+                        - q*a(i)*(length**3/3.0_wp - a(i)*length**2/4.0_wp + a(i)**3/24.0_wp)
+               if (offset > bending_stiffness(pipe(w, od, id))*0.5_wp*(hole - od)) then
+                  high = length
+               else
+                  low = length
+               end if
+            end do
+            call note('side force over the closed form', -result%bit_side_force*cos(result%bit_side_clock)/force)
+            worst = max(worst, abs(-result%bit_side_force*cos(result%bit_side_clock)/force - 1.0_wp))
+         end do
+      end do
+      call assertLessThan(worst, at_default, message='side force')
+   end subroutine test_heavy_foot
 
    !> A slick assembly from its bit to where it lies down on the low side, as a beam-column of its own: y down from the axis of the
    !> hole, x from the bit up, compression P = load - w cos(theta) x, hole of curvature k (up: build) on the low side:
