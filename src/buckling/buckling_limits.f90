@@ -4,7 +4,7 @@
 !> - Dawson & Paslay 1984 (SPE 11167): a string on the low side of an inclined hole turns into a sine at
 !>   2 sqrt(EI n/c), n being what presses it against the wall per length: in a straight hole w sin(theta).
 !> - In a bend the compression itself presses the string on or lifts it off (He & Kyllingstad 1995, SPE 25370):
-!>   n = |w_across - F k| with the curvature vector k of the hole. So F is the least root of F = 2 sqrt(EI n(F)/c).
+!>   n = |w_across - F k| with the curvature vector k of the hole. So F is a root of F = 2 sqrt(EI n(F)/c).
 !> - In a vertical hole nothing presses; there the weight of the string itself carries it up to Lubinski's (1950)
 !>   1.94 (EI w^2)^(1/3) at the lower end of the compressed part. The limit is the larger of the two: without
 !>   the second every near-vertical hole would raise an alarm.
@@ -30,13 +30,10 @@ module dg_buckling_limits
    !> Names in files, by the numbers above.
    character(*), parameter :: buckling_name(0:2) = [character(10) :: 'none', 'sinusoidal', 'helical']
 
-   !> Steps in which the least root is looked for. Where there are three roots the two lower ones are a good part of the
-   !> interval apart, or so close that the difference between them means nothing.
-   integer, parameter :: search_steps = 64
    !> Difference of two squares, over their sum, that round-off cannot make (a dozen roundings are some 1e-15) [-].
    real(wp), parameter :: square_round_off = 1.0e-13_wp
-   !> Halvings of a step: to round-off.
-   integer, parameter :: halvings = 52
+   !> Halvings of an interval: to round-off, of roots that are a hundredth of it too.
+   integer, parameter :: halvings = 60
 
 contains
 
@@ -50,40 +47,42 @@ contains
    end function sinusoidal_limit
 
    !> The same in a bend [N]: least F > 0 with F^2 c/(4 EI) = |w_across - F k|; 0 where neither weight nor curvature
-   !> presses the string on. It lies between the roots for a string pressed on and lifted off by all of the
-   !> curvature, which are those of a quadratic.
-   pure function curved_limit(ei, across, curvature, clearance) result(force)
+   !> presses the string on. It is no more than the root for a string pressed on by all of the curvature, that of a quadratic.
+   !>
+   !> In a drop there may be three roots. Between the first two the compression lifts the string off the low side. Beyond them it
+   !> presses the string to the high side, where it buckles at the third. With the compression that is there the result is the
+   !> third root for a string beyond the second, and the first one else.
+   pure function curved_limit(ei, across, curvature, clearance, compression) result(force)
       real(wp), intent(in) :: ei             !< bending stiffness [N.m2]
       real(wp), intent(in) :: across(3)      !< weight across the hole, a vector [N/m]
       real(wp), intent(in) :: curvature(3)   !< of the hole axis, dt/ds with t down the hole [1/m]
       real(wp), intent(in) :: clearance      !< > 0 [m]
+      real(wp), intent(in), optional :: compression   !< that is there; absent: none, the first root [N]
       real(wp) :: force
-      real(wp) :: share, weight, bend, root, low, high, middle, lowest, highest, squares(3)
-      integer :: i
+      real(wp) :: share, weight, bend, highest, inflection, peak, trough, squares(3)
       share = 0.25_wp*clearance/ei
       weight = norm2(across)
       bend = norm2(curvature)
       squares = [dot_product(across, across), dot_product(across, curvature), dot_product(curvature, curvature)]
-      root = sqrt(bend**2 + 4.0_wp*share*weight)
-      highest = 0.5_wp*(bend + root)/share
+      highest = 0.5_wp*(bend + sqrt(bend**2 + 4.0_wp*share*weight))/share
       force = highest
       if (bend <= 0.0_wp .or. weight <= 0.0_wp) return
-      lowest = least_curved_limit(ei, across, curvature, clearance)
-      low = lowest
-      do i = 1, search_steps
-         high = lowest + (highest - lowest)*i/search_steps
-         if (reached(high)) exit
-         low = high
-      end do
-      do i = 1, halvings
-         middle = 0.5_wp*(low + high)
-         if (reached(middle)) then
-            high = middle
-         else
-            low = middle
-         end if
-      end do
-      force = high
+      ! excess(F) = (F^2 c/(4 EI))^2 - |w_across - F k|^2 rises from F = 0 to a peak and falls to a trough if its slope is positive
+      ! at 0 and negative at its point of inflection; else it changes its sign once
+      inflection = bend/(sqrt(6.0_wp)*share)
+      if (squares(2) <= 0.0_wp .or. half_slope(inflection) >= 0.0_wp) then
+         force = root_between(0.0_wp, highest)
+         return
+      end if
+      peak = turning_point(0.0_wp, inflection)
+      trough = turning_point(highest, inflection)
+      if (.not. reached(peak)) then
+         force = root_between(trough, highest)
+         return
+      end if
+      force = root_between(0.0_wp, peak)
+      if (.not. present(compression)) return
+      if (compression > trough .or. (compression > peak .and. .not. reached(compression))) force = root_between(trough, highest)
 
    contains
 
@@ -100,6 +99,48 @@ contains
             is = share*f**2 - norm2(across - f*curvature) >= 0.0_wp
          end if
       end function reached
+
+      !> Half the derivative of the excess by F.
+      pure function half_slope(f) result(slope)
+         real(wp), intent(in) :: f
+         real(wp) :: slope
+         slope = 2.0_wp*share**2*f**3 - squares(3)*f + squares(2)
+      end function half_slope
+
+      !> Where the excess turns, between a place where it rises and one where it falls.
+      pure function turning_point(rises, falls) result(f)
+         real(wp), intent(in) :: rises, falls
+         real(wp) :: f, up, down
+         integer :: i
+         up = rises
+         down = falls
+         do i = 1, halvings
+            f = 0.5_wp*(up + down)
+            if (half_slope(f) > 0.0_wp) then
+               up = f
+            else
+               down = f
+            end if
+         end do
+      end function turning_point
+
+      !> Where the limit is reached, between a place where it is not and one where it is.
+      pure function root_between(below, above) result(f)
+         real(wp), intent(in) :: below, above
+         real(wp) :: f, low, high
+         integer :: i
+         low = below
+         high = above
+         do i = 1, halvings
+            f = 0.5_wp*(low + high)
+            if (reached(f)) then
+               high = f
+            else
+               low = f
+            end if
+         end do
+         f = high
+      end function root_between
    end function curved_limit
 
    !> A bound that curved_limit is never below [N], for who only asks whether it is far away: that of a string lifted off by all

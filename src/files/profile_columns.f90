@@ -40,8 +40,8 @@ module dg_profile_columns
          '1 - von_mises/yield; empty where no yield is given'), &
       column_type('bending_range', quantity_stress, 'of the bending stress in one turn of the string, for fatigue; '// &
          '0 where the string does not turn'), &
-      column_type('sinusoidal_load', quantity_force, 'compression at which the string buckles into a sine; empty where '// &
-         'neither weight nor curvature gives a limit'), &
+      column_type('sinusoidal_load', quantity_force, 'compression at which the string buckles into a sine; in a drop '// &
+         'that of the side on which it lies; empty where neither weight nor curvature gives a limit'), &
       column_type('helical_load', quantity_force, 'compression at which it coils, lower published limit'), &
       column_type('helical_load_upper', quantity_force, 'the same, upper limit'), &
       column_type('buckling_margin', quantity_force, 'sinusoidal_load + axial: compression left before buckling'), &

@@ -66,7 +66,8 @@ contains
       vertical = vertical_unit(piece%stiffness, piece%weight*tangent(3))
       limit = helical_limit(least_curved_limit(piece%stiffness, across, bend, piece%clearance), vertical, helical_low)
       if (compression <= limit) return
-      limit = helical_limit(curved_limit(piece%stiffness, across, bend, piece%clearance), vertical, helical_low)
+      limit = helical_limit(curved_limit(piece%stiffness, across, bend, piece%clearance, compression), vertical, &
+                            helical_low)
       if (limit > 0.0_wp .and. compression > limit) share = compression/limit
    end function share_of_helical
 end module dg_string_range

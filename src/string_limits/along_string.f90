@@ -48,7 +48,8 @@ module dg_along_string
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
-      real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling [N]
+      real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling, as the string now lies [N]
+      real(wp), allocatable :: onset(:)             !< the least such compression, from none upwards [N]
       real(wp), allocatable :: helical(:)           !< at helical buckling, the lower published limit [N]
       real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
       real(wp), allocatable :: buckling_margin(:)   !< compression left before sinusoidal buckling [N]
@@ -118,7 +119,7 @@ contains
                end if
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1) .or. &
                    abs(weight(2) - weight(1)) > 0.0_wp) &
-                  call put_limits(model, i, profile%md(i), components(part(side)), weight(side), &
+                  call put_limits(model, i, profile%md(i), -profile%axial(i), components(part(side)), weight(side), &
                                   model%holes(hole(side))%diameter, arc(side), along)
                if (result%model == model_mcge) call put_standoff(i, components(part(side))%od, &
                                                                  model%holes(hole(side))%diameter, profile%displacement(i), along)
@@ -238,26 +239,29 @@ contains
    end subroutine put_standoff
 
    !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
-   pure subroutine put_limits(model, i, md, part, weight, diameter, arc, along)
+   pure subroutine put_limits(model, i, md, compression, part, weight, diameter, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
       real(wp), intent(in) :: md        !< [m]
+      real(wp), intent(in) :: compression   !< [N]
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: weight    !< buoyed [N/m]
       real(wp), intent(in) :: diameter  !< of the hole [m]
       integer, intent(in) :: arc        !< of the trajectory
       type(along_string_type), intent(inout) :: along
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
-      real(wp) :: position(3), tangent(3), curvature(3), clearance, ei, inclined, vertical
+      real(wp) :: position(3), tangent(3), curvature(3), clearance, ei, across(3), inclined, vertical
       call point_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, position, tangent, curvature)
       along%curvature(i) = max(along%curvature(i), norm2(curvature))
       clearance = 0.5_wp*(diameter - contact_diameter(part))
       if (.not. clearance > 0.0_wp) return
       ei = bending_stiffness(part)
-      inclined = curved_limit(ei, weight*(down - tangent(3)*tangent), curvature, clearance)
+      across = weight*(down - tangent(3)*tangent)
+      inclined = curved_limit(ei, across, curvature, clearance, compression)
       vertical = vertical_unit(ei, weight*tangent(3))
       if (.not. max(inclined, vertical) > 0.0_wp) return
       call keep_least(along%sinusoidal(i), max(inclined, lubinski_first*vertical))
+      call keep_least(along%onset(i), max(curved_limit(ei, across, curvature, clearance), lubinski_first*vertical))
       call keep_least(along%helical(i), helical_limit(inclined, vertical, helical_low))
       call keep_least(along%helical_upper(i), helical_limit(inclined, vertical, helical_high))
    end subroutine put_limits
@@ -292,7 +296,7 @@ contains
                 along%axial_stress(n), along%bending_stress(n), &
                 along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
-      allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), &
+      allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), along%onset(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
                 along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), along%standoff(n), source=missing)
       allocate (along%buckling(n), source=buckling_none)

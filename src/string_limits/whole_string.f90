@@ -260,22 +260,25 @@ contains
       type(whole_string_type), intent(inout) :: whole
       type(bracket_type) :: bracket
       real(wp) :: high, at_none, at_high, narrowness, wob
-      integer :: k, n
+      integer :: k, lowest
       k = result%case_index
       if (block_way(model%cases(k)%operation) > 0) return
-      n = size(result%profile%md)
-      if (.not. is_missing(along%sinusoidal(n))) then
-         high = along%sinusoidal(n)   ! here the bit end itself buckles
-         at_none = least_margin(model, k, result%profile%md, along%sinusoidal, 0.0_wp)
+      lowest = findloc(is_missing(along%onset), .false., dim=1, back=.true.)     ! a bit that fills its hole has no limit
+      if (lowest > 0) then
+         high = along%onset(lowest)
+         at_high = least_margin(model, k, result%profile%md, along%onset, high)
+         do while (at_high > 0.0_wp)     ! what is compressed there is the weight on bit less the weight below
+            high = 2.0_wp*high
+            at_high = least_margin(model, k, result%profile%md, along%onset, high)
+         end do
+         at_none = least_margin(model, k, result%profile%md, along%onset, 0.0_wp)
          if (at_none < 0.0_wp) high = 0.0_wp
-         at_high = 0.0_wp
-         if (high > 0.0_wp) at_high = least_margin(model, k, result%profile%md, along%sinusoidal, high)
-         if (at_high < 0.0_wp) then
+         if (at_none >= 0.0_wp .and. at_high < 0.0_wp) then
             bracket = new_bracket(0.0_wp, at_none, high, at_high)
             narrowness = tolerance*high
             do while (.not. is_narrow(bracket, narrowness))
                wob = next_try(bracket, narrowness)
-               call narrow(bracket, wob, least_margin(model, k, result%profile%md, along%sinusoidal, wob))
+               call narrow(bracket, wob, least_margin(model, k, result%profile%md, along%onset, wob))
             end do
             high = bracket%high
          end if

@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('horizontal', test_horizontal))
       call suite%addTest(TestMethod('build', test_build))
       call suite%addTest(TestMethod('drop', test_drop))
+      call suite%addTest(TestMethod('high_side', test_high_side))
       call suite%addTest(TestMethod('turn', test_turn))
       call suite%addTest(TestMethod('no_weight_no_bend', test_nothing))
       call suite%addTest(TestMethod('vertical', test_vertical))
@@ -67,6 +68,31 @@ contains
       call assertRelativelyEqual(expected, force, rounding)
       call assertTrue(force < sinusoidal_limit(ei, weight*sin(theta), clearance))
    end subroutine test_drop
+
+   !> In a sharp drop the string goes from the low to the high side: limits F^2 c/(4 EI) = w - F k on the one, F k - w on the other.
+   !> Between the two lower ones the string goes from side to side: over 40 % of the first one, 1 %, 0.4 %, 0.01 %.
+   subroutine test_high_side()
+      real(wp), parameter :: radius(4) = [600.0_wp, 150.0_wp, 150.0_wp, 150.0_wp]
+      real(wp), parameter :: theta(4) = [16.0_wp, 10.0_wp, 3.0_wp, 0.1_wp]*degree
+      real(wp) :: across(3), curvature(3), ei, share, w, k, roots(3)
+      integer :: i
+      ei = stiffness()
+      share = clearance/(4.0_wp*ei)
+      do i = 1, size(theta)
+         k = 1.0_wp/radius(i)
+         call section(theta(i), radius(i), across, curvature)
+         w = weight*sin(theta(i))
+         roots = [2.0_wp*w/(k + sqrt(k**2 + 4.0_wp*share*w)), 2.0_wp*w/(k + sqrt(k**2 - 4.0_wp*share*w)), &
+                  (k + sqrt(k**2 - 4.0_wp*share*w))/(2.0_wp*share)]
+         call assertRelativelyEqual(roots(1), curved_limit(ei, across, -curvature, clearance), rounding)
+         call assertRelativelyEqual(roots(1), curved_limit(ei, across, -curvature, clearance, 0.99_wp*roots(1)), rounding)
+         call assertRelativelyEqual(roots(1), curved_limit(ei, across, -curvature, clearance, 0.5_wp*sum(roots(:2))), rounding, &
+                                    message='between the sides')
+         call assertRelativelyEqual(roots(3), curved_limit(ei, across, -curvature, clearance, 1.01_wp*roots(2)), rounding, &
+                                    message='on the high side')
+         call assertRelativelyEqual(roots(3), curved_limit(ei, across, -curvature, clearance, 2.0_wp*roots(3)), rounding)
+      end do
+   end subroutine test_high_side
 
    !> In a turn to the side weight and curvature are square to each other: F^2 c/(4 EI) = sqrt((w sin)^2 + (F/R)^2), a quadratic
    !> in F^2.

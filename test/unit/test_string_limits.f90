@@ -383,6 +383,10 @@ contains
       call assertRelativelyEqual(sum(along_hole), whole%wob_no_hookload%value, halved)
       call assertEqual(1, size(whole%neutral_points))
       call assertRelativelyEqual(depth - 10.0e3_wp/along_hole(1)*50.0_wp, whole%neutral_points(1), 1.0e-9_wp)
+      model%strings(1)%components(1)%joint_od = 0.2_wp
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertRelativelyEqual(limit(2) + along_hole(1), whole%wob_buckling%value, halved, message='a collar that fills its hole')
    end subroutine test_weights
 
    subroutine test_pulled()
