@@ -9,7 +9,7 @@ module dg_fluid
    use dg_kinds, only: wp
    implicit none
    private
-   public :: fluid_type, mud_type, standing_mud, density_at, fluid_top, fluid_tops, fills, heaviest_fluid, cut_mud
+   public :: fluid_type, mud_type, standing_mud, density_at, fluid_top, fluid_tops, fills, heaviest_fluid, cut_mud, shift_mud
    public :: side_inside, side_outside, collar_none, collar_closed, collar_open_below, collar_name
 
    integer, parameter :: side_inside = 1
@@ -127,4 +127,11 @@ contains
       mud%fluids = pack(mud%fluids, .not. (mud%fluids%above_bit > 0.0_wp .and. mud%fluids%above_bit <= off))
       where (mud%fluids%above_bit > 0.0_wp) mud%fluids%above_bit = mud%fluids%above_bit - off
    end subroutine cut_mud
+
+   !> Moves the fluids that begin at depths down a hole [m].
+   pure subroutine shift_mud(mud, by)
+      type(mud_type), intent(inout) :: mud
+      real(wp), intent(in) :: by   !< [m]
+      if (allocated(mud%fluids)) mud%fluids%md_top = mud%fluids%md_top + by
+   end subroutine shift_mud
 end module dg_fluid

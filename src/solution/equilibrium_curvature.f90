@@ -15,6 +15,7 @@ module dg_equilibrium_curvature
    use dg_component, only: has_bend
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_fluid, only: shift_mud
    use dg_hole_section, only: hole_section_at
    use dg_interruption, only: is_interrupted
    use dg_load_case, only: optional_real, rotates
@@ -221,6 +222,7 @@ contains
          azimuth(i) = azimuth_of(t)
       end do
       call new_trajectory(probe%model%trajectory, md, inclination, azimuth, interpolation_minimum_curvature, error)
+      call shift_mud(probe%model%mud, length - probe%model%cases(1)%bit_depth)     ! the string stays in the same fluids
       probe%model%cases(1)%bit_depth = length
       probe%model%holes%md_top = 0.0_wp
       probe%model%holes%md_bottom = length

@@ -10,7 +10,7 @@ module dg_test_bent_housing
    use dg_constants, only: degree, pi
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
-   use dg_fluid, only: standing_mud
+   use dg_fluid, only: fluid_type, standing_mud
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
    use dg_model, only: model_type
@@ -44,6 +44,7 @@ contains
       call suite%addTest(TestMethod('three_points', test_three_points))
       call suite%addTest(TestMethod('no_side_force', test_no_side_force))
       call suite%addTest(TestMethod('full_gauge', test_full_gauge))
+      call suite%addTest(TestMethod('fluids_at_depths', test_fluids))
       call suite%addTest(TestMethod('fidelities', test_fidelities))
       call suite%addTest(TestMethod('free_bit', test_free_bit))
    end function bent_housing_suite
@@ -329,6 +330,25 @@ contains
       end do
       call assertTrue(abs(builds(2) - builds(1)) > 0.05_wp*builds(1), message='side cutting counts')
    end subroutine test_no_side_force
+
+   !> The curvature is sought in the fluids that the assembly lies in, wherever these begin.
+   subroutine test_fluids()
+      type(independent_well_type) :: well
+      type(model_type) :: model
+      type(steering_result_type) :: all_along, from_depth
+      well = straight(40.0_wp, 1.5_wp, 135.0_wp)
+      well%md(2) = 400.0_wp
+      well%bit = 400.0_wp
+      call build(well, 0.2127_wp, model)
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = well%wob
+      model%mud = standing_mud(1400.0_wp)
+      call find_equilibrium_curvature(model, 1, well%toolface, 60.0_wp, optional_real(), all_along)
+      model%mud%fluids = [fluid_type(density=1000.0_wp), fluid_type(density=1400.0_wp, md_top=well%bit - 70.0_wp)]
+      call find_equilibrium_curvature(model, 1, well%toolface, 60.0_wp, optional_real(), from_depth)
+      call assertTrue(all_along%found .and. from_depth%found)
+      call assertEqual(all_along%side_force, from_depth%side_force, 1.0e-6_wp*norm2(all_along%side_force), message='side force')
+   end subroutine test_fluids
 
    !> A bit as wide as its hole, held at its lower end, does not hold the string by its gauge: the curvature is that of a bit that
    !> touches nowhere else, and hangs little on the wall. Held along its gauge it was, in the sample deck, 11 deg/30 m
