@@ -13,6 +13,7 @@ module dg_assembly_elements
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_drillstring, only: component_tops
    use dg_error, only: error_type
+   use dg_fluid, only: cut_mud
    use dg_model, only: model_type, string_index
    use dg_profile, only: new_profile, profile_type
    use dg_rigid_string, only: solve_at_changes
@@ -76,6 +77,7 @@ contains
       if (allocated(error) .or. .not. join > top_md(model%trajectory) .or. result%status /= result_converged) return
       part = model
       call keep_upper_string(model, case_index, join, part)
+      call cut_mud(part%mud, model%cases(case_index)%bit_depth - join)
       part%cases(case_index)%bit_depth = join
       part%cases(case_index)%wob = -result%hookload
       part%cases(case_index)%tob = result%torque

@@ -8,11 +8,14 @@ module dg_test_mixed_elements
    use dg_component, only: component_type
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid, only: fluid_type, standing_mud
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
+      operation_trip_out
    use dg_missing, only: is_missing
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
+   use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe
    use dg_trajectory, only: cut_trajectory, interpolation_minimum_curvature, interpolation_spline, new_trajectory, position_at, &
@@ -36,6 +39,8 @@ contains
       call suite%addTest(TestMethod('beams_at_the_bit_string_above', test_both))
       call suite%addTest(TestMethod('join_in_a_bend', test_join_in_bend))
       call suite%addTest(TestMethod('short_string_is_all_beams', test_short))
+      call suite%addTest(TestMethod('fluid_above_bit', test_fluid_above_bit))
+      call suite%addTest(TestMethod('lower_part_is_pushed', test_pushed))
       call suite%addTest(TestMethod('cut_trajectory', test_cut))
    end function mixed_elements_suite
 
@@ -84,6 +89,32 @@ contains
       call assertEqual(result_converged, mixed%status, message=what//', mixed: '//mixed%message)
       call assertEqual(result_converged, beams%status, message=what//', beams: '//beams%message)
    end subroutine solve_both
+
+   !> The lowest 500 m of the string are empty: hanging still, it has the weight along the hole that the soft string has.
+   subroutine test_fluid_above_bit()
+      type(model_type) :: model
+      type(case_result_type) :: mixed, soft
+      type(error_type), allocatable :: error
+      call build(model, [0.0_wp, 300.0_wp, 900.0_wp, depth])
+      model%mud = standing_mud(1200.0_wp)
+      model%mud%fluids = [model%mud%fluids(1), fluid_type(outside=.false., density=1.0_wp, above_bit=500.0_wp)]
+      model%cases(1)%operation = operation_static
+      call solve_mixed_string(model, 1, mixed, error)
+      call assertFalse(allocated(error))
+      call solve_soft_string(model, 1, soft, error)
+      call assertFalse(allocated(error))
+      call assertRelativelyEqual(soft%hookload, mixed%hookload, 1.0e-6_wp, message='weight in the fluids')
+   end subroutine test_fluid_above_bit
+
+   !> Weight on bit that the assembly alone does not have: what is above pushes it, and nothing is said of a push at surface.
+   subroutine test_pushed()
+      type(model_type) :: model
+      type(case_result_type) :: mixed, beams
+      call build(model, [0.0_wp, 300.0_wp, 900.0_wp, depth])
+      call solve_both(model, operation_sliding_drilling, 60.0e3_wp, 0.0_wp, mixed, beams, 'pushed')
+      call assertGreaterThan(mixed%hookload, 0.0_wp)
+      call assertEqual(0, index(mixed%message, 'pushed at surface'), message=mixed%message)
+   end subroutine test_pushed
 
    subroutine compare(model, operation, wob, tob, what)
       type(model_type), intent(inout) :: model
