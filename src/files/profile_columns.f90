@@ -53,7 +53,8 @@ module dg_profile_columns
       column_type('joint_magnification', quantity_none, 'largest bending between tool joints that touch alone, over the '// &
          'column bending; 1 where joints were solved one by one; empty without joints, and in compression beyond the '// &
          'closed form'), &
-      column_type('jointed_bending_stress', quantity_stress, 'joint_magnification times bending_stress, in the body of the pipe'), &
+      column_type('jointed_bending_stress', quantity_stress, 'joint_magnification times bending_stress, in the body of the '// &
+         'pipe; where two components meet, of the one in which it is larger'), &
       column_type('joint_von_mises', quantity_stress, 'equivalent stress in a tool joint, if one stands here; empty '// &
          'without joints'), &
       column_type('joint_side_force', quantity_force, 'contact force of a tool joint: side_force times the distance of joints; '// &
