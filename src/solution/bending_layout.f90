@@ -10,7 +10,7 @@ module dg_bending_layout
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: lying_type, find_lying, find_breaks, new_beam, wants_bit
+   public :: lying_type, find_lying, find_breaks, new_beam, wants_bit, near_bit
 
    !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
