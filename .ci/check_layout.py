@@ -145,6 +145,20 @@ def without_caller(root):
     return found
 
 
+def undescribed(path, text):
+    """Public procedures of a file of src/ without a comment before them."""
+    public = {name.strip().lower() for line in re.findall(r"^\s*public\s*::(.*)$", bare(text), re.I | re.M) for name in line.split(",")}
+    lines, found = text.splitlines(), []
+    for number, line in enumerate(lines):
+        begin = BEGIN_PROCEDURE.match(line.split("!")[0])
+        if END_PROCEDURE.match(line):
+            continue
+        if begin and begin.group(1).lower() in public and line.startswith("   ") and line[3] != " " and \
+                not lines[number - 1].lstrip().startswith("!>"):
+            found.append(f"{path}: {begin.group(1)} is public, and nothing is said of it")
+    return found
+
+
 def check(root):
     faults = [f"{p.name}: not a name for the top level" for p in sorted(root.iterdir())
               if not p.name.startswith(".") and p.name not in TOP] + untried_numbers(root) + without_caller(root)
@@ -184,6 +198,8 @@ def check(root):
                 faults.append(f"{name}: {OLD.search(text).group().strip()}")
             if top != "test" and MARK.search(text):
                 faults.append(f"{name}: unfinished: {MARK.search(text).group()}")
+            if top == "src":
+                faults += undescribed(name, text)
             if top == "src" and path.parent.name in THREADED:
                 faults += [f"{name}: {found}: a function's text of open length, where threads work" for found in texts_of_open_length(text)]
             faults += [f"{name}:{number}: a value at the declaration is kept between calls" for number in saved_locals(text)]

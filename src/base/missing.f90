@@ -15,6 +15,7 @@ module dg_missing
 
 contains
 
+   !> Whether a number is not there.
    elemental function is_missing(value) result(yes)
       real(wp), intent(in) :: value
       logical :: yes

@@ -62,8 +62,7 @@ module dg_bending_beam
       real(wp), allocatable :: radius(:)        !< radius of contact r, by element [m]
       real(wp), allocatable :: along(:)         !< friction coefficient a, by element [-]
       real(wp), allocatable :: around(:)        !< friction coefficient m, by element [-]
-      ! contacts of tool joints, each at one node, from the top down
-      integer, allocatable :: point(:)             !< node
+      integer, allocatable :: point(:)             !< nodes at which tool joints touch, from the top down
       integer, allocatable :: point_owner(:)       !< element of the analysis in which it lies
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
    end type bending_beam_type

@@ -21,6 +21,7 @@ module dg_part_faults
 
 contains
 
+   !> No faults yet of so many parts.
    subroutine start_faults(faults, parts)
       type(part_faults_type), intent(out) :: faults
       integer, intent(in) :: parts

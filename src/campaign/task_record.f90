@@ -56,6 +56,7 @@ contains
       end do
    end function record_head
 
+   !> What a record's head says of a part, as 'part 3 of 40'.
    pure function part_text(part, parts) result(text)
       integer, intent(in) :: part, parts
       character(:), allocatable :: text

@@ -28,6 +28,7 @@ contains
       call add_line(table%text, csv_header(columns, units))
    end subroutine begin_table
 
+   !> Whether a table has its header.
    pure function is_begun(table) result(begun)
       type(csv_table_type), intent(in) :: table
       logical :: begun

@@ -39,6 +39,7 @@ module dg_steering_file
 
 contains
 
+   !> Writes steering.csv to `path`, a row a result. Fails where the file cannot be written.
    subroutine write_steering(path, job, model, results, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job

@@ -56,6 +56,7 @@ contains
       count = size(sweep%operations)*size(sweep%frictions)
    end function curve_count
 
+   !> Number of points of a sweep: every model on every curve at every depth. deck/deck_sweep.f90 refuses more than a number holds.
    pure function point_count(sweep) result(count)
       type(sweep_type), intent(in) :: sweep
       integer :: count

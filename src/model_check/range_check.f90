@@ -106,6 +106,7 @@ contains
       if (number%present) call check_range(ranges, key, number%value, found)
    end subroutine check_optional
 
+   !> Notes numbers of a hole section beyond the ranges of dg_deck_keys. `place` is its number, `units` are the message's.
    subroutine check_section_ranges(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
@@ -122,6 +123,7 @@ contains
       call check_range(ranges, 'mud_sheath', hole%mud_sheath, found)
    end subroutine check_section_ranges
 
+   !> The same for a component.
    subroutine check_component_ranges(component, place, units, found)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
@@ -155,6 +157,7 @@ contains
                       'number, '//to_text(thinnest)//' to 1')
    end subroutine check_component_ranges
 
+   !> The same for the centralisers of a component.
    subroutine check_centralizer_ranges(centralizer, place, units, found)
       type(centralizer_type), intent(in) :: centralizer    !< that is present
       integer, intent(in) :: place
@@ -174,6 +177,7 @@ contains
       call check_where_there(ranges, 'friction_rotary', centralizer%friction_rotary, found)
    end subroutine check_centralizer_ranges
 
+   !> The same for a fluid.
    subroutine check_fluid_ranges(fluid, place, units, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
@@ -188,6 +192,7 @@ contains
          call note_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
    end subroutine check_fluid_ranges
 
+   !> The same for a load case.
    subroutine check_case_ranges(load_case, place, units, found)
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
@@ -212,6 +217,7 @@ contains
       call check_optional(ranges, 'reference_hookload', load_case%reference_hookload, found)
    end subroutine check_case_ranges
 
+   !> The same for the settings of the solver.
    subroutine check_numerics_ranges(numerics, units, found)
       type(numerics_type), intent(in) :: numerics
       type(unit_system_type), intent(in) :: units
@@ -243,6 +249,7 @@ contains
       end subroutine check_choice
    end subroutine check_numerics_ranges
 
+   !> The same for the rig.
    subroutine check_rig_ranges(rig, units, found)
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units

@@ -223,12 +223,14 @@ contains
       text = trim(colours(1 + mod(n - 1, style_count)))
    end function colour_of
 
+   !> Dash of the n-th of several curves.
    pure function dash_of(n) result(text)
       integer, intent(in) :: n
       character(:), allocatable :: text
       text = trim(dashes(1 + mod(n - 1, style_count)))
    end function dash_of
 
+   !> Mark of the n-th of several curves, gnuplot's number.
    pure function mark_of(n) result(number)
       integer, intent(in) :: n
       integer :: number

@@ -28,6 +28,7 @@ module dg_hookload_picture
 
 contains
 
+   !> Script of the picture of all hook loads beside what was measured.
    subroutine hookload_script(name, job, model, results, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job

@@ -21,6 +21,7 @@ module dg_legacy_picture
 
 contains
 
+   !> Script of the picture of another program's table beside our results of its case.
    pure subroutine legacy_script(name, job, table, case_name, holes, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job

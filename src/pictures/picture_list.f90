@@ -61,6 +61,7 @@ contains
       call move_alloc(longer, list%pictures)
    end subroutine add_picture
 
+   !> Folder of the pictures of a run.
    pure function folder_in(job) result(path)
       type(job_type), intent(in) :: job
       character(:), allocatable :: path

@@ -28,6 +28,7 @@ module dg_study_picture
 
 contains
 
+   !> Script of the picture of a study's errors against seconds, for one of its cases.
    subroutine study_script(name, job, load_case, study, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job

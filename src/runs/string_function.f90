@@ -37,6 +37,7 @@ module dg_string_function
 
 contains
 
+   !> What a calibration fits: by its `number`-th model, on so many threads.
    subroutine new_string_function(function, model, calibration, number, threads)
       type(string_function_type), intent(out) :: function
       type(model_type), intent(in) :: model

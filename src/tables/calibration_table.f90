@@ -28,6 +28,7 @@ module dg_calibration_table
 
 contains
 
+   !> Lines of the table of a calibration by one model.
    function calibration_table(units, model, calibration, result) result(lines)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model

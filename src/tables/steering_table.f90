@@ -18,6 +18,7 @@ module dg_steering_table
 
 contains
 
+   !> Lines of the table of all results of a deck's &steering.
    function steering_table(job, model, results) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

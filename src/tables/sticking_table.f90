@@ -21,6 +21,7 @@ module dg_sticking_table
 
 contains
 
+   !> Lines of the table of a string that is held, all models.
    function sticking_table(units, model, sticking, results) result(lines)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model

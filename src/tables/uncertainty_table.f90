@@ -24,6 +24,7 @@ module dg_uncertainty_table
 
 contains
 
+   !> Lines of the table of a Monte Carlo: quantiles by depth, for each model and operation.
    pure function uncertainty_table(units, uncertainty, statistics, indicated) result(lines)
       type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
