@@ -28,7 +28,7 @@ MAY_USE = {
     "solution": {"base", "system", "bending", "buckling", "linear_algebra", "trajectory", "string", "hole", "beam", "gap_element", "model", "results",
                  "soft_string", "equations", "start", "iteration"},
     "rigid_string": {"base", "trajectory", "model", "results", "soft_string"},
-    "mixed_string": {"base", "trajectory", "string", "model", "results", "soft_string", "rigid_string", "solution"},
+    "mixed_string": {"base", "trajectory", "string", "hole", "model", "results", "soft_string", "rigid_string", "solution"},
     "legacy": {"base", "trajectory", "model", "results"},
     "study": {"base", "model", "results"},
     "campaign": {"base", "trajectory", "string", "hole", "model", "results"},

@@ -10,7 +10,7 @@
 !> are the usual ones.
 module dg_depth_correlation
    use dg_kinds, only: wp
-   use dg_fit_statistics, only: as_normal, quantile_between, statistics_type
+   use dg_fit_statistics, only: as_normal, quantile_between, statistics_type, upper_end
    use dg_missing, only: is_missing
    use dg_variance_components, only: invert_normal
    implicit none
@@ -28,7 +28,6 @@ module dg_depth_correlation
    integer, parameter :: halvings = 14
    !> Spare part of a datum that is round-off [-].
    real(wp), parameter :: none_spare = 1.0e-9_wp
-   real(wp), parameter :: probability = 0.975_wp
 
    type :: succession_type
       real(wp) :: observed = 0.0_wp               !< correlation of residuals from one depth to the next; 0: too few pairs [-]
@@ -186,8 +185,8 @@ contains
       covariance = matmul(matmul(weighed, succession%errors), transpose(weighed))
       independent = matmul(succession%inverse, transpose(succession%inverse))
       quantiles = 1.0_wp
-      if (by_residuals) quantiles = quantile_between(probability, min(freedom, real(as_normal, wp)))/ &
-         quantile_between(probability, real(statistics%freedom, wp))
+      if (by_residuals) quantiles = quantile_between(upper_end, min(freedom, real(as_normal, wp)))/ &
+         quantile_between(upper_end, real(statistics%freedom, wp))
       do k = 1, size(columns)
          factor = sqrt(covariance(k, k)/independent(k, k))
          statistics%deviation(columns(k)) = factor*statistics%deviation(columns(k))

@@ -8,7 +8,7 @@ module dg_fit_statistics
    use dg_variance_components, only: adjust_covariance
    implicit none
    private
-   public :: statistics_type, find_statistics, student_quantile, quantile_between, as_normal
+   public :: statistics_type, find_statistics, student_quantile, quantile_between, as_normal, upper_end
 
    !> Unknowns of which the data tell only a combination.
    type :: mixture_type
@@ -27,6 +27,8 @@ module dg_fit_statistics
    end type statistics_type
 
    real(wp), parameter :: confidence = 0.95_wp
+   !> Probability of less than the upper end of such an interval [-].
+   real(wp), parameter :: upper_end = 0.5_wp + 0.5_wp*confidence
    !> Residuals over deviations that are no more than the last steps of a fit leave: no reading of a gauge is as exact, and what
    !> agrees so well, copies of one reading or results of a program, tells nothing of the error of readings.
    real(wp), parameter :: no_scatter = 1.0e-5_wp
@@ -73,10 +75,10 @@ contains
          return
       end if
       if (.not. pooled) then
-         factor = student_quantile(0.5_wp + 0.5_wp*confidence, as_normal)
+         factor = student_quantile(upper_end, as_normal)
       else if (statistics%freedom > 0 .and. statistics%scatter > no_scatter) then
          where (statistics%deviation > missing) statistics%deviation = statistics%deviation*statistics%scatter
-         factor = student_quantile(0.5_wp + 0.5_wp*confidence, statistics%freedom)
+         factor = student_quantile(upper_end, statistics%freedom)
       else
          statistics%deviation = missing
          return
@@ -102,7 +104,7 @@ contains
       do k = 1, size(columns)
          statistics%deviation(columns(k)) = sqrt(max(covariance(k, k), 0.0_wp))
          freedoms = min(freedom(k), real(as_normal, wp))
-         statistics%half_width(columns(k)) = statistics%deviation(columns(k))*quantile_between(0.5_wp + 0.5_wp*confidence, freedoms)
+         statistics%half_width(columns(k)) = statistics%deviation(columns(k))*quantile_between(upper_end, freedoms)
       end do
       do k = 1, size(columns)
          do j = 1, size(columns)

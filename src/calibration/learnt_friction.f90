@@ -3,7 +3,7 @@ module dg_learnt_friction
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type
    use dg_calibration_result, only: calibration_result_type
-   use dg_fit_statistics, only: student_quantile
+   use dg_fit_statistics, only: as_normal, student_quantile, upper_end
    use dg_missing, only: is_missing
    implicit none
    private
@@ -11,8 +11,6 @@ module dg_learnt_friction
 
    !> Deviations and correlations are handed on as they are printed, so that a deck that repeats them draws the same.
    real(wp), parameter :: deviation_steps = 1.0e5_wp, correlation_steps = 1.0e4_wp
-   !> Degrees of freedom of a normal distribution, for all purposes.
-   integer, parameter :: as_normal = 100000
 
 contains
 
@@ -42,7 +40,7 @@ contains
          if (unknown(i) == 0 .or. .not. known) cycle
          associate (half => result%statistics%half_width(unknown(i)))
             known = .not. is_missing(half)
-            if (known) deviations(i) = anint(deviation_steps*half/student_quantile(0.975_wp, as_normal))/deviation_steps
+            if (known) deviations(i) = anint(deviation_steps*half/student_quantile(upper_end, as_normal))/deviation_steps
          end associate
          do j = 1, i - 1
             if (unknown(j) == 0) cycle

@@ -7,7 +7,7 @@ module dg_least_squares
    implicit none
    private
    public :: measured_function_type, unknowns_type, fit_type, fit_least_squares, fit_from_less
-   public :: fit_done, fit_without_values
+   public :: fit_done, fit_without_values, difference_share
 
    integer, parameter :: fit_done = 1                !< at rest
    integer, parameter :: fit_out_of_iterations = 2   !< the best found so far

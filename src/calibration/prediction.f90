@@ -6,8 +6,8 @@
 !> Half the interval is its root times Student's quantile with the degrees of freedom of s.
 module dg_prediction
    use dg_kinds, only: wp
-   use dg_fit_statistics, only: quantile_between, statistics_type
-   use dg_least_squares, only: fit_type, measured_function_type
+   use dg_fit_statistics, only: quantile_between, statistics_type, upper_end
+   use dg_least_squares, only: difference_share, fit_type, measured_function_type
    use dg_missing, only: is_missing, missing
    implicit none
    private
@@ -15,9 +15,6 @@ module dg_prediction
 
    !> One more value than unknowns, but for round-off: such a scatter tells next to nothing, and less tells nothing.
    real(wp), parameter :: least_freedom = 0.999_wp
-   !> Differences are taken over this part of an unknown's scale, as in the fit [-].
-   real(wp), parameter :: difference_share = 1.0e-3_wp
-   real(wp), parameter :: probability = 0.975_wp
 
    type :: prediction_type
       real(wp), allocatable :: values(:)         !< missing where there is no solution
@@ -70,7 +67,7 @@ contains
                variance = variance + slope(d, j)*statistics%correlation(j, k)*slope(d, k)
             end do
          end do
-         if (abs(freedom(d) - last) > 0.0_wp) quantile = quantile_between(probability, max(freedom(d), 1.0_wp))
+         if (abs(freedom(d) - last) > 0.0_wp) quantile = quantile_between(upper_end, max(freedom(d), 1.0_wp))
          last = freedom(d)
          prediction%half_width(d) = quantile*sqrt(max(variance, 0.0_wp))
       end do

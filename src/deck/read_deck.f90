@@ -222,7 +222,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(job_type), intent(inout) :: job
       type(text_type), allocatable :: models(:)
-      integer :: i, k, m
+      integer :: i
       job%deck_path = path
       job%units = units
       job%title = ''

@@ -16,6 +16,7 @@ module dg_mixed_string
    use dg_kinds, only: wp
    use dg_assembly_elements, only: solve_with_elements
    use dg_case_result, only: case_result_type
+   use dg_clock, only: seconds_between
    use dg_component, only: bending_stiffness
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
@@ -38,9 +39,9 @@ contains
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       type(change_type), allocatable :: changes(:)
-      integer(int64) :: start, finish, rate
+      integer(int64) :: start, finish
       real(wp) :: pipe
-      call system_clock(start, rate)
+      call system_clock(start)
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
       if (model%numerics%mixed_elements) then
@@ -59,7 +60,7 @@ contains
          result%model = model_mixed
          call refuse_runaway(result)
          call system_clock(finish)
-         result%seconds = real(finish - start, wp)/real(rate, wp)
+         result%seconds = seconds_between(start, finish)
       end subroutine close_result
    end subroutine solve_mixed_string
 end module dg_mixed_string

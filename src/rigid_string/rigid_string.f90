@@ -6,6 +6,7 @@ module dg_rigid_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
+   use dg_clock, only: seconds_between
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
    use dg_finite_result, only: refuse_runaway
@@ -28,15 +29,15 @@ contains
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       type(change_type), allocatable :: changes(:)
-      integer(int64) :: start, finish, rate
-      call system_clock(start, rate)
+      integer(int64) :: start, finish
+      call system_clock(start)
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
       call curvature_changes(model, case_index, changes)
       call solve_at_changes(model, case_index, changes, result)
       result%model = model_rigid
       call system_clock(finish)
-      result%seconds = real(finish - start, wp)/real(rate, wp)
+      result%seconds = seconds_between(start, finish)
    end subroutine solve_rigid_string
 
    !> Solves a load case that has passed check_string_case with a string that is stiff at some changes of curvature.

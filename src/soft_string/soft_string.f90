@@ -3,6 +3,7 @@ module dg_soft_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_clock, only: seconds_between
    use dg_component, only: bending_stiffness, contact_diameter
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: error_type, raise, status_bad_input
@@ -40,9 +41,9 @@ contains
       logical, intent(in), optional :: totals_only   !< .true.: no profile, for those who solve thousands of cases
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
       type(soft_totals_type) :: totals
-      integer(int64) :: start, finish, rate
+      integer(int64) :: start, finish
       logical :: with_profile
-      call system_clock(start, rate)
+      call system_clock(start)
       with_profile = .true.
       if (present(totals_only)) with_profile = .not. totals_only
       call check_string_case(model, case_index, error)
@@ -56,7 +57,7 @@ contains
       if (with_profile) then
          call take_profile(model, case_index, md, axial, torque, contact, result)
          call system_clock(finish)
-         result%seconds = real(finish - start, wp)/real(rate, wp)
+         result%seconds = seconds_between(start, finish)
       end if
       call refuse_runaway(result)
    end subroutine solve_soft_string

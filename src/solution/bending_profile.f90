@@ -273,8 +273,8 @@ contains
       call new_beam(model, mesh, gaps, work, lying, finer, beam)
    end subroutine halve
 
-   !> Part of `rough` and `rough_peak` that counts at each node [-]: `bit_share` next to a bit that is held, whose side force and tilt
-   !> are told, and all along where these are what is asked for.
+   !> Part of `rough` and `rough_peak` that counts at each node [-]: `bit_share` next to a bit that is held, whose side force and
+   !> tilt are told, and all along where these are what is asked for.
    pure function share_of_rough(beam, bit) result(share)
       type(bending_beam_type), intent(in) :: beam
       logical, intent(in) :: bit       !< side force and tilt of the bit are wanted

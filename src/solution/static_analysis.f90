@@ -15,6 +15,7 @@ module dg_static_analysis
    use dg_bent_start, only: pressing_of_bend
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
+   use dg_clock, only: seconds_between
    use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
@@ -85,8 +86,7 @@ module dg_static_analysis
 contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
-   !> with its reason, no error; `error` stands for what prevents any result. Where the mesh asked for finds no equilibrium a finer
-   !> one has the first attempt once more.
+   !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium a finer one has one attempt.
    subroutine solve_static_analysis(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -94,11 +94,11 @@ contains
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< .true.: no moments on shorter elements, which cost time
       type(iteration_type), allocatable :: history(:)
-      integer(int64) :: ticks, start, rate
+      integer(int64) :: start, finish
       integer :: most, given_up
       logical :: moments
       real(wp) :: length
-      call system_clock(start, rate)
+      call system_clock(start)
       most = model%numerics%max_iterations
       moments = model%numerics%moments
       if (present(totals_only)) moments = moments .and. .not. totals_only
@@ -107,8 +107,8 @@ contains
       length = model%numerics%tuning%finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. work_is_done(result) .and. .not. is_interrupted()) then
-         history = result%history
          given_up = result%iterations
+         history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
          most = min(most, given_up + model%numerics%tuning%attempt(1)%longest)
          call solve_on_mesh(model, case_index, length, most, moments, history, result)
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
@@ -118,8 +118,8 @@ contains
       if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
       call refuse_runaway(result)
-      call system_clock(ticks)
-      result%seconds = real(ticks - start, wp)/real(rate, wp)
+      call system_clock(finish)
+      result%seconds = seconds_between(start, finish)
    end subroutine solve_static_analysis
 
    !> Solves a string whose coils friction holds once more, from the low side of the hole: where they lie, and so what of a push
