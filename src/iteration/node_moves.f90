@@ -79,33 +79,33 @@ contains
       integer, intent(in) :: node
       real(wp), intent(in) :: distance
       real(wp), contiguous, intent(inout) :: state(:)   !< of the node
-      real(wp) :: point(3), gap(3), tangent(3), curvature(3), way(3), turn(3), foot
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3), path(3), turn(3), foot
       integer :: arc
       arc = mesh%arc(node)
       point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), state(:3))
       call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
       if (abs(distance) < shortest_slide) then
-         way = distance*tangent
+         path = distance*tangent
          turn = distance*curvature
       else
          call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
-         way = -point
+         path = -point
          foot = foot + distance
          do while (foot > trajectory%arcs(arc)%length .and. arc < size(trajectory%arcs))
             foot = foot - trajectory%arcs(arc)%length
-            way = way + trajectory%arcs(arc)%chord
+            path = path + trajectory%arcs(arc)%chord
             arc = arc + 1
          end do
          do while (foot < 0.0_wp .and. arc > 1)
             arc = arc - 1
             foot = foot + trajectory%arcs(arc)%length
-            way = way - trajectory%arcs(arc)%chord
+            path = path - trajectory%arcs(arc)%chord
          end do
          call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
-         way = way + point
+         path = path + point
          turn = turn - tangent
       end if
-      state(:3) = state(:3) + in_frame(mesh%frame(:, :, node), way)
+      state(:3) = state(:3) + in_frame(mesh%frame(:, :, node), path)
       turn = in_frame(mesh%frame(:, :, node), turn)
       state(dof_slope_1:dof_slope_2) = state(dof_slope_1:dof_slope_2) + turn(2:3)
    end subroutine slide_along

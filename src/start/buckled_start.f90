@@ -68,18 +68,18 @@ contains
       real(wp), intent(inout) :: load(:)         !< contact force per metre, by node [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
       integer, intent(out) :: laid               !< node to which a helix goes that begins in a vertical hole (dg_predicted_helix)
-      integer :: does(mesh%nodes), i, e
+      integer :: regime(mesh%nodes), i, e
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
-      call classify_nodes(mesh, axial, load, does, rate)
+      call classify_nodes(mesh, axial, load, regime, rate)
       laid = 0
       angle = 0.0_wp
       if (model%numerics%tuning%start_buckled) then
          call lay_helix(mesh, axial, place, model%boundary%top_centred, model%boundary%bit_centred, wall, load, offset, slope, &
-                        laid, angle, does == snaking)
-         does(:laid) = coiling
+                        laid, angle, regime == snaking)
+         regime(:laid) = coiling
       else
-         where (does /= stretched) does = lying
+         where (regime /= stretched) regime = lying
       end if
       phase = 0.0_wp
       do i = 2, mesh%nodes
@@ -87,10 +87,10 @@ contains
       end do
       zone%first = laid + 1
       do while (zone%first <= mesh%nodes)
-         zone%last = last_like(does, zone%first)
-         zone%above = what_ends(mesh, does, zone%first, -1, model%boundary%top_centred)
-         zone%below = what_ends(mesh, does, zone%last, 1, model%boundary%bit_centred)
-         select case (does(zone%first))
+         zone%last = last_like(regime, zone%first)
+         zone%above = what_ends(mesh, regime, zone%first, -1, model%boundary%top_centred)
+         zone%below = what_ends(mesh, regime, zone%last, 1, model%boundary%bit_centred)
+         select case (regime(zone%first))
          case (coiling)
             if (laid > 0 .and. zone%first == laid + 1) then
                angle = angle + phase(zone%first) - phase(laid)
@@ -112,27 +112,27 @@ contains
    end subroutine lay_buckled
 
    !> What the string does at each node, and the wave number of that [rad/m].
-   pure subroutine classify_nodes(mesh, axial, load, does, rate)
+   pure subroutine classify_nodes(mesh, axial, load, regime, rate)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)
       real(wp), intent(inout) :: load(:)      !< between two parts that of the weaker, which decides there
-      integer, intent(out) :: does(:)
+      integer, intent(out) :: regime(:)
       real(wp), intent(out) :: rate(:)
       real(wp) :: swing
       integer :: i, e
       do i = 1, mesh%nodes
          e = weaker(mesh, i)
-         does(i) = stretched
+         regime(i) = stretched
          rate(i) = 0.0_wp
          if (.not. axial(i) < 0.0_wp) cycle
-         does(i) = lying
+         regime(i) = lying
          rate(i) = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
          if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
-            does(i) = coiling
+            regime(i) = coiling
          else
             swing = snake_swing(ratio_to_onset(mesh, e, -axial(i), load(i)))
             if (.not. swing > 0.0_wp) cycle
-            does(i) = snaking
+            regime(i) = snaking
             rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp*snake_wave(swing)
          end if
       end do
@@ -141,27 +141,27 @@ contains
          if (mesh%ei(i) > much_stiffer*mesh%ei(i - 1)) e = i - 1
          if (mesh%ei(i - 1) > much_stiffer*mesh%ei(i)) e = i + 1
          if (e == 0) cycle
-         does(i) = does(e)
+         regime(i) = regime(e)
          rate(i) = rate(e)
          load(i) = load(e)
       end do
-      call join_zones(mesh%md, rate, does)
+      call join_zones(mesh%md, rate, regime)
    end subroutine classify_nodes
 
    !> Gives a snake or coil that is shorter than half a wave, next to the other, to that: where what presses the string on changes
    !> from station to station they would else take turns.
-   pure subroutine join_zones(md, rate, does)
+   pure subroutine join_zones(md, rate, regime)
       real(wp), intent(in) :: md(:), rate(:)
-      integer, intent(inout) :: does(:)
+      integer, intent(inout) :: regime(:)
       integer :: first, last
       first = 1
       do while (first <= size(md))
-         last = last_like(does, first)
-         if (does(first) >= snaking .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
-            if (does(max(first - 1, 1)) >= snaking .and. first > 1) then
-               does(first:last) = does(first - 1)
-            else if (does(min(last + 1, size(md))) >= snaking) then
-               does(first:last) = does(min(last + 1, size(md)))
+         last = last_like(regime, first)
+         if (regime(first) >= snaking .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
+            if (regime(max(first - 1, 1)) >= snaking .and. first > 1) then
+               regime(first:last) = regime(first - 1)
+            else if (regime(min(last + 1, size(md))) >= snaking) then
+               regime(first:last) = regime(min(last + 1, size(md)))
             end if
          end if
          first = last + 1
@@ -169,12 +169,12 @@ contains
    end subroutine join_zones
 
    !> Last of the nodes from `first` on that do the same.
-   pure function last_like(does, first) result(last)
-      integer, intent(in) :: does(:), first
+   pure function last_like(regime, first) result(last)
+      integer, intent(in) :: regime(:), first
       integer :: last
       last = first
-      do while (last < size(does))
-         if (does(last + 1) /= does(first)) exit
+      do while (last < size(regime))
+         if (regime(last + 1) /= regime(first)) exit
          last = last + 1
       end do
    end function last_like
@@ -215,21 +215,21 @@ contains
    end subroutine radius_of
 
    !> What ends the zone at one of its nodes, `way` being out of it.
-   pure function what_ends(mesh, does, node, way, centred) result(ends)
+   pure function what_ends(mesh, regime, node, side, centred) result(ends)
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: does(:)
-      integer, intent(in) :: node, way
+      integer, intent(in) :: regime(:)
+      integer, intent(in) :: node, side
       logical, intent(in) :: centred
       type(end_type) :: ends
       real(wp) :: stiffness
       integer :: inside, beyond
-      if (node + way < 1 .or. node + way > mesh%nodes) then
+      if (node + side < 1 .or. node + side > mesh%nodes) then
          if (centred) ends = end_type(centred_end, zero_at_end, lead_at_end)
-      else if (does(node + way) == coiling .or. (does(node) == coiling .and. does(node + way) == snaking)) then
+      else if (regime(node + side) == coiling .or. (regime(node) == coiling .and. regime(node + side) == snaking)) then
          ends%kind = coil_beyond
       else
-         beyond = min(max(merge(node + way, node, way < 0), 1), mesh%elements)
-         inside = min(max(merge(node, node - 1, way < 0), 1), mesh%elements)
+         beyond = min(max(merge(node + side, node, side < 0), 1), mesh%elements)
+         inside = min(max(merge(node, node - 1, side < 0), 1), mesh%elements)
          stiffness = mesh%ei(beyond)/mesh%ei(inside)
          if (stiffness > much_stiffer) &
             ends = end_type(stiff_part, zero_at_clamp - zero_by_stiffness/stiffness, 0.0_wp)
