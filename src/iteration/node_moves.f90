@@ -78,11 +78,11 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: distance
-      real(wp), contiguous, intent(inout) :: state(:)   !< of the node
+      real(wp), intent(inout) :: state(:)        !< of the node
       real(wp) :: point(3), gap(3), tangent(3), curvature(3), path(3), turn(3), foot
       integer :: arc
       arc = mesh%arc(node)
-      point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), state(:3))
+      point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), [state(1), state(2), state(3)])
       call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
       if (abs(distance) < shortest_slide) then
          path = distance*tangent
