@@ -68,20 +68,23 @@ contains
       force = highest
       if (bend <= 0.0_wp .or. weight <= 0.0_wp) return
       ! excess(F) = (F^2 c/(4 EI))^2 - |w_across - F k|^2 rises from F = 0 to a peak and falls to a trough if its slope is positive
-      ! at 0 and negative at its point of inflection; else it changes its sign once
+      ! at 0 and negative at its point of inflection. It has three roots where the peak is above zero and the trough below it,
+      ! else one
       inflection = bend/(sqrt(6.0_wp)*share)
       if (squares(2) <= 0.0_wp .or. half_slope(inflection) >= 0.0_wp) then
          force = root_between(0.0_wp, highest)
          return
       end if
-      peak = turning_point(0.0_wp, inflection)
+      ! the slope is positive up to F = (w.k)/k^2 and negative at one and a half times that
+      peak = squares(2)/squares(3)
+      peak = turning_point(peak, min(1.5_wp*peak, inflection))
       trough = turning_point(highest, inflection)
       if (.not. reached(peak)) then
          force = root_between(trough, highest)
          return
       end if
       force = root_between(0.0_wp, peak)
-      if (.not. present(compression)) return
+      if (.not. present(compression) .or. reached(trough)) return
       if (compression > trough .or. (compression > peak .and. .not. reached(compression))) force = root_between(trough, highest)
 
    contains

@@ -173,7 +173,7 @@ contains
             width(k) = points(k, k) - fit%unknowns(k)     ! as rounded
          end do
          call function%evaluate(points, values, solved)
-         known = all(solved, dim=1) .and. abs(width) > 0.0_wp
+         known = all(solved, dim=1) .and. abs(width) > rest_share*scale
          do k = 1, size(scale)
             if (.not. all(solved(:, k))) lost(k) = first_false(solved(:, k))
          end do

@@ -62,7 +62,10 @@ contains
       table%file = beside(draft%path, text_of(group, 'file', ''))
       if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
          quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
-      if (is_sound(group, 'case')) call find_case(draft, group, 'case', text_of(group, 'case', ''), table%case_index, faults)
+      if (is_sound(group, 'case')) then
+         call find_case(draft, group, 'case', text_of(group, 'case', ''), table%case_index, faults)
+         sound = sound .and. table%case_index > 0
+      end if
       field = draft%units%name == 'field'
       if (is_given(group, 'units')) field = lower_case(text_of(group, 'units', '')) == 'field'
       do k = 1, column_count

@@ -32,10 +32,10 @@ module dg_gap_state
 
 contains
 
-   !> State that follows from the present one (Eqs. 7 and 8), where contact force and depth are both unknowns. A change needs both
-   !> thresholds passed. A free gap closes when it is compressed beyond eps_n0 and would carry more than r_n0. A closed one opens
-   !> when it pulls with more than r_n0; or when it stands open beyond eps_n0 and would pull so by the force at its depth. Between,
-   !> the state stays, so that two points cannot take turns over round-off. A wrong state costs at most r_n0 or gk c eps_n0.
+   !> State that follows from the present one (Eqs. 7 and 8), where contact force and depth are both unknowns. A free gap closes
+   !> when it is compressed beyond eps_n0 and would carry more than r_n0. A closed one opens when it pulls with more than r_n0; or
+   !> when it stands open beyond eps_n0 and would pull so by the force at its depth. Between, the state stays, so that two points
+   !> cannot take turns over round-off. Elastic and rigid change at eps_nmax, without a threshold.
    pure function next_state(law, state, force, deep, softness) result(next)
       type(gap_law_type), intent(in) :: law
       integer, intent(in) :: state      !< present state

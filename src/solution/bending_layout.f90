@@ -22,9 +22,10 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Length of elements at edges of blades and at bends where side force and tilt of the bit are wanted, and how far above the bit
-   !> [m]. An element feels the wall at a fifth of its length from its end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with
-   !> elements of up to 0.1 m its edge stood 0.23 mm in a rigid wall unfelt, and the side force was 15 % too small.
+   !> Length of elements at edges of blades and at bends where side force and tilt of the bit are wanted, and how far above the bit;
+   !> so far above each held bit moments are looked at more closely [m]. An element feels the wall at a fifth of its length from its
+   !> end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up to 0.1 m its edge stood 0.23 mm in a rigid wall
+   !> unfelt, and the side force was 15 % too small.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
    !> Clearance of an element whose contact is that of a point alone [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp

@@ -214,7 +214,7 @@ contains
       end if
    end subroutine radius_of
 
-   !> What ends the zone at one of its nodes, `way` being out of it.
+   !> What ends the zone at one of its nodes: beyond its lower end where `side` is 1, beyond its upper end where it is -1.
    pure function what_ends(mesh, regime, node, side, centred) result(ends)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: regime(:)

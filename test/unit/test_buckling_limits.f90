@@ -26,6 +26,8 @@ contains
       call suite%addTest(TestMethod('build', test_build))
       call suite%addTest(TestMethod('drop', test_drop))
       call suite%addTest(TestMethod('high_side', test_high_side))
+      call suite%addTest(TestMethod('one_root', test_one_root))
+      call suite%addTest(TestMethod('hardly_any_weight', test_hardly_any_weight))
       call suite%addTest(TestMethod('turn', test_turn))
       call suite%addTest(TestMethod('no_weight_no_bend', test_nothing))
       call suite%addTest(TestMethod('vertical', test_vertical))
@@ -93,6 +95,35 @@ contains
          call assertRelativelyEqual(roots(3), curved_limit(ei, across, -curvature, clearance, 2.0_wp*roots(3)), rounding)
       end do
    end subroutine test_high_side
+
+   !> A drop in which compression never presses the string to the high side by more than it buckles there: one root, whatever the
+   !> compression. The curvature squared is 3.85 times c w/(4 EI): between 3.67 and 4 the excess has a trough above zero.
+   subroutine test_one_root()
+      real(wp), parameter :: theta = 20.0_wp*degree, compression(3) = [1.0e4_wp, 1.0e5_wp, 2.5e5_wp]
+      real(wp) :: across(3), curvature(3), ei, share, w, k
+      integer :: i
+      ei = stiffness()
+      share = clearance/(4.0_wp*ei)
+      w = weight*sin(theta)
+      k = sqrt(3.85_wp*share*w)
+      call section(theta, 1.0_wp/k, across, curvature)
+      do i = 1, size(compression)
+         call assertRelativelyEqual(2.0_wp*w/(k + sqrt(k**2 + 4.0_wp*share*w)), &
+                                    curved_limit(ei, across, -curvature, clearance, compression(i)), rounding)
+      end do
+   end subroutine test_one_root
+
+   !> Next to no weight across a bend: the first root is a ten thousand millionth of the third one.
+   subroutine test_hardly_any_weight()
+      real(wp), parameter :: radius = 50.0_wp, theta = 1.0e-9_wp
+      real(wp) :: across(3), curvature(3), ei, share, w
+      ei = stiffness()
+      share = clearance/(4.0_wp*ei)
+      w = weight*sin(theta)
+      call section(theta, radius, across, curvature)
+      call assertRelativelyEqual(2.0_wp*w/(1.0_wp/radius + sqrt(1.0_wp/radius**2 + 4.0_wp*share*w)), &
+                                 curved_limit(ei, across, -curvature, clearance), 1.0e-6_wp)
+   end subroutine test_hardly_any_weight
 
    !> In a turn to the side weight and curvature are square to each other: F^2 c/(4 EI) = sqrt((w sin)^2 + (F/R)^2), a quadratic
    !> in F^2.
