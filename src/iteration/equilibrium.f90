@@ -97,7 +97,8 @@ contains
    end subroutine enter_row
 
    !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; there, but outside the hole; or with
-   !> its iterations used up. Gaps that moved and find no equilibrium are taken back.
+   !> its iterations used up. Elements are cut and gaps are moved when the equilibrium is near: what Newton's last steps change is
+   !> too little for either. Gaps that moved and find no equilibrium are taken back.
    subroutine judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -108,18 +109,15 @@ contains
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: ended
       type(outside_type) :: outside
-      logical :: definite
+      logical :: there, stable
       ended = .false.
-      do while (.not. it%growth < rigid .and. it%before <= it%tolerance*equations%force_scale .and. &
-                it%flipped <= it%tolerance*equations%force_scale)
-         definite = .true.
-         if (it%watched) then
-            if (it%row%lateral_step > it%numerics%tuning%still*maxval(mesh%clearance)) exit
-            call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
-            it%problem%closed = gaps%state /= state_free
-            call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, definite)
+      do while (is_within(it, equations, max(it%tolerance, it%numerics%tuning%nearly)))
+         there = is_within(it, equations, it%tolerance)
+         if (there .and. it%watched) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
+         if (there) then
+            call judge_stability(it, equations, mesh, gaps, work, stable)
+            if (.not. stable) exit
          end if
-         if (.not. definite) exit
          if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) then
             call measure_outside(trajectory, mesh, work, outside, it%outside)
             it%outside = it%outside .and. mesh%length >= it%cut_from
@@ -130,20 +128,21 @@ contains
             end if
          end if
          if (it%rounds < it%numerics%tuning%most_moves) then
-            it%rounds = it%rounds + 1
-            it%round_start = equations%iterations
             it%settled = state
             it%settled_force = work%normal
             call keep_gaps(gaps, it%settled_gaps)
             call keep_gaps(gaps, it%kept)
             call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
             if (it%row%moves > 0) then
+               it%rounds = it%rounds + 1
+               it%round_start = equations%iterations
                it%growth = it%numerics%tuning%growth
                call judge_gaps(it, trajectory, mesh, .false., gaps, work)
                call measure_here(it, equations, trajectory, mesh, gaps, state, work)
                cycle
             end if
          end if
+         if (.not. there) exit
          it%outcome = outcome_converged
          ended = .true.
          return
@@ -164,6 +163,30 @@ contains
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
+
+   !> Whether an equilibrium is so near: by the residual and the forces of gaps that opened or closed, walls at their own stiffness.
+   pure function is_within(it, equations, part) result(is)
+      type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
+      real(wp), intent(in) :: part           !< of the force scale [-]
+      logical :: is
+      is = .not. it%growth < rigid .and. max(it%before, it%flipped) <= part*equations%force_scale
+   end function is_within
+
+   !> Whether the equilibrium is stable, as far as that is watched.
+   subroutine judge_stability(it, equations, mesh, gaps, work, stable)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(inout) :: work
+      logical, intent(out) :: stable
+      stable = .true.
+      if (.not. it%watched) return
+      call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
+      it%problem%closed = gaps%state /= state_free
+      call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, stable)
+   end subroutine judge_stability
 
    !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.
    subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)

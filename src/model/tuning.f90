@@ -117,5 +117,7 @@ module dg_tuning
       !> Largest lateral change by the last step of a compressed string, over its clearance, at which it is in equilibrium [-]: near
       !> its buckling load next to no force moves it.
       real(wp) :: still = 1.0e-4_wp
+      !> Residual over the force scale from which on elements are cut and gaps are moved [-]: Newton's last steps change neither.
+      real(wp) :: nearly = 1.0e-3_wp
    end type tuning_type
 end module dg_tuning
