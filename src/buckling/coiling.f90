@@ -5,7 +5,7 @@ module dg_coiling
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    implicit none
    private
-   public :: coiling_load, least_coiling_load, coil_force
+   public :: coiling_load, least_coiling_load, coil_force, wound_compression
 
 contains
 
@@ -37,4 +37,16 @@ contains
       real(wp) :: force
       force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
    end function coil_force
+
+   !> Compression that winds a coil without torque as tightly as `compression` winds one under torque [N]: 2 EI b^2, with b the
+   !> angle per metre of the coil of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that is turned to the
+   !> right winds to the left, down the hole; wound to the right it would have -M. At given b such a coil presses its hole with
+   !> c b^2 (F + M b - EI b^2) per metre.
+   elemental function wound_compression(ei, compression, torque) result(force)
+      real(wp), intent(in) :: ei
+      real(wp), intent(in) :: compression   !< F, > 0 [N]
+      real(wp), intent(in) :: torque        !< M, of either sense [N.m]
+      real(wp) :: force
+      force = (1.5_wp*abs(torque) + sqrt(2.25_wp*torque**2 + 8.0_wp*ei*compression))**2/(8.0_wp*ei)
+   end function wound_compression
 end module dg_coiling

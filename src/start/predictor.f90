@@ -10,6 +10,7 @@ module dg_predictor
    use dg_bending_beam, only: contact_places, contact_xi
    use dg_bent_start, only: bend_start
    use dg_buckled_start, only: lay_buckled
+   use dg_coiling, only: wound_compression
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
@@ -43,7 +44,7 @@ contains
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
    !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
    !> the soft wall, or against the wall itself where it would lie far outside the hole; contact forces are those against the wall
-   !> itself, where they are not left spread.
+   !> itself, where they are not left spread. A string that is turned to the right coils to the left.
    pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -57,7 +58,8 @@ contains
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place, depth
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
       real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
-      logical :: found, sharp
+      real(wp) :: wound(mesh%nodes)
+      logical :: found, sharp, left_handed
       integer :: i, e, laid
       wall = start%softness*mesh%wall
       where (mesh%opening < mesh%clearance) wall = mesh%wall     ! bow springs are soft
@@ -77,7 +79,14 @@ contains
          offset(:, i) = depth*[dot_product(n, mesh%frame(:, 2, i)), dot_product(n, mesh%frame(:, 3, i))]
       end do
       call slopes_of(model%numerics%tuning, mesh, offset, slope)
-      call lay_buckled(model, mesh, axial, gaps%xi, wall, load, offset, slope, laid)
+      wound = axial
+      do i = 1, mesh%nodes
+         if (axial(i) < 0.0_wp) wound(i) = -wound_compression(mesh%ei(min(i, mesh%elements)), -axial(i), torque(i))
+      end do
+      left_handed = sum(torque, mask=axial < 0.0_wp) > 0.0_wp
+      if (left_handed) call mirror(offset, slope)
+      call lay_buckled(model, mesh, wound, gaps%xi, wall, load, offset, slope, laid)
+      if (left_handed) call mirror(offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       y(1:2, :) = offset
@@ -106,6 +115,13 @@ contains
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
    end subroutine predict
+
+   !> The line seen in a mirror along the hole: what is laid there coils to the right, and to the left in the hole.
+   pure subroutine mirror(offset, slope)
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
+      offset(2, :) = -offset(2, :)
+      slope(2, :) = -slope(2, :)
+   end subroutine mirror
 
    !> Whether a node of the line y(4,nodes) lies farther off the axis than so many times its clearance.
    pure function lies_outside(times, mesh, y) result(outside)
