@@ -27,7 +27,7 @@ module dg_beam_element
    use dg_vector, only: cross, outer, skew
    implicit none
    private
-   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, membrane_length, membrane_change
+   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_change
    public :: torque_force, torque_tangent, energy_weights
 
    !> What an element is made of.
@@ -167,13 +167,31 @@ contains
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(in) :: reference_chord(3), reference_i(3), reference_j(3)
       real(wp), intent(out), dimension(12, 12) :: k0, kn, ksigma
-      real(wp) :: force(12), axial, total(12, 12)
+      real(wp) :: force(12), axial
       call beam_material_tangent(section, reference_chord, reference_i, reference_j, k0)
       call beam_material_tangent(section, chord, d_i, d_j, kn)
-      call beam_tangent(section, chord, d_i, d_j, force, axial, total)
-      ksigma = total - kn
       kn = kn - k0
+      call beam_force(section, chord, d_i, d_j, force, axial)
+      call beam_stress_tangent(section, chord, d_i, d_j, axial, force, ksigma)
    end subroutine beam_tangent_parts
+
+   !> What an axial force alone makes: the internal force that goes with it, and Ksigma of Eq. 10. Both are proportional to it.
+   pure subroutine beam_stress_tangent(section, chord, d_i, d_j, axial, force, ksigma)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
+      real(wp), intent(in) :: axial                      !< tension > 0 [N]
+      real(wp), intent(out) :: force(12), ksigma(12, 12)
+      type(measure_type) :: m
+      real(wp) :: weight_a, weight_b, material(4, 4), stressed(4, 4), first(4)
+      m = measure(chord, d_i, d_j)
+      weight_a = axial*m%length/15.0_wp
+      weight_b = -axial*m%length/30.0_wp
+      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
+      call scalar_hessian(section, m, axial, 0.0_wp, material, stressed)
+      first = [axial*(1.0_wp + m%bowing), weight_a*m%a_ci + weight_b*m%b_ci, &
+               weight_a*m%a_cj + weight_b*m%b_cj, weight_b*m%b_p]
+      call space_hessian(m, d_i, d_j, stressed, first, ksigma)
+   end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.
    pure subroutine beam_material_tangent(section, chord, d_i, d_j, stiffness)

@@ -6,11 +6,13 @@ module dg_scatter
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
-   public :: element_type, scatter, scatter_more, scatter_point, hold_top
+   public :: element_type, scatter, scatter_more, scatter_point, hold_top, clear_top
    public :: part_all, part_energy, part_rest
 
    !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
    integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
+   !> Unknowns of the top that are held.
+   integer, parameter :: held(2) = [dof_axial, dof_twist]
 
    !> Tangent of one element in space axes, and its coupling with the twist.
    type :: element_type
@@ -168,14 +170,22 @@ contains
    !> Holds u and phi of the top node.
    pure subroutine hold_top(matrix)
       type(block_matrix_type), intent(inout) :: matrix
-      integer, parameter :: held(2) = [dof_axial, dof_twist]
+      integer :: i
+      call clear_top(matrix)
+      do i = 1, size(held)
+         matrix%diagonal(held(i), held(i), 1) = 1.0_wp
+      end do
+   end subroutine hold_top
+
+   !> Takes the top unknowns that are held out of a matrix.
+   pure subroutine clear_top(matrix)
+      type(block_matrix_type), intent(inout) :: matrix
       integer :: i
       do i = 1, size(held)
          matrix%diagonal(held(i), :, 1) = 0.0_wp
          matrix%diagonal(:, held(i), 1) = 0.0_wp
-         matrix%diagonal(held(i), held(i), 1) = 1.0_wp
          matrix%upper(held(i), :, 1) = 0.0_wp
          matrix%lower(:, held(i), 1) = 0.0_wp
       end do
-   end subroutine hold_top
+   end subroutine clear_top
 end module dg_scatter

@@ -3,12 +3,15 @@
 module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
+   use dg_beam_element, only: beam_section_type, beam_stress_tangent
+   use dg_block_matrix, only: add_multiple, block_matrix_type, copy_matrix, new_block_matrix
    use dg_block_solver, only: block_positive_definite
+   use dg_director, only: director_curvature, director_gradient
    use dg_equations, only: equations_type
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
+   use dg_scatter, only: element_type, clear_top, scatter_more
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: weigh_compression
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -20,7 +23,8 @@ module dg_stability
 contains
 
    !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
-   !> definite when nu F^2/(4 EI) is taken off it, and a string on the low side is lost at (1 + nu) F^2/(4 EI) = n/c.
+   !> definite when so many times Ksigma of the compressed elements (Eq. 10) is added. Contact forces are left as they are. A coil
+   !> or a snake that may be shifted along the hole without work has 0.
    pure subroutine find_stability_margin(equations, trajectory, mesh, loads, gaps, state, work, margin)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -30,25 +34,59 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: margin
+      type(block_matrix_type) :: tangent, compression
       real(wp) :: low, high
       logical :: definite
       integer :: i
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, equations%residual, equations%matrix)
-      call weigh_compression(mesh, work, equations%step)
+      tangent = new_block_matrix(mesh%nodes)
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, equations%residual, tangent)
+      call assemble_compression(mesh, state, work, compression)
+      equations%step = 0.0_wp        ! nothing besides
       low = 0.0_wp
       high = 1.0_wp
       margin = high
-      call block_positive_definite(equations%matrix, 1.0_wp - (1.0_wp + high)**2, equations%step, definite)
-      if (definite) return
-      do i = 1, margin_halvings
-         margin = 0.5_wp*(low + high)
-         call block_positive_definite(equations%matrix, 1.0_wp - (1.0_wp + margin)**2, equations%step, definite)
+      do i = 0, margin_halvings
+         call copy_matrix(tangent, equations%matrix)
+         call add_multiple(margin, compression, equations%matrix)
+         call block_positive_definite(equations%matrix, 0.0_wp, equations%step, definite)
          if (definite) then
             low = margin
+            if (i == 0) return
          else
             high = margin
          end if
+         margin = 0.5_wp*(low + high)
       end do
       margin = low
    end subroutine find_stability_margin
+
+   !> Ksigma of the elements in compression.
+   pure subroutine assemble_compression(mesh, state, work, matrix)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(in) :: work       !< placed at `state`, with its axial forces
+      type(block_matrix_type), intent(out) :: matrix
+      type(element_type) :: element
+      type(beam_section_type) :: section
+      real(wp) :: chord(3), force(12)
+      integer :: e, n
+      matrix = new_block_matrix(mesh%nodes)
+      element%twist_row = 0.0_wp
+      element%twist_column = 0.0_wp
+      element%twist_stiffness = 0.0_wp
+      element%symmetric = .true.
+      do e = 1, mesh%elements
+         if (.not. work%axial(e) < 0.0_wp) cycle
+         chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+         section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+         call beam_stress_tangent(section, chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
+         call scatter_more(mesh, e, director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e)), &
+                           director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1)), element, matrix)
+         do n = e, e + 1
+            matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(mesh%frame(:, :, n), &
+                                           state(5:6, n), work%d(:, n), force(6*(n - e) + 4:6*(n - e) + 6))
+         end do
+      end do
+      call clear_top(matrix)
+   end subroutine assemble_compression
 end module dg_stability

@@ -11,61 +11,38 @@ module dg_viscosity
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: weigh_compression, weigh_string, add_viscosity, ease_viscosity, raise_viscosity
+   public :: weigh_string, add_viscosity, ease_viscosity, raise_viscosity
    public :: viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
    !> cubic element, rounded.
    real(wp), parameter :: slope_lump = 0.01_wp
-   !> What every place gets of the largest F^2/(4 EI) [-], lest something else than compression be unstable.
-   real(wp), parameter :: viscosity_everywhere = 1.0e-4_wp
    !> Beyond this a run is given up [-].
    real(wp), parameter :: viscosity_most = 1.0e9_wp
 
 contains
 
-   !> What a unit of viscosity adds to the diagonal where compression alone is to be held: for lateral unknowns F^2/(4 EI) of the
-   !> place times the node's length. For slopes it is a part of that length's cube, as the consistent matrix of a line load has it,
-   !> so that no pattern of slopes escapes.
-   pure subroutine weigh_compression(mesh, work, lump)
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(inout) :: lump(:, :)
-      real(wp) :: least
-      least = viscosity_everywhere*maxval(min(work%axial, 0.0_wp)**2/(4.0_wp*mesh%ei))
-      call lay_weights(mesh, work, least, 0.0_wp, lump)
-   end subroutine weigh_compression
-
-   !> The same for any string, in tension too: every place has at least a part of a soft wall's stiffness, and nodes are held along
-   !> the hole as well.
+   !> What a unit of viscosity adds to the diagonal: for lateral unknowns F^2/(4 EI) of the place times the node's length, for
+   !> slopes a part of that length's cube, as the consistent matrix of a line load has it, so that no pattern of slopes escapes.
+   !> Every place has at least a part of a soft wall's stiffness, and nodes are held along the hole as well.
    pure subroutine weigh_string(tuning, mesh, work, soft, lump)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: soft                 !< stiffness of a wall that yields visibly [N/m2]
       real(wp), intent(inout) :: lump(:, :)
-      call lay_weights(mesh, work, tuning%of_soft_wall*soft, tuning%along_hole, lump)
-   end subroutine weigh_string
-
-   !> Weights of a string whose places have a least stiffness, with a part of the lateral one along the hole.
-   pure subroutine lay_weights(mesh, work, least, along, lump)
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(in) :: least                !< [N/m2]
-      real(wp), intent(in) :: along                !< [-]
-      real(wp), intent(inout) :: lump(:, :)
       real(wp) :: force, lateral, slope
       integer :: e
       lump = 0.0_wp
       do e = 1, mesh%elements
-         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), least)
+         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), tuning%of_soft_wall*soft)
          lateral = 0.5_wp*force*mesh%length(e)
          slope = slope_lump*force*mesh%length(e)**3
-         lump(dof_axial, e:e + 1) = lump(dof_axial, e:e + 1) + along*lateral
+         lump(dof_axial, e:e + 1) = lump(dof_axial, e:e + 1) + tuning%along_hole*lateral
          lump(dof_lateral_1:dof_lateral_2, e:e + 1) = lump(dof_lateral_1:dof_lateral_2, e:e + 1) + lateral
          lump(dof_slope_1:dof_slope_2, e:e + 1) = lump(dof_slope_1:dof_slope_2, e:e + 1) + slope
       end do
-   end subroutine lay_weights
+   end subroutine weigh_string
 
    !> Adds viscosity to a matrix.
    pure subroutine add_viscosity(viscosity, lump, matrix)

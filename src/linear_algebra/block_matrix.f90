@@ -4,7 +4,8 @@ module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
-   public :: block_matrix_type, new_block_matrix, copy_matrix, swap_matrices, block_product, block_size, plane_block_size
+   public :: block_matrix_type, new_block_matrix, copy_matrix, add_multiple, swap_matrices, block_product
+   public :: block_size, plane_block_size
 
    integer, parameter :: block_size = 6         !< unknowns of a node in space
    integer, parameter :: plane_block_size = 3   !< in a plane
@@ -38,6 +39,16 @@ contains
       call copy(size(from%upper), from%upper, to%upper)
       call copy(size(from%lower), from%lower, to%lower)
    end subroutine copy_matrix
+
+   !> matrix <- matrix + factor*other, of the same size.
+   pure subroutine add_multiple(factor, other, matrix)
+      real(wp), intent(in) :: factor
+      type(block_matrix_type), intent(in) :: other
+      type(block_matrix_type), intent(inout) :: matrix
+      matrix%diagonal = matrix%diagonal + factor*other%diagonal
+      matrix%upper = matrix%upper + factor*other%upper
+      matrix%lower = matrix%lower + factor*other%lower
+   end subroutine add_multiple
 
    !> Plain numbers, which go several at a time.
    pure subroutine copy(n, from, to)
