@@ -16,7 +16,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 37
+   integer, parameter :: numbers = 38
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -167,6 +167,7 @@ contains
       case (34); call change('longest', tuning%longest, 0.35_wp, changed)
       case (35); call change('refused', tuning%refused, never, changed)
       case (36); call change('nearly', tuning%nearly, 0.0_wp, changed)
+      case (37); call change('long', tuning%attempt(4)%reach, 1.0_wp, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

@@ -171,8 +171,7 @@ contains
       real(wp) :: margin, strained
       logical :: found
       integer :: i, outcome, in_plane
-      integer :: most              ! iterations
-      integer :: tried             ! attempts on a mesh before
+      integer :: most, tried       ! iterations at most, attempts on a mesh before
       associate (equations => string%equations, mesh => string%mesh)
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -202,6 +201,7 @@ contains
          do i = 1, merge(0, model%numerics%tuning%most_attempts, found)
             numerics = model%numerics
             numerics%max_iterations = min(most, equations%iterations + numerics%tuning%attempt(i)%longest)
+            numerics%step_limit = numerics%tuning%attempt(i)%reach*numerics%step_limit
             if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
             call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + i, string, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
