@@ -26,8 +26,9 @@ module dg_legacy_comparison
       real(wp) :: largest_md = 0.0_wp         !< [m]
       real(wp) :: mean = 0.0_wp               !< of absolute differences [SI]
       real(wp) :: parting_md = 0.0_wp         !< lowest depth above which they are apart [m]
-      integer :: worst = 0                    !< interval over which the difference grows most
-      real(wp) :: share = 0.0_wp              !< of that interval in all growth [-]
+      real(wp) :: at_bottom = 0.0_wp          !< difference that is there at the lowest depth already, of what is summed up [SI]
+      integer :: worst = 0                    !< interval over which the difference grows most; 0: most is there at the lowest depth
+      real(wp) :: share = 0.0_wp              !< of that in all growth and what is there at the lowest depth [-]
       real(wp), allocatable :: growth(:)      !< of the difference over each interval, from its lower to its upper end [SI];
                                               !< for side force the integral of the difference [N]
    end type parting_type
@@ -84,7 +85,7 @@ contains
       logical, intent(in) :: summed
       type(parting_type), intent(out) :: parting
       integer :: at, i
-      real(wp) :: total, total_there(size(md))
+      real(wp) :: total, largest, total_there(size(md))
       at = maxloc(abs(difference), 1)
       parting%present = .true.
       parting%scale = scale
@@ -104,9 +105,15 @@ contains
          parting%growth(i) = interpolated(md, total_there, intervals(i)%md_top) &
                              - interpolated(md, total_there, intervals(i)%md_bottom)
       end do
+      if (summed) parting%at_bottom = difference(size(md))
       parting%worst = maxloc(abs(parting%growth), 1)
-      total = sum(abs(parting%growth))
-      if (total > 0.0_wp) parting%share = abs(parting%growth(parting%worst))/total
+      largest = abs(parting%growth(parting%worst))
+      if (abs(parting%at_bottom) > largest) then
+         parting%worst = 0
+         largest = abs(parting%at_bottom)
+      end if
+      total = sum(abs(parting%growth)) + abs(parting%at_bottom)
+      if (total > 0.0_wp) parting%share = largest/total
       ! The lowest of the depths from which they are apart; the row below still agrees.
       parting%parting_md = md(1)
       do i = size(md), 1, -1

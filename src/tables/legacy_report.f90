@@ -93,7 +93,9 @@ contains
       type(text_type) :: unit
       character(:), allocatable :: what
       real(wp) :: factor
-      integer :: i
+      integer :: i, n
+      character(*), parameter :: straight = ' (no depth within: by straight line)'
+      n = size(comparison%md)
       call unit_of(units, k, factor, unit)
       what = trim(quantity_words(k))
       call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit%text//' ('// &
@@ -104,14 +106,22 @@ contains
          call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
          return
       end if
+      if (abs(parting%at_bottom) > 0.0_wp) call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))// &
+                                                             ', it is '//growth_text(parting%at_bottom)//' already.')
       call append_text(lines, 'It grows, from the bit up:')
       do i = size(comparison%intervals), 1, -1
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
                              depth(interval%md_bottom)//' up to '//depth(interval%md_top)//': '// &
-                             growth_text(parting%growth(i)))
+                             growth_text(parting%growth(i))//trim(merge(straight, '                                    ', &
+                             .not. any(comparison%md > interval%md_top .and. comparison%md < interval%md_bottom))))
          end associate
       end do
+      if (parting%worst == 0) then
+         call append_text(lines, to_text(per_cent*parting%share, 3)//' % of the difference in '//what// &
+                          ' is there at the lowest depth: compare weight on bit, torque on bit and what lies below.')
+         return
+      end if
       associate (worst => comparison%intervals(parting%worst))
          call append_text(lines, 'They part at '//depth(parting%parting_md)//'; '// &
                           to_text(per_cent*parting%share, 3)//' % of the difference in '//what//' arises in the '// &

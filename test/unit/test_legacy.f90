@@ -87,6 +87,14 @@ contains
          call assertEqual(interval_build, comparison%intervals(side%worst)%kind, message='side force in the build')
          call assertEqual(200.0_wp, side%growth(side%worst), round_off, message='its integral')
       end associate
+      ! as much apart at the bit: another weight on bit, of which no section is the cause
+      table%values(:, 1) = profile%axial + 100.0_wp
+      call compare_with_legacy(table, profile, trajectory, comparison)
+      associate (axial => comparison%parting(quantity_axial))
+         call assertEqual(0, axial%worst, message='there at the lowest depth')
+         call assertEqual(1.0_wp, axial%share, round_off, message='all of it')
+         call assertEqual(100.0_wp, axial%at_bottom, round_off, message='so much')
+      end associate
    end subroutine test_located
 
    subroutine test_agreement()
