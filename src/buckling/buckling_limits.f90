@@ -6,8 +6,9 @@
 !> - In a bend the compression itself presses the string on or lifts it off (He & Kyllingstad 1995, SPE 25370):
 !>   n = |w_across - F k| with the curvature vector k of the hole. So F is a root of F = 2 sqrt(EI n(F)/c).
 !> - In a vertical hole nothing presses; there the weight of the string itself carries it up to Lubinski's (1950)
-!>   1.94 (EI w^2)^(1/3) at the lower end of the compressed part. The limit is the larger of the two: without
-!>   the second every near-vertical hole would raise an alarm.
+!>   1.94 (EI w^2)^(1/3) at the lower end of the compressed part. That is for a string of 8 (EI/w)^(1/3); longer ones buckle
+!>   earlier, towards 1.02 of a length without bound. The limit is the larger of the two: without the second every near-vertical
+!>   hole would raise an alarm.
 !> - Helical: published limits lie between 1.41 and 2.83 times the sinusoidal one. Two are given: sqrt(2) times
 !>   (Chen, Lin & Cheatham 1990, from energy) and 2 sqrt(2) - 1 times (Wu & Juvkam-Wold 1993, while loading); in a
 !>   vertical hole 5.55 (EI w^2)^(1/3) (Wu & Juvkam-Wold 1993).

@@ -10,6 +10,7 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
+   public :: push_needed, pushed_from
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
              contact_name
 
@@ -18,6 +19,10 @@ module dg_case_result
    integer, parameter :: result_locked_up = 3
    !> Names in files, in the order of the numbers above.
    character(*), parameter :: result_status_name(3) = [character(13) :: 'converged', 'not_converged', 'locked_up']
+   !> Said of a hook load below zero, by more than this part of the largest axial force: round-off is a thousandth of that [-].
+   character(*), parameter :: push_needed = 'the hook load is below zero: the string would have to be pushed at surface, '// &
+                                            'or held down where it floats'
+   real(wp), parameter :: pushed_from = 1.0e-6_wp
 
    !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not watched; the energy's
    !> slope; the residual, which is less; it was refused. Names in files.

@@ -2,6 +2,7 @@
 module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
+   use dg_case_result, only: push_needed, pushed_from
    use dg_model, only: model_type
    use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
@@ -42,10 +43,9 @@ contains
       if (worst > 1.0_wp) warning = 'outside the range of this model: compression is '//to_text(worst, shown)// &
          ' times the helical buckling load at '//trim(in_units(model%units, unit_length, worst_md, shown))// &
          '; contact there is underrated, use mcge'
-      if (axial(1) < 0.0_wp) then
+      if (axial(1) < -pushed_from*maxval(abs(axial))) then
          if (warning /= '') warning = warning//'; '
-         warning = warning//'the weight of the string does not overcome friction and bit load: '// &
-                   'the string would have to be pushed at surface'
+         warning = warning//push_needed
       end if
    end subroutine range_warning
 
