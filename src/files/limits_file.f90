@@ -56,8 +56,7 @@ module dg_limits_file
       column_type('coiled_length', quantity_length, 'of string found to coil'), &
       column_type('coil_turns', quantity_none, 'turns of its coils'), &
       column_type('stability_margin', quantity_none, 'part by which compression could still grow before the string leaves its '// &
-         'shape, read off the tangent; 1 stands for more, empty where it is not compressed enough; 0 where a snake or a coil '// &
-         'may be shifted along the hole without work'), &
+         'shape; 1 stands for more, 0 for a snake or coil that could be shifted freely, empty where it is not compressed enough'), &
       column_type('bit_side_force', quantity_force, 'across the hole, of the bit on the formation; mcge, or mixed with '// &
          'elements at the bit, where the bit is centred'), &
       column_type('bit_side_clock', quantity_angle, 'where to, as clock in the profiles'), &
