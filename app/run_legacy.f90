@@ -35,7 +35,8 @@ contains
             call compare_with_legacy(table, results(i)%profile, model%trajectory, comparison)
             if (results(i)%status /= result_converged) call print_and_keep(printed, [text_type(''), &
                text_type('Case '//model%cases(table%case_index)%name//', model '//trim(model_name(results(i)%model))// &
-                         ', has no solution ('//trim(result_status_name(results(i)%status))//'): what follows compares nothing.')])
+                         ', has no solution ('//trim(result_status_name(results(i)%status))// &
+                         '): do not use the comparison below.')])
             lines = legacy_report(job%units, table, model%cases(table%case_index)%name, results(i)%model, comparison, &
                                   results(i)%model == job%models(1))
             call print_and_keep(printed, lines)

@@ -43,7 +43,7 @@ contains
    !> right winds to the left, down the hole; wound to the right it would have -M. At given b such a coil presses its hole with
    !> c b^2 (F + M b - EI b^2) per metre.
    elemental function wound_compression(ei, compression, torque) result(force)
-      real(wp), intent(in) :: ei
+      real(wp), intent(in) :: ei            !< bending stiffness [N.m2]
       real(wp), intent(in) :: compression   !< F, > 0 [N]
       real(wp), intent(in) :: torque        !< M, of either sense [N.m]
       real(wp) :: force

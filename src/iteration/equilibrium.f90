@@ -128,12 +128,14 @@ contains
             end if
          end if
          if (it%rounds < it%numerics%tuning%most_moves) then
-            it%settled = state
-            it%settled_force = work%normal
-            call keep_gaps(gaps, it%settled_gaps)
             call keep_gaps(gaps, it%kept)
             call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
             if (it%row%moves > 0) then
+               if (there .or. it%rounds == 0) then     ! an equilibrium, or where gaps first touched
+                  it%settled = state
+                  it%settled_force = work%normal
+                  call keep_gaps(it%kept, it%settled_gaps)
+               end if
                it%rounds = it%rounds + 1
                it%round_start = equations%iterations
                it%growth = it%numerics%tuning%growth

@@ -10,7 +10,7 @@ module dg_legacy_comparison
    use dg_trajectory, only: trajectory_type
    implicit none
    private
-   public :: comparison_type, parting_type, compare_with_legacy
+   public :: comparison_type, parting_type, compare_with_legacy, agreement
 
    !> Largest difference over the largest value up to which two programs agree [-].
    real(wp), parameter :: agreement = 1.0e-3_wp

@@ -105,8 +105,8 @@ module dg_case_result
       integer :: states(0:2) = 0
       integer :: flips = 0
       integer :: moves = 0
-      !> Part by which compression could still grow before the equilibrium is lost, read off the tangent there (as that of a
-      !> string on the low side, sqrt(1 + nu) - 1); 1 stands for more, missing where the string is not compressed enough [-].
+      !> Part by which compression could still grow before the equilibrium is lost (dg_stability): until the tangent is indefinite,
+      !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
       logical :: coils_slide = .false.         !< a helix that friction acts on along the hole: many equilibria
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none

@@ -44,7 +44,7 @@ contains
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
    !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
    !> the soft wall, or against the wall itself where it would lie far outside the hole; contact forces are those against the wall
-   !> itself, where they are not left spread. A string that is turned to the right coils to the left.
+   !> itself, where they are not left spread. A string under right-hand torque coils to the left.
    pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -113,7 +113,7 @@ contains
          place = dot_product(contact_xi, forces(:, e))/pressed(e)
          if (abs(place - gaps%xi(e)) > model%numerics%tuning%aside) gaps%xi(e) = place
       end do
-      if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, axial, gaps)
+      if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, wound, gaps)
    end subroutine predict
 
    !> The line seen in a mirror along the hole: what is laid there coils to the right, and to the left in the hole.

@@ -4,7 +4,7 @@ module dg_legacy_report
    use dg_kinds, only: wp
    use dg_hole_interval, only: interval_at, interval_name
    use dg_job, only: model_name
-   use dg_legacy_comparison, only: comparison_type, parting_type
+   use dg_legacy_comparison, only: agreement, comparison_type, parting_type
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
@@ -106,8 +106,9 @@ contains
          call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
          return
       end if
-      if (abs(parting%at_bottom) > 0.0_wp) call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))// &
-                                                             ', it is '//growth_text(parting%at_bottom)//' already.')
+      if (abs(parting%at_bottom) > agreement*parting%scale) &
+         call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
+                          ' already.')
       call append_text(lines, 'It grows, from the bit up:')
       do i = size(comparison%intervals), 1, -1
          associate (interval => comparison%intervals(i))
@@ -119,7 +120,7 @@ contains
       end do
       if (parting%worst == 0) then
          call append_text(lines, to_text(per_cent*parting%share, 3)//' % of the difference in '//what// &
-                          ' is there at the lowest depth: compare weight on bit, torque on bit and what lies below.')
+                          ' is there at the lowest depth: compare the loads on the bit.')
          return
       end if
       associate (worst => comparison%intervals(parting%worst))
