@@ -29,6 +29,9 @@ module dg_beam_element
    private
    public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_change
    public :: torque_force, torque_tangent, energy_weights
+   public :: measure_type, measure_force, energy_hessian
+
+   real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
    !> What an element is made of.
    type :: beam_section_type
@@ -70,7 +73,7 @@ contains
       type(measure_type) :: m
       real(wp) :: by(12)
       m = measure(chord, d_i, d_j)
-      call gradient(m, d_i, d_j, 1.0_wp, m%length/15.0_wp, -m%length/30.0_wp, by)
+      call gradient(m, d_i, d_j, energy_slopes(m, 1.0_wp, m%length/15.0_wp, -m%length/30.0_wp), by)
       change = dot_product(by, moved)
    end function membrane_change
 
@@ -120,25 +123,36 @@ contains
       real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j)
       real(wp), intent(out) :: axial         !< N, tension > 0 [N]
       type(measure_type) :: m
+      real(wp) :: first(4)
+      call measure_force(section, chord, d_i, d_j, m, first, force, axial)
+   end subroutine beam_force
+
+   !> The same, with the measures of the configuration and the energy's first derivatives by them, of which the tangent is made.
+   pure subroutine measure_force(section, chord, d_i, d_j, m, first, force, axial)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      type(measure_type), intent(out) :: m
+      real(wp), intent(out) :: first(4)        !< by (l, c_i, c_j, p) [N, N.m]
+      real(wp), intent(out) :: force(12), axial
       real(wp) :: weight_a, weight_b
       m = measure(chord, d_i, d_j)
       call energy_weights(section, m%length, m%bowing, axial, weight_a, weight_b)
-      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
-   end subroutine beam_force
+      first = energy_slopes(m, axial, weight_a, weight_b)
+      call gradient(m, d_i, d_j, first, force)
+   end subroutine measure_force
 
-   pure subroutine gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
+   !> dU/dy(12) from the first derivatives by the scalar measures.
+   pure subroutine gradient(m, d_i, d_j, first, force)
       type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: d_i(3), d_j(3), axial, weight_a, weight_b
+      real(wp), intent(in) :: d_i(3), d_j(3), first(4)
       real(wp), intent(out) :: force(12)
-      real(wp) :: u_l, u_ci, u_cj, u_p
-      u_l = axial*(1.0_wp + m%bowing)
-      u_ci = weight_a*m%a_ci + weight_b*m%b_ci
-      u_cj = weight_a*m%a_cj + weight_b*m%b_cj
-      u_p = weight_b*m%b_p
-      force(7:9) = u_l*m%e + (u_ci*m%a_i + u_cj*m%a_j)/m%length
+      real(wp) :: by_i, by_j
+      by_i = first(2)/m%length
+      by_j = first(3)/m%length
+      force(7:9) = first(1)*m%e + by_i*m%a_i + by_j*m%a_j
       force(1:3) = -force(7:9)
-      force(4:6) = u_ci*m%e + u_p*d_j
-      force(10:12) = u_cj*m%e + u_p*d_i
+      force(4:6) = first(2)*m%e + first(4)*d_j
+      force(10:12) = first(3)*m%e + first(4)*d_i
    end subroutine gradient
 
    !> Internal force and its consistent tangent d2U/dy2(12,12), symmetric: K0 + KN + Ksigma of Eq. 10.
@@ -149,15 +163,11 @@ contains
       real(wp), intent(out) :: axial
       real(wp), intent(out) :: stiffness(12, 12)
       type(measure_type) :: m
-      real(wp) :: weight_a, weight_b, bending, material(4, 4), stressed(4, 4), first(4)
-      m = measure(chord, d_i, d_j)
-      call energy_weights(section, m%length, m%bowing, axial, weight_a, weight_b)
-      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
-      bending = 2.0_wp*section%bending_stiffness/section%length
-      call scalar_hessian(section, m, axial, bending, material, stressed)
-      first = [axial*(1.0_wp + m%bowing), weight_a*m%a_ci + weight_b*m%b_ci, &
-               weight_a*m%a_cj + weight_b*m%b_cj, weight_b*m%b_p]
-      call space_hessian(m, d_i, d_j, material + stressed, first, stiffness)
+      real(wp) :: c(4, 4), first(4)
+      call measure_force(section, chord, d_i, d_j, m, first, force, axial)
+      call energy_hessian(m, section%axial_stiffness/section%membrane_length, axial, &
+                          2.0_wp*section%bending_stiffness/section%length, c)
+      call space_hessian(m, d_i, d_j, c, first, stiffness)
    end subroutine beam_tangent
 
    !> The tangent in the paper's three parts, for study and test (the solution uses their sum, beam_tangent):
@@ -172,25 +182,21 @@ contains
       call beam_material_tangent(section, chord, d_i, d_j, kn)
       kn = kn - k0
       call beam_force(section, chord, d_i, d_j, force, axial)
-      call beam_stress_tangent(section, chord, d_i, d_j, axial, force, ksigma)
+      call beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
    end subroutine beam_tangent_parts
 
    !> What an axial force alone makes: the internal force that goes with it, and Ksigma of Eq. 10. Both are proportional to it.
-   pure subroutine beam_stress_tangent(section, chord, d_i, d_j, axial, force, ksigma)
-      type(beam_section_type), intent(in) :: section
+   pure subroutine beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
       real(wp), intent(in) :: axial                      !< tension > 0 [N]
       real(wp), intent(out) :: force(12), ksigma(12, 12)
       type(measure_type) :: m
-      real(wp) :: weight_a, weight_b, material(4, 4), stressed(4, 4), first(4)
+      real(wp) :: c(4, 4), first(4)
       m = measure(chord, d_i, d_j)
-      weight_a = axial*m%length/15.0_wp
-      weight_b = -axial*m%length/30.0_wp
-      call gradient(m, d_i, d_j, axial, weight_a, weight_b, force)
-      call scalar_hessian(section, m, axial, 0.0_wp, material, stressed)
-      first = [axial*(1.0_wp + m%bowing), weight_a*m%a_ci + weight_b*m%b_ci, &
-               weight_a*m%a_cj + weight_b*m%b_cj, weight_b*m%b_p]
-      call space_hessian(m, d_i, d_j, stressed, first, ksigma)
+      first = energy_slopes(m, axial, axial*m%length/15.0_wp, -axial*m%length/30.0_wp)
+      call gradient(m, d_i, d_j, first, force)
+      call energy_hessian(m, 0.0_wp, axial, 0.0_wp, c)
+      call space_hessian(m, d_i, d_j, c, first, ksigma)
    end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.
@@ -199,47 +205,60 @@ contains
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(out) :: stiffness(12, 12)
       type(measure_type) :: m
-      real(wp) :: bending, material(4, 4), stressed(4, 4), first(4)
+      real(wp) :: bending, c(4, 4)
       m = measure(chord, d_i, d_j)
       bending = 2.0_wp*section%bending_stiffness/section%length
-      call scalar_hessian(section, m, 0.0_wp, bending, material, stressed)
-      first = [0.0_wp, bending*(m%a_ci + m%b_ci), bending*(m%a_cj + m%b_cj), bending*m%b_p]
-      call space_hessian(m, d_i, d_j, material, first, stiffness)
+      call energy_hessian(m, section%axial_stiffness/section%membrane_length, 0.0_wp, bending, c)
+      call space_hessian(m, d_i, d_j, c, energy_slopes(m, 0.0_wp, bending, bending), stiffness)
    end subroutine beam_material_tangent
 
-   !> Second derivatives of U by (l, c_i, c_j, p): `material` without, `stressed` with the axial force.
-   pure subroutine scalar_hessian(section, m, axial, bending, material, stressed)
-      type(beam_section_type), intent(in) :: section
+   !> Second derivatives c(4,4) of U by (l, c_i, c_j, p), symmetric. Those without the axial force come of axial = 0, those that the
+   !> axial force alone makes of stiffness = bending = 0.
+   pure subroutine energy_hessian(m, stiffness, axial, bending, c)
       type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: axial, bending
-      real(wp), intent(out) :: material(4, 4), stressed(4, 4)
-      real(wp) :: strain(4), stiffness, b_x(4), curvature_a(4, 4), curvature_b(4, 4)
-      integer :: i, j
-      stiffness = section%axial_stiffness/section%membrane_length
-      b_x = [0.0_wp, 2.0_wp*m%a_ci - m%b_ci, 2.0_wp*m%a_cj - m%b_cj, -m%b_p]/30.0_wp
-      strain = m%length*b_x
-      strain(1) = 1.0_wp + m%bowing
-      curvature_a = 0.0_wp
-      curvature_a(2, 2) = -2.0_wp*m%dg_i
-      curvature_a(3, 3) = -2.0_wp*m%dg_j
-      curvature_b = 0.0_wp
-      curvature_b(2, 2) = m%ddg_i*m%g_j*m%s - 2.0_wp*m%dg_i*m%g_j*m%c_j
-      curvature_b(3, 3) = m%g_i*m%ddg_j*m%s - 2.0_wp*m%g_i*m%dg_j*m%c_i
-      curvature_b(2, 3) = m%dg_i*m%dg_j*m%s - m%dg_i*m%g_j*m%c_i - m%g_i*m%dg_j*m%c_j - m%g_i*m%g_j
-      curvature_b(3, 2) = curvature_b(2, 3)
-      curvature_b(2, 4) = m%dg_i*m%g_j
-      curvature_b(4, 2) = curvature_b(2, 4)
-      curvature_b(3, 4) = m%g_i*m%dg_j
-      curvature_b(4, 3) = curvature_b(3, 4)
-      do j = 1, 4
-         do i = 1, 4
-            material(i, j) = stiffness*strain(i)*strain(j) + bending*(curvature_a(i, j) + curvature_b(i, j))
-            stressed(i, j) = axial*m%length*(2.0_wp*curvature_a(i, j) - curvature_b(i, j))/30.0_wp
-         end do
-      end do
-      stressed(1, :) = stressed(1, :) + axial*b_x
-      stressed(:, 1) = stressed(:, 1) + axial*b_x
-   end subroutine scalar_hessian
+      real(wp), intent(in) :: stiffness   !< EA/L_m [N/m]
+      real(wp), intent(in) :: axial       !< N, tension > 0 [N]
+      real(wp), intent(in) :: bending     !< 2 EI/L [N.m]
+      real(wp), intent(out) :: c(4, 4)
+      real(wp) :: b_ci, b_cj, b_p, s_l, s_ci, s_cj, s_p, weight_a, weight_b
+      ! derivatives of the bowing, and of the strain times L_m
+      b_ci = (2.0_wp*m%a_ci - m%b_ci)*thirtieth
+      b_cj = (2.0_wp*m%a_cj - m%b_cj)*thirtieth
+      b_p = -m%b_p*thirtieth
+      s_l = 1.0_wp + m%bowing
+      s_ci = m%length*b_ci
+      s_cj = m%length*b_cj
+      s_p = m%length*b_p
+      weight_b = bending - axial*m%length*thirtieth
+      weight_a = bending + 2.0_wp*(axial*m%length*thirtieth)
+      c(1, 1) = stiffness*s_l*s_l
+      c(2, 1) = stiffness*s_l*s_ci + axial*b_ci
+      c(3, 1) = stiffness*s_l*s_cj + axial*b_cj
+      c(4, 1) = stiffness*s_l*s_p + axial*b_p
+      c(2, 2) = stiffness*s_ci*s_ci - 2.0_wp*weight_a*m%dg_i + weight_b*(m%ddg_i*m%g_j*m%s - 2.0_wp*m%dg_i*m%g_j*m%c_j)
+      c(3, 2) = stiffness*s_ci*s_cj + weight_b*(m%dg_i*m%dg_j*m%s - m%dg_i*m%g_j*m%c_i - m%g_i*m%dg_j*m%c_j - m%g_i*m%g_j)
+      c(4, 2) = stiffness*s_ci*s_p + weight_b*(m%dg_i*m%g_j)
+      c(3, 3) = stiffness*s_cj*s_cj - 2.0_wp*weight_a*m%dg_j + weight_b*(m%g_i*m%ddg_j*m%s - 2.0_wp*m%g_i*m%dg_j*m%c_i)
+      c(4, 3) = stiffness*s_cj*s_p + weight_b*(m%g_i*m%dg_j)
+      c(4, 4) = stiffness*s_p*s_p
+      c(1, 2) = c(2, 1)
+      c(1, 3) = c(3, 1)
+      c(1, 4) = c(4, 1)
+      c(2, 3) = c(3, 2)
+      c(2, 4) = c(4, 2)
+      c(3, 4) = c(4, 3)
+   end subroutine energy_hessian
+
+   !> First derivatives of U by (l, c_i, c_j, p), by the weights of energy_weights.
+   pure function energy_slopes(m, axial, weight_a, weight_b) result(first)
+      type(measure_type), intent(in) :: m
+      real(wp), intent(in) :: axial, weight_a, weight_b   !< N; dU/dA, dU/dB [N, N.m]
+      real(wp) :: first(4)
+      first(1) = axial*(1.0_wp + m%bowing)
+      first(2) = weight_a*m%a_ci + weight_b*m%b_ci
+      first(3) = weight_a*m%a_cj + weight_b*m%b_cj
+      first(4) = weight_b*m%b_p
+   end function energy_slopes
 
    !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
    pure subroutine space_hessian(m, d_i, d_j, c, first, k)

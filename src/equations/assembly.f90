@@ -6,25 +6,45 @@
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
-   use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
+   use dg_beam_blocks, only: add_torque_blocks, beam_blocks, node_type, own_node, part_all, part_energy, part_rest, seen_from, &
+                             turn_of
+   use dg_beam_element, only: beam_section_type, energy_hessian, measure_force, measure_type, torque_force
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
    use dg_gap_action, only: contact_action_at, contact_type, find_contact, load_type
-   use dg_gap_contact, only: normal_force_type, sliding_couple
-   use dg_gap_element, only: add_couple_tangent, gap_nodal_force, gap_nodal_tangent
+   use dg_gap_contact, only: contact_action, normal_force_type, sliding_couple
+   use dg_gap_element, only: couple_derivatives, gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: element_type, hold_top, part_all, part_energy, part_rest, scatter, scatter_more, scatter_point
+   use dg_scatter, only: add_blocks, element_type, hold_top, put_blocks, scatter_more, take_contact
    use dg_trajectory, only: trajectory_type
-   use dg_vector, only: cross
+   use dg_vector, only: cross, in_frame
    use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
    public :: load_type, assemble, add_unsymmetric_part
+
+   !> A node's axes seen from itself.
+   real(wp), parameter :: own_axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
+                                                          1.0_wp], [3, 3])
+
+   !> What one element and its gap do, internal less external.
+   type :: action_type
+      integer :: part                   !< of the tangent
+      logical :: tangent                !< is wanted
+      type(node_type) :: upper, lower   !< the nodes, each in its own frame
+      real(wp) :: gradient(3, 2, 2)     !< of both directors by their slopes, in space axes
+      real(wp) :: force(12)             !< on (x_i, d_i, x_j, d_j), in space axes [N, N.m]
+      real(wp) :: twisting(2)           !< torque on both nodes [N.m]
+      real(wp) :: blocks(6, 6, 4)       !< its tangent in the nodes' unknowns
+      logical :: bends                  !< it has more tangent, in space axes: of a bent housing, or of friction's torque on a string
+                                        !< that whirls
+      type(element_type) :: element     !< which is that
+   end type action_type
 
 contains
 
@@ -45,156 +65,171 @@ contains
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: no
-      type(element_type) :: element
-      type(beam_section_type) :: section
-      real(wp) :: force(12), load(4), top_force(3), chord(3)
-      real(wp) :: gradient(3, 2), next(3, 2)   ! of directors by slopes
-      logical :: tangent
-      integer :: e, n, j, part
-      part = merge(part_energy, part_all, conservative)
-      tangent = .true.
-      if (present(forces_only)) tangent = .not. forces_only
+      type(action_type) :: action
+      type(node_type) :: own
+      real(wp) :: load(4), top_force(3), moment(3)
+      integer :: e, n, j
+      action%part = merge(part_energy, part_all, conservative)
+      action%tangent = .true.
+      if (present(forces_only)) action%tangent = .not. forces_only
       work%node_force = 0.0_wp
       if (allocated(work%contact_force)) then
          work%contact_force = 0.0_wp
          work%contact_moment = 0.0_wp
       end if
       residual = 0.0_wp
-      if (tangent) matrix%diagonal(:, :, 1) = 0.0_wp
-      gradient = director_gradient(mesh%frame(:, :, 1), state(5:6, 1), work%d(:, 1))
+      if (action%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
+      action%lower = own_node(state(5:6, 1))
+      action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, 1), action%lower%g)
       do e = 1, mesh%elements
-         chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-         section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
-         if (tangent) then
-            call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e), element%k)
-         else
-            call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), force, work%axial(e))
-         end if
-         if (allocated(mesh%bend)) then
-            if (any(abs(mesh%bend(:, e)) > 0.0_wp)) &
-               call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
-                             work%d(:, e), work%d(:, e + 1), tangent, force, element%k)
-         end if
-         call add_torque(section, work, e, state(dof_twist, e + 1) - state(dof_twist, e), part, tangent, force, element)
+         action%upper = action%lower
+         action%lower = own_node(state(5:6, e + 1))
+         action%gradient(:, :, 1) = action%gradient(:, :, 2)
+         action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
+         call add_beam(mesh, e, state(dof_twist, e + 1) - state(dof_twist, e), work, action)
          load = mesh%weight(e)*hermite_line_load(mesh%length(e))
-         force(3) = force(3) - load(1)
-         force(6) = force(6) - load(2)
-         force(9) = force(9) - load(3)
-         force(12) = force(12) - load(4)
-         force(1:3) = force(1:3) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e)
-         force(7:9) = force(7:9) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e + 1)
-         element%symmetric = conservative
-         call add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
-         residual(dof_twist, e) = residual(dof_twist, e) - work%torque(e)
-         residual(dof_twist, e + 1) = residual(dof_twist, e + 1) + work%torque(e)
-         if (allocated(work%end_force)) work%end_force(:, e) = force(1:6)
-         work%node_force(:, e) = work%node_force(:, e) + force(1:6)
-         work%node_force(:, e + 1) = work%node_force(:, e + 1) + force(7:12)
-         if (tangent) then
-            next = director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1))
-            call scatter(mesh, e, gradient, next, element, matrix)
-            gradient = next
+         action%force(3:12:3) = action%force(3:12:3) - load
+         if (abs(mesh%drag(e)) > 0.0_wp) then
+            action%force(1:3) = action%force(1:3) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e)
+            action%force(7:9) = action%force(7:9) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e + 1)
          end if
+         if (gaps%state(e) == state_free) then
+            work%normal(e) = 0.0_wp
+         else
+            call add_gap(mesh, loads, gaps, e, work, action)
+         end if
+         residual(dof_twist, e) = residual(dof_twist, e) + action%twisting(1)
+         residual(dof_twist, e + 1) = action%twisting(2)
+         if (allocated(work%end_force)) work%end_force(:, e) = action%force(1:6)
+         work%node_force(:, e) = work%node_force(:, e) + action%force(1:6)
+         work%node_force(:, e + 1) = action%force(7:12)
+         if (.not. action%tangent) cycle
+         call put_blocks(e, action%blocks, matrix)
+         if (action%bends) call scatter_more(mesh, e, action%gradient(:, :, 1), action%gradient(:, :, 2), action%element, matrix)
       end do
       top_force = work%node_force(1:3, 1)
-      call add_supports(trajectory, mesh, loads, tangent, work, residual, matrix)
-      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, part, tangent, work, matrix)
+      call add_supports(trajectory, mesh, loads, action%tangent, work, residual, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, action%part, action%tangent, work, matrix)
       do n = 1, mesh%nodes
-         do j = 1, 3
-            residual(j, n) = sum(work%node_force(1:3, n)*mesh%frame(:, j, n))
+         own = own_node(state(5:6, n))
+         residual(1:3, n) = in_frame(mesh%frame(:, :, n), work%node_force(1:3, n))
+         moment = in_frame(mesh%frame(:, :, n), work%node_force(4:6, n))
+         do j = 1, 2
+            residual(4 + j, n) = moment(1)*own%g(1, j) + moment(2)*own%g(2, j) + moment(3)*own%g(3, j)
          end do
-         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
-         residual(5, n) = sum(work%node_force(4:6, n)*gradient(:, 1))
-         residual(6, n) = sum(work%node_force(4:6, n)*gradient(:, 2))
-         if (tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
-            + director_curvature(mesh%frame(:, :, n), state(5:6, n), work%d(:, n), work%node_force(4:6, n))
+         if (action%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
+                                                            + director_curvature(own_axes, state(5:6, n), own%d, moment)
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
       work%reaction = top_force - work%node_force(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
       residual([dof_axial, dof_twist], 1) = 0.0_wp
-      if (tangent) call hold_top(matrix)
+      if (action%tangent) call hold_top(matrix)
    end subroutine assemble
 
-   !> Torque T = GJ/L (phi_j - phi_i): its end moments on the directors and its tangent.
-   pure subroutine add_torque(section, work, e, twist, part, tangent, force, element)
-      type(beam_section_type), intent(in) :: section
-      type(workspace_type), intent(inout) :: work
-      integer, intent(in) :: e
-      real(wp), intent(in) :: twist
-      integer, intent(in) :: part          !< of the tangent
-      logical, intent(in) :: tangent       !< is wanted
-      real(wp), intent(inout) :: force(12)
-      type(element_type), intent(inout) :: element
-      real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), end_moment(3), plain, turned
-      element%twist_stiffness = section%torsional_stiffness/section%length
-      work%torque(e) = element%twist_stiffness*twist
-      element%twist_row = 0.0_wp
-      element%twist_column = 0.0_wp
-      if (.not. abs(work%torque(e)) > 0.0_wp) return
-      end_moment = torque_force(work%torque(e), work%d(:, e), work%d(:, e + 1))
-      force(4:6) = force(4:6) + end_moment
-      force(10:12) = force(10:12) + end_moment
-      if (.not. tangent) return
-      call torque_tangent(work%torque(e), work%d(:, e), work%d(:, e + 1), by_i, by_j, by_torque)
-      ! from an energy derives the symmetric part, which is all of it but at the ends and at given torque
-      plain = merge(1.0_wp, 0.5_wp, part == part_all)
-      turned = 1.0_wp - plain
-      if (part == part_rest) turned = -turned
-      element%k(4:6, 4:6) = element%k(4:6, 4:6) + plain*by_i + turned*transpose(by_i)
-      element%k(10:12, 10:12) = element%k(10:12, 10:12) + plain*by_j + turned*transpose(by_j)
-      element%k(4:6, 10:12) = element%k(4:6, 10:12) + plain*by_j + turned*transpose(by_i)
-      element%k(10:12, 4:6) = element%k(10:12, 4:6) + plain*by_i + turned*transpose(by_j)
-      if (part == part_energy) return
-      element%twist_column(4:6) = element%twist_stiffness*by_torque
-      element%twist_column(10:12) = element%twist_column(4:6)
-   end subroutine add_torque
+   !> Columns of components along a frame's axes, in space axes.
+   pure function in_columns(frame, own) result(space)
+      real(wp), intent(in) :: frame(3, 3), own(3, 2)
+      real(wp) :: space(3, 2)
+      integer :: j
+      do j = 1, 2
+         space(:, j) = own(1, j)*frame(:, 1) + own(2, j)*frame(:, 2) + own(3, j)*frame(:, 3)
+      end do
+   end function in_columns
 
-   !> The element's MCGE: takes its force off `force` and its tangent off the element's (Eqs. 4, 6, 11).
-   pure subroutine add_gap(mesh, loads, gaps, e, conservative, tangent, work, residual, force, element)
+   !> Begins an element's action by the beam's forces, its torque T = GJ/L (phi_j - phi_i) and their tangent.
+   pure subroutine add_beam(mesh, e, twist, work, action)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      real(wp), intent(in) :: twist              !< phi_j - phi_i [rad]
+      type(workspace_type), intent(inout) :: work
+      type(action_type), intent(inout) :: action
+      type(beam_section_type) :: section
+      type(measure_type) :: m
+      type(node_type) :: lower
+      real(wp) :: chord(3), first(4), c(4, 4), turn(3, 3), end_moment(3)
+      chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+      call measure_force(section, chord, work%d(:, e), work%d(:, e + 1), m, first, action%force, work%axial(e))
+      work%torque(e) = section%torsional_stiffness/section%length*twist
+      action%twisting = [-work%torque(e), work%torque(e)]
+      if (abs(work%torque(e)) > 0.0_wp) then
+         end_moment = torque_force(work%torque(e), work%d(:, e), work%d(:, e + 1))
+         action%force(4:6) = action%force(4:6) + end_moment
+         action%force(10:12) = action%force(10:12) + end_moment
+      end if
+      action%bends = .false.
+      if (allocated(mesh%bend)) then
+         if (any(abs(mesh%bend(:, e)) > 0.0_wp)) then
+            call begin_rest(action)
+            call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, work%d(:, e), &
+                          work%d(:, e + 1), action%tangent, action%force, action%element%k)
+         end if
+      end if
+      if (.not. action%tangent) return
+      turn = turn_of(mesh%frame(:, :, e), mesh%frame(:, :, e + 1))
+      lower = seen_from(turn, action%lower)
+      call energy_hessian(m, section%axial_stiffness/section%membrane_length, work%axial(e), &
+                          2.0_wp*section%bending_stiffness/section%length, c)
+      call beam_blocks(m, first, c, mesh%frame(:, :, e), turn, action%upper, lower, action%blocks)
+      call add_torque_blocks(work%torque(e), section%torsional_stiffness/section%length, action%part, action%upper, lower, &
+                             action%blocks)
+   end subroutine add_beam
+
+   !> Opens an element's matrix for what few elements have.
+   pure subroutine begin_rest(action)
+      type(action_type), intent(inout) :: action
+      if (action%bends) return
+      action%bends = .true.
+      action%element%k = 0.0_wp
+      action%element%twist_row = 0.0_wp
+      action%element%twist_column = 0.0_wp
+      action%element%twist_stiffness = 0.0_wp
+   end subroutine begin_rest
+
+   !> A closed gap's MCGE: takes its force and its tangent off the element's (Eqs. 4, 6, 11).
+   pure subroutine add_gap(mesh, loads, gaps, e, work, action)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
-      logical, intent(in) :: conservative
-      logical, intent(in) :: tangent     !< is wanted
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: residual(:, :), force(12)
-      type(element_type), intent(inout) :: element
+      type(action_type), intent(inout) :: action
       type(contact_type) :: contact
-      real(wp) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2)
-      if (gaps%state(e) == state_free) then
-         work%normal(e) = 0.0_wp
-         return
-      end if
+      type(gap_derivative_type) :: by
+      real(wp) :: force(3), moment(3), by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2)
       call find_contact(mesh, loads, gaps, e, work, contact)
-      call contact_action_at(contact, contact%normal, contact%pressing, e, work, action, moment, by_point, moment_by_point)
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal%force, contact%axial, contact%rotary, &
+                          contact%climbing, contact%radius, force, moment)
       if (allocated(work%contact_force)) then
-         work%contact_force(:, e) = action
+         work%contact_force(:, e) = force
          work%contact_moment(:, e) = moment
       end if
-      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
+      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
                            moment, nodal, twisting)
-      force = force - nodal
-      residual(dof_twist, e) = residual(dof_twist, e) - twisting(1)
-      residual(dof_twist, e + 1) = residual(dof_twist, e + 1) - twisting(2)
-      if (conservative .and. tangent .and. (abs(contact%axial) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)) &
-         call contact_action_at(contact, contact%normal, normal_force_type(), e, work, action, moment, by_point, moment_by_point)
-      if (contact%sliding) then
-         if (conservative) contact%pressing%stiffness = 0.0_wp
-         ! along a curved axis the couple derives from no energy, if hardly so
-         element%symmetric = conservative .and. .not. any(abs(work%axis_curvature(:, e)) > 0.0_wp)
-         call add_couple(mesh, e, contact, tangent, by_point, work, force, element%k)
-      else if (tangent) then
-         call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
-                                moment, by_point, moment_by_point, element%k, element%twist_row)
+      action%force = action%force - nodal
+      action%twisting = action%twisting - twisting
+      if (action%tangent) then
+         if (action%part == part_energy .and. (abs(contact%axial) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)) then
+            call contact_action_at(contact, contact%normal, normal_force_type(), e, work, force, moment, by_point, moment_by_point)
+         else
+            call contact_action_at(contact, contact%normal, contact%pressing, e, work, force, moment, by_point, moment_by_point)
+         end if
       end if
+      if (contact%sliding) then
+         if (action%part == part_energy) contact%pressing%stiffness = 0.0_wp
+         call add_couple(mesh, e, contact, action%tangent, by_point, work, action%force, by)
+      else if (action%tangent) then
+         call gap_derivatives(gaps%xi(e), contact%shape, contact%slope, work%d(:, e:e + 1), contact%direction, moment, by_point, &
+                              moment_by_point, by)
+      end if
+      if (action%tangent) call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), &
+                                            action%gradient, action%blocks)
       if (.not. contact%turning%lever > 0.0_wp) return
-      twisting = residual(dof_twist, e:e + 1)
-      call add_turning(contact%turning, work%d(:, e:e + 1), merge(part_energy, part_all, conservative), tangent, twisting, force, &
-                       element)
-      residual(dof_twist, e:e + 1) = twisting
+      call begin_rest(action)
+      call add_turning(contact%turning, work%d(:, e:e + 1), action%part, action%tangent, action%twisting, action%force, &
+                       action%element)
       if (allocated(work%contact_moment)) work%contact_moment(:, e) = work%contact_moment(:, e) &
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap
@@ -208,46 +243,53 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work    !< placed and surveyed at `state`
       type(block_matrix_type), intent(inout) :: matrix
-      type(element_type) :: element
+      type(action_type) :: action
       type(contact_type) :: contact
+      type(gap_derivative_type) :: by
       real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
-      real(wp) :: ignored(12), unused(2), action(3), moment(3), twist, gradient_i(3, 2), gradient_j(3, 2)
+      real(wp), parameter :: none(3, 3) = 0.0_wp
+      real(wp) :: ignored(12), unused(2), force(3), moment(3), stiffness, turn(3, 3)
       logical :: rubs, twisted
       integer :: e
       ignored = 0.0_wp
       unused = 0.0_wp
       do e = 1, mesh%elements
-         twist = state(dof_twist, e + 1) - state(dof_twist, e)
-         twisted = abs(twist) > 0.0_wp
+         stiffness = mesh%gj(e)/mesh%length(e)
+         twisted = abs(work%torque(e)) > 0.0_wp
          rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
          if (.not. (rubs .or. twisted)) cycle
-         gradient_i = director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e))
-         gradient_j = director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1))
-         contact%sliding = .false.
-         contact%turning%lever = 0.0_wp
+         action%upper = own_node(state(5:6, e))
+         action%lower = own_node(state(5:6, e + 1))
+         action%blocks = 0.0_wp
+         action%bends = .false.
+         if (twisted) then
+            turn = turn_of(mesh%frame(:, :, e), mesh%frame(:, :, e + 1))
+            call add_torque_blocks(work%torque(e), stiffness, part_rest, action%upper, seen_from(turn, action%lower), action%blocks)
+         end if
          if (rubs) then
+            action%gradient(:, :, 1) = in_columns(mesh%frame(:, :, e), action%upper%g)
+            action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
             call find_contact(mesh, loads, gaps, e, work, contact)
-            call contact_action_at(contact, normal_force_type(), contact%pressing, e, work, action, moment, by_point, &
+            call contact_action_at(contact, normal_force_type(), contact%pressing, e, work, force, moment, by_point, &
                                    moment_by_point)
+            if (contact%sliding) then
+               call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, 0.0_wp, &
+                                   contact%axial*mesh%radius(e)*contact%pressing%stiffness, force, moment, push_by_point, &
+                                   push_by_direction, bend_by_point, bend_by_direction)
+               call couple_derivatives(contact%shape, contact%slope, by_point + push_by_point, none, bend_by_point, none, by)
+            else
+               call gap_derivatives(gaps%xi(e), contact%shape, contact%slope, work%d(:, e:e + 1), contact%direction, moment, &
+                                    by_point, moment_by_point, by)
+            end if
+            call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), action%gradient, &
+                              action%blocks)
+            if (contact%turning%lever > 0.0_wp) then
+               call begin_rest(action)
+               call add_turning(contact%turning, work%d(:, e:e + 1), part_rest, .true., unused, ignored, action%element)
+            end if
          end if
-         if (contact%sliding) then
-            call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, 0.0_wp, &
-                                contact%axial*mesh%radius(e)*contact%pressing%stiffness, action, moment, push_by_point, &
-                                push_by_direction, bend_by_point, bend_by_direction)
-            call scatter_point(mesh, e, gradient_i, gradient_j, contact%shape, contact%slope, by_point + push_by_point, &
-                               bend_by_point, matrix)
-            if (.not. (twisted .or. contact%turning%lever > 0.0_wp)) cycle
-         end if
-         element%k = 0.0_wp
-         call add_torque(beam_section_type(length=mesh%length(e), torsional_stiffness=mesh%gj(e)), work, e, twist, part_rest, &
-                         .true., ignored, element)
-         element%twist_stiffness = 0.0_wp
-         if (rubs .and. .not. contact%sliding) &
-            call gap_nodal_tangent(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, &
-                                   moment, by_point, moment_by_point, element%k, element%twist_row)
-         if (contact%turning%lever > 0.0_wp) &
-            call add_turning(contact%turning, work%d(:, e:e + 1), part_rest, .true., unused, ignored, element)
-         call scatter_more(mesh, e, gradient_i, gradient_j, element, matrix)
+         call add_blocks(e, action%blocks, matrix)
+         if (action%bends) call scatter_more(mesh, e, action%gradient(:, :, 1), action%gradient(:, :, 2), action%element, matrix)
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
       call hold_top(matrix)
@@ -283,16 +325,17 @@ contains
       work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
    end subroutine add_end_torques
 
-   !> Axial friction's couple on the string at a gap: takes its force off `force` and its tangent off `stiffness`, and with it that
-   !> of the contact force itself.
-   pure subroutine add_couple(mesh, e, contact, tangent, force_tangent, work, force, stiffness)
+   !> Axial friction's couple on the string at a gap: takes its force off `force`, and returns its derivatives together with those of
+   !> the contact force itself.
+   pure subroutine add_couple(mesh, e, contact, tangent, force_tangent, work, force, by)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
       type(contact_type), intent(in) :: contact
       logical, intent(in) :: tangent            !< is wanted
       real(wp), intent(in) :: force_tangent(3, 3) !< of the contact force by the point [N/m]
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: force(12), stiffness(12, 12)
+      real(wp), intent(inout) :: force(12)
+      type(gap_derivative_type), intent(inout) :: by
       real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
       integer :: a
       call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
@@ -306,8 +349,8 @@ contains
       do a = 1, 4
          force(3*a - 2:3*a) = force(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
       end do
-      if (tangent) call add_couple_tangent(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, &
-                                           bend_by_point, bend_by_direction, stiffness)
+      if (tangent) call couple_derivatives(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, &
+                                           bend_by_point, bend_by_direction, by)
    end subroutine add_couple
 
    !> Lateral supports of the ends, weight and torque on bit.

@@ -3,13 +3,14 @@
 module dg_gap_action
    use dg_kinds, only: wp
    use dg_director, only: director_gradient
-   use dg_gap_contact, only: contact_action_tangent, normal_force_type, sliding_couple
+   use dg_gap_contact, only: contact_action, contact_action_tangent, normal_force_type, sliding_couple
    use dg_gap_element, only: gap_nodal_force
    use dg_gap_state, only: contact_force
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: element_type, part_energy
+   use dg_beam_blocks, only: part_energy
+   use dg_scatter, only: element_type
    use dg_whirling, only: add_turning, turning_type
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
@@ -140,12 +141,12 @@ contains
       type(workspace_type), intent(in) :: work
       type(contact_type), intent(inout) :: contact
       real(wp), intent(out) :: nodal(12), twisting(2)
-      type(normal_force_type), parameter :: one = normal_force_type(force=1.0_wp)
       type(element_type) :: ignored
       real(wp) :: action(3), moment(3), push(3), bend(3)
-      real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
+      real(wp), dimension(3, 3) :: push_by_point, push_by_direction, bend_by_point, bend_by_direction
       integer :: a
-      call contact_action_at(contact, one, one, e, work, action, moment, by_point, moment_by_point)
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), 1.0_wp, contact%axial, contact%rotary, contact%climbing, &
+                          contact%radius, action, moment)
       call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
                            moment, nodal, twisting)
       nodal = -nodal

@@ -1,16 +1,16 @@
 !> From the tangents of elements in space axes to the matrix of the chain's unknowns.
 module dg_scatter
    use dg_kinds, only: wp
+   use dg_beam_blocks, only: block_ii, block_ij, block_ji, block_jj
    use dg_block_matrix, only: block_matrix_type
+   use dg_gap_element, only: gap_derivative_type
    use dg_mesh, only: mesh_type
+   use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
-   public :: element_type, scatter, scatter_more, scatter_point, hold_top, clear_top
-   public :: part_all, part_energy, part_rest
+   public :: element_type, put_blocks, add_blocks, take_contact, scatter_more, hold_top, clear_top
 
-   !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
-   integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
    !> Unknowns of the top that are held.
    integer, parameter :: held(2) = [dof_axial, dof_twist]
 
@@ -20,32 +20,44 @@ module dg_scatter
       real(wp) :: twist_row(2, 12)    !< torque residuals of both nodes by (x_i, d_i, x_j, d_j)
       real(wp) :: twist_column(12)    !< forces by phi_j; by phi_i the opposite
       real(wp) :: twist_stiffness     !< GJ/L
-      logical :: symmetric            !< all of it
    end type element_type
 
 contains
 
-   !> Turns an element's matrix from space axes to its 12 unknowns and enters it in the chain: added to what the element above left
-   !> at their common node.
-   pure subroutine scatter(mesh, e, gradient_i, gradient_j, element, matrix)
-      type(mesh_type), intent(in) :: mesh
+   !> Enters an element's blocks in the chain: added to what the element above left at their common node.
+   pure subroutine put_blocks(e, blocks, matrix)
       integer, intent(in) :: e
-      real(wp), intent(in) :: gradient_i(3, 2), gradient_j(3, 2)   !< of both nodes' directors by their slopes
-      type(element_type), intent(in) :: element
+      real(wp), intent(in) :: blocks(6, 6, 4)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: block(6, 6)
-      associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
-         call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
-         call add_block(block, matrix%diagonal(:, :, e))
-         call project(element, 2, 2, frame_j, gradient_j, frame_j, gradient_j, matrix%diagonal(:, :, e + 1))
-         call project(element, 1, 2, frame_i, gradient_i, frame_j, gradient_j, matrix%upper(:, :, e))
-         if (element%symmetric) then
-            call transpose_block(matrix%upper(:, :, e), matrix%lower(:, :, e))
-         else
-            call project(element, 2, 1, frame_j, gradient_j, frame_i, gradient_i, matrix%lower(:, :, e))
-         end if
-      end associate
-   end subroutine scatter
+      call add_numbers(blocks(:, :, block_ii), matrix%diagonal(:, :, e))
+      call copy_numbers(blocks(:, :, block_ij), matrix%upper(:, :, e))
+      call copy_numbers(blocks(:, :, block_ji), matrix%lower(:, :, e))
+      call copy_numbers(blocks(:, :, block_jj), matrix%diagonal(:, :, e + 1))
+   end subroutine put_blocks
+
+   !> Adds an element's blocks to a chain.
+   pure subroutine add_blocks(e, blocks, matrix)
+      integer, intent(in) :: e
+      real(wp), intent(in) :: blocks(6, 6, 4)
+      type(block_matrix_type), intent(inout) :: matrix
+      call add_numbers(blocks(:, :, block_ii), matrix%diagonal(:, :, e))
+      call add_numbers(blocks(:, :, block_ij), matrix%upper(:, :, e))
+      call add_numbers(blocks(:, :, block_ji), matrix%lower(:, :, e))
+      call add_numbers(blocks(:, :, block_jj), matrix%diagonal(:, :, e + 1))
+   end subroutine add_blocks
+
+   !> A block's numbers one after the other, which go two at a time.
+   pure subroutine copy_numbers(from, to)
+      real(wp), intent(in) :: from(36)
+      real(wp), intent(out) :: to(36)
+      to = from
+   end subroutine copy_numbers
+
+   pure subroutine add_numbers(from, to)
+      real(wp), intent(in) :: from(36)
+      real(wp), intent(inout) :: to(36)
+      to = to + from
+   end subroutine add_numbers
 
    !> Adds an element's matrix to a chain.
    pure subroutine scatter_more(mesh, e, gradient_i, gradient_j, element, matrix)
@@ -57,79 +69,112 @@ contains
       real(wp) :: block(6, 6)
       associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
          call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
-         call add_block(block, matrix%diagonal(:, :, e))
+         call add_numbers(block, matrix%diagonal(:, :, e))
          call project(element, 2, 2, frame_j, gradient_j, frame_j, gradient_j, block)
-         call add_block(block, matrix%diagonal(:, :, e + 1))
+         call add_numbers(block, matrix%diagonal(:, :, e + 1))
          call project(element, 1, 2, frame_i, gradient_i, frame_j, gradient_j, block)
-         call add_block(block, matrix%upper(:, :, e))
+         call add_numbers(block, matrix%upper(:, :, e))
          call project(element, 2, 1, frame_j, gradient_j, frame_i, gradient_i, block)
-         call add_block(block, matrix%lower(:, :, e))
+         call add_numbers(block, matrix%lower(:, :, e))
       end associate
    end subroutine scatter_more
 
-   !> Takes off a chain what the point r of an element's axis does to a force on it and to a bending vector on r': derivatives (3,3)
-   !> by r. Of rank three, it is no matrix of 12 to be turned.
-   pure subroutine scatter_point(mesh, e, gradient_i, gradient_j, shape, slope, force_by_point, bend_by_point, matrix)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: e
-      real(wp), intent(in) :: gradient_i(3, 2), gradient_j(3, 2)
-      real(wp), intent(in) :: shape(4), slope(4)       !< N and dN/dx at the point
-      real(wp), intent(in) :: force_by_point(3, 3), bend_by_point(3, 3)
-      type(block_matrix_type), intent(inout) :: matrix
-      real(wp), dimension(6, 3) :: left_i, left_j, right_i, right_j
-      call sides(mesh%frame(:, :, e), gradient_i, shape(1:2), slope(1:2), force_by_point, bend_by_point, left_i, right_i)
-      call sides(mesh%frame(:, :, e + 1), gradient_j, shape(3:4), slope(3:4), force_by_point, bend_by_point, left_j, right_j)
-      call take_product(left_i, right_i, matrix%diagonal(:, :, e))
-      call take_product(left_j, right_j, matrix%diagonal(:, :, e + 1))
-      call take_product(left_i, right_j, matrix%upper(:, :, e))
-      call take_product(left_j, right_i, matrix%lower(:, :, e))
-   end subroutine scatter_point
-
-   !> A node's part of that: its unknowns' forces by r, and r by its unknowns.
-   pure subroutine sides(frame, gradient, shape, slope, force_by_point, bend_by_point, left, right)
-      real(wp), intent(in) :: frame(3, 3), gradient(3, 2), shape(2), slope(2), force_by_point(3, 3), bend_by_point(3, 3)
-      real(wp), intent(out) :: left(6, 3), right(6, 3)
-      real(wp) :: on_place(3), on_director(3)
-      integer :: i, j
-      left(4, :) = 0.0_wp
-      right(4, :) = 0.0_wp
-      do j = 1, 3
-         on_place = shape(1)*force_by_point(:, j) + slope(1)*bend_by_point(:, j)
-         on_director = shape(2)*force_by_point(:, j) + slope(2)*bend_by_point(:, j)
-         do i = 1, 3
-            left(i, j) = on_place(1)*frame(1, i) + on_place(2)*frame(2, i) + on_place(3)*frame(3, i)
-            right(i, j) = shape(1)*frame(j, i)
+   !> Takes the derivatives of a gap's forces on its nodes off an element's blocks.
+   pure subroutine take_contact(by, xi, shape, slope, frame, gradient, blocks)
+      type(gap_derivative_type), intent(in) :: by
+      real(wp), intent(in) :: xi, shape(4), slope(4)                !< x0/L, N and dN/dx there
+      real(wp), intent(in) :: frame(3, 3, 2), gradient(3, 2, 2)     !< of both nodes
+      real(wp), intent(inout) :: blocks(6, 6, 4)
+      real(wp) :: point(6, 3, 2), direction(6, 3, 2), twist(3), folded
+      integer :: p, b
+      call on_unknowns(frame, gradient, by%point, point)
+      if (.not. by%turns) then
+         do p = 1, 2
+            call take_place(point(:, :, p), shape(1:2), frame(:, :, 1), gradient(:, :, 1), blocks(:, :, 2*p - 1))
+            call take_place(point(:, :, p), shape(3:4), frame(:, :, 2), gradient(:, :, 2), blocks(:, :, 2*p))
          end do
-         do i = 1, 2
-            left(4 + i, j) = on_director(1)*gradient(1, i) + on_director(2)*gradient(2, i) + on_director(3)*gradient(3, i)
-            right(4 + i, j) = shape(2)*gradient(j, i)
+         return
+      end if
+      call on_unknowns(frame, gradient, by%direction, direction)
+      do p = 1, 2
+         point(4, :, p) = by%twisting_by_point(p, :)
+         direction(4, :, p) = by%twisting_by_direction(p, :)
+         call take_both(point(:, :, p), direction(:, :, p), shape(1:2), slope(1:2), frame(:, :, 1), gradient(:, :, 1), &
+                        blocks(:, :, 2*p - 1))
+         call take_both(point(:, :, p), direction(:, :, p), shape(3:4), slope(3:4), frame(:, :, 2), gradient(:, :, 2), &
+                        blocks(:, :, 2*p))
+         twist = merge(1.0_wp - xi, xi, p == 1)*by%twist
+         b = merge(block_ii, block_jj, p == 1)
+         blocks(4, 5, b) = blocks(4, 5, b) - sum(twist*gradient(:, 1, p))
+         blocks(4, 6, b) = blocks(4, 6, b) - sum(twist*gradient(:, 2, p))
+         folded = sum(twist*cross(gradient(:, 1, p), gradient(:, 2, p)))
+         blocks(5, 6, b) = blocks(5, 6, b) + folded
+         blocks(6, 5, b) = blocks(6, 5, b) - folded
+      end do
+   end subroutine take_contact
+
+   !> Columns of forces on (x_i, d_i, x_j, d_j) as rows of both nodes' unknowns; none on the twist.
+   pure subroutine on_unknowns(frame, gradient, forces, rows)
+      real(wp), intent(in) :: frame(3, 3, 2), gradient(3, 2, 2), forces(3, 4, 3)
+      real(wp), intent(out) :: rows(6, 3, 2)
+      integer :: i, j, p
+      do p = 1, 2
+         do j = 1, 3
+            do i = 1, 3
+               rows(i, j, p) = frame(1, i, p)*forces(1, 2*p - 1, j) + frame(2, i, p)*forces(2, 2*p - 1, j) &
+                               + frame(3, i, p)*forces(3, 2*p - 1, j)
+            end do
+            rows(4, j, p) = 0.0_wp
+            do i = 1, 2
+               rows(4 + i, j, p) = gradient(1, i, p)*forces(1, 2*p, j) + gradient(2, i, p)*forces(2, 2*p, j) &
+                                   + gradient(3, i, p)*forces(3, 2*p, j)
+            end do
          end do
       end do
-   end subroutine sides
+   end subroutine on_unknowns
 
-   !> block <- block - left right^T.
-   pure subroutine take_product(left, right, block)
-      real(wp), intent(in) :: left(6, 3), right(6, 3)
+   !> Takes derivatives by r off a block whose columns are the unknowns of a node.
+   pure subroutine take_place(point, shape, frame, gradient, block)
+      real(wp), intent(in) :: point(6, 3)                    !< rows of unknowns by r
+      real(wp), intent(in) :: shape(2)                       !< what r has of the node's place and director
+      real(wp), intent(in) :: frame(3, 3), gradient(3, 2)    !< of the node
       real(wp), intent(inout) :: block(6, 6)
-      integer :: i, j
-      do j = 1, 6
-         do i = 1, 6
-            block(i, j) = block(i, j) - left(i, 1)*right(j, 1) - left(i, 2)*right(j, 2) - left(i, 3)*right(j, 3)
-         end do
+      integer :: i
+      do i = 1, 6
+         block(i, 1) = block(i, 1) - shape(1)*(point(i, 1)*frame(1, 1) + point(i, 2)*frame(2, 1) + point(i, 3)*frame(3, 1))
+         block(i, 2) = block(i, 2) - shape(1)*(point(i, 1)*frame(1, 2) + point(i, 2)*frame(2, 2) + point(i, 3)*frame(3, 2))
+         block(i, 3) = block(i, 3) - shape(1)*(point(i, 1)*frame(1, 3) + point(i, 2)*frame(2, 3) + point(i, 3)*frame(3, 3))
+         block(i, 5) = block(i, 5) - shape(2)*(point(i, 1)*gradient(1, 1) + point(i, 2)*gradient(2, 1) &
+                                               + point(i, 3)*gradient(3, 1))
+         block(i, 6) = block(i, 6) - shape(2)*(point(i, 1)*gradient(1, 2) + point(i, 2)*gradient(2, 2) &
+                                               + point(i, 3)*gradient(3, 2))
       end do
-   end subroutine take_product
+   end subroutine take_place
 
-   pure subroutine add_block(block, to)
-      real(wp), intent(in) :: block(6, 6)
-      real(wp), intent(inout) :: to(6, 6)
-      to = to + block
-   end subroutine add_block
-
-   pure subroutine transpose_block(from, to)
-      real(wp), intent(in) :: from(6, 6)
-      real(wp), intent(out) :: to(6, 6)
-      to = transpose(from)
-   end subroutine transpose_block
+   !> The same by r and r'.
+   pure subroutine take_both(point, direction, shape, slope, frame, gradient, block)
+      real(wp), intent(in) :: point(6, 3), direction(6, 3)   !< rows of unknowns by r and by r'
+      real(wp), intent(in) :: shape(2), slope(2)             !< what r and r' have of the node's place and director
+      real(wp), intent(in) :: frame(3, 3), gradient(3, 2)
+      real(wp), intent(inout) :: block(6, 6)
+      real(wp) :: x1, x2, x3
+      integer :: i
+      do i = 1, 6
+         x1 = shape(1)*point(i, 1) + slope(1)*direction(i, 1)
+         x2 = shape(1)*point(i, 2) + slope(1)*direction(i, 2)
+         x3 = shape(1)*point(i, 3) + slope(1)*direction(i, 3)
+         block(i, 1) = block(i, 1) - (x1*frame(1, 1) + x2*frame(2, 1) + x3*frame(3, 1))
+         block(i, 2) = block(i, 2) - (x1*frame(1, 2) + x2*frame(2, 2) + x3*frame(3, 2))
+         block(i, 3) = block(i, 3) - (x1*frame(1, 3) + x2*frame(2, 3) + x3*frame(3, 3))
+      end do
+      do i = 1, 6
+         x1 = shape(2)*point(i, 1) + slope(2)*direction(i, 1)
+         x2 = shape(2)*point(i, 2) + slope(2)*direction(i, 2)
+         x3 = shape(2)*point(i, 3) + slope(2)*direction(i, 3)
+         block(i, 5) = block(i, 5) - (x1*gradient(1, 1) + x2*gradient(2, 1) + x3*gradient(3, 1))
+         block(i, 6) = block(i, 6) - (x1*gradient(1, 2) + x2*gradient(2, 2) + x3*gradient(3, 2))
+      end do
+   end subroutine take_both
 
    !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
    pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)

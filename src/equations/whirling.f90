@@ -19,12 +19,13 @@
 !> axis.
 module dg_whirling
    use dg_kinds, only: wp
+   use dg_beam_blocks, only: part_energy, part_rest
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_coiling, only: coiling_load
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
-   use dg_scatter, only: element_type, part_energy, part_rest
+   use dg_scatter, only: element_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_vector, only: outer
    use dg_workspace, only: dof_twist, workspace_type

@@ -31,19 +31,20 @@ module dg_gap_contact
 contains
 
    !> Force F(3) [N] and moment M(3) [N.m] on the string.
-   pure subroutine contact_action(gap, tangent, normal_force, axial, rotary, radius, force, moment)
+   pure subroutine contact_action(gap, tangent, normal_force, axial, rotary, climbing, radius, force, moment)
       real(wp), intent(in) :: gap(3)        !< f [m], not zero, across tangent
       real(wp), intent(in) :: tangent(3)    !< t of the hole axis at the foot
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: axial         !< a: > 0 pushes the string down the hole [-]
       real(wp), intent(in) :: rotary        !< m >= 0 [-]
+      real(wp), intent(in) :: climbing      !< what stands for m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(in) :: radius        !< r [m]
       real(wp), intent(out) :: force(3)
       real(wp), intent(out) :: moment(3)
       real(wp) :: n(3), tau(3)
-      n = gap/norm2(gap)
+      n = gap*(1.0_wp/sqrt(gap(1)*gap(1) + gap(2)*gap(2) + gap(3)*gap(3)))
       tau = product_of(tangent, n)
-      force = normal_force*(-n + axial*tangent - rotary*tau)
+      force = normal_force*(-n + axial*tangent - climbing*tau)
       moment = -radius*normal_force*(axial*tau + rotary*tangent)
    end subroutine contact_action
 

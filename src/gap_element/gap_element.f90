@@ -10,7 +10,20 @@ module dg_gap_element
    use dg_kinds, only: wp
    implicit none
    private
-   public :: gap_nodal_force, gap_nodal_tangent, add_couple_tangent
+   public :: gap_derivative_type, gap_nodal_force, gap_derivatives, couple_derivatives
+
+   !> Derivatives of nodal forces and twisting by the point r and by r' at x0: r = N y, r' = N' y. They are of rank six at most, so
+   !> no matrix of 12 x 12 is made of them.
+   type :: gap_derivative_type
+      real(wp) :: point(3, 4, 3)               !< forces on x_i, d_i, x_j, d_j by r
+      logical :: turns                         !< a moment acts; without one what follows is not set
+      real(wp) :: direction(3, 4, 3)           !< the same by r'
+      real(wp) :: twisting_by_point(2, 3)      !< torques on both nodes by r
+      real(wp) :: twisting_by_direction(2, 3)  !< the same by r'
+      !> Vector whose shares 1 - xi and xi twist the nodes. These parts turn with the nodes' directors: force on d_i changes by
+      !> (1 - xi) twist x dd_i, torque on node i by (1 - xi) twist.dd_i.
+      real(wp) :: twist(3)
+   end type gap_derivative_type
 
 contains
 
@@ -39,35 +52,34 @@ contains
       twisting(2) = xi*sum(twist*d_j)
    end subroutine gap_nodal_force
 
-   !> Derivatives of gap_nodal_force by (x_i, d_i, x_j, d_j), taken off `stiffness`(12,12), and those of the twisting,
-   !> twist_row(2,12) with opposite sign: internal less external, as the assembly counts. x0 is held: states and
-   !> places of the gaps are re-judged between iterations.
-   pure subroutine gap_nodal_tangent(xi, shape, slope, d_i, d_j, direction, moment, force_tangent, moment_tangent, &
-                                     stiffness, twist_row)
-      real(wp), intent(in) :: xi, shape(4), slope(4), d_i(3), d_j(3), direction(3), moment(3)
+   !> Derivatives of gap_nodal_force, where a force and a moment depend on the point by force_tangent and moment_tangent (3,3)
+   !> [N/m, N]. x0 is held: states and places of the gaps are re-judged between iterations.
+   pure subroutine gap_derivatives(xi, shape, slope, d, direction, moment, force_tangent, moment_tangent, by)
+      real(wp), intent(in) :: xi, shape(4), slope(4), d(3, 2), direction(3), moment(3)   !< d: nodal directors
       real(wp), intent(in) :: force_tangent(3, 3), moment_tangent(3, 3) !< dF/dr, dM/dr
-      real(wp), intent(inout) :: stiffness(12, 12)
-      real(wp), intent(out) :: twist_row(2, 12)
-      real(wp) :: unit(3), bend(3), along, twist(3), column(3), rest
-      real(wp) :: bend_by_r(3, 3), bend_by_slope(3, 3), twist_by_r(3), twist_by_slope(3)
-      real(wp) :: by_point(12, 3), by_direction(12, 3), row_by_point(2, 3), row_by_direction(2, 3)
-      integer :: b, j
-      if (.not. (any(abs(moment) > 0.0_wp) .or. any(abs(moment_tangent) > 0.0_wp))) then
-         call take_force_tangent(shape, force_tangent, stiffness)
-         twist_row = 0.0_wp
+      type(gap_derivative_type), intent(out) :: by
+      real(wp) :: unit(3), bend(3), along, column(3), share(2), square, twist_by_r(3), twist_by_slope(3), bend_by_slope(3, 3)
+      integer :: a, j, p
+      by%turns = any(abs(moment) > 0.0_wp) .or. any(abs(moment_tangent) > 0.0_wp)
+      if (.not. by%turns) then
+         do j = 1, 3
+            do a = 1, 4
+               by%point(:, a, j) = shape(a)*force_tangent(:, j)
+            end do
+         end do
          return
       end if
-      rest = 1.0_wp - xi
-      unit = direction/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      share = [1.0_wp - xi, xi]
+      square = 1.0_wp/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      unit = direction*square
       bend = product_of(moment, unit)
-      along = sum(moment*unit)
-      twist = direction*along
+      along = moment(1)*unit(1) + moment(2)*unit(2) + moment(3)*unit(3)
+      by%twist = direction*along
       do j = 1, 3
-         bend_by_r(:, j) = product_of(moment_tangent(:, j), unit)
          bend_by_slope(:, j) = -2.0_wp*bend*unit(j)
       end do
       ! d(M x r')/|r'|^2 at fixed length: the skew matrix of M
-      column = moment/(direction(1)**2 + direction(2)**2 + direction(3)**2)
+      column = moment*square
       bend_by_slope(2, 1) = bend_by_slope(2, 1) + column(3)
       bend_by_slope(3, 1) = bend_by_slope(3, 1) - column(2)
       bend_by_slope(1, 2) = bend_by_slope(1, 2) - column(3)
@@ -75,99 +87,42 @@ contains
       bend_by_slope(1, 3) = bend_by_slope(1, 3) + column(2)
       bend_by_slope(2, 3) = bend_by_slope(2, 3) - column(1)
       do j = 1, 3
-         by_point(:, j) = spread_out(shape, force_tangent(:, j)) + spread_out(slope, bend_by_r(:, j))
-         by_direction(:, j) = spread_out(slope, bend_by_slope(:, j))
-         twist_by_r = unit*sum(direction*moment_tangent(:, j))
-         twist_by_slope = unit*moment(j) - 2.0_wp*twist*unit(j)
+         column = product_of(moment_tangent(:, j), unit)
+         do a = 1, 4
+            by%point(:, a, j) = shape(a)*force_tangent(:, j) + slope(a)*column
+            by%direction(:, a, j) = slope(a)*bend_by_slope(:, j)
+         end do
+         twist_by_r = unit*(direction(1)*moment_tangent(1, j) + direction(2)*moment_tangent(2, j) &
+                            + direction(3)*moment_tangent(3, j))
+         twist_by_slope = unit*moment(j) - 2.0_wp*by%twist*unit(j)
          twist_by_slope(j) = twist_by_slope(j) + along
-         by_point(4:6, j) = by_point(4:6, j) + rest*product_of(twist_by_r, d_i)
-         by_point(10:12, j) = by_point(10:12, j) + xi*product_of(twist_by_r, d_j)
-         by_direction(4:6, j) = by_direction(4:6, j) + rest*product_of(twist_by_slope, d_i)
-         by_direction(10:12, j) = by_direction(10:12, j) + xi*product_of(twist_by_slope, d_j)
-         row_by_point(:, j) = -[rest*sum(twist_by_r*d_i), xi*sum(twist_by_r*d_j)]
-         row_by_direction(:, j) = -[rest*sum(twist_by_slope*d_i), xi*sum(twist_by_slope*d_j)]
-      end do
-      call take_columns(shape, slope, by_point, by_direction, stiffness)
-      do b = 1, 4
-         twist_row(:, 3*b - 2:3*b) = shape(b)*row_by_point + slope(b)*row_by_direction
-      end do
-      ! the directors on which the twisting vector acts
-      twist_row(1, 4:6) = twist_row(1, 4:6) - rest*twist
-      twist_row(2, 10:12) = twist_row(2, 10:12) - xi*twist
-      call take_skew(rest*twist, 4, stiffness)
-      call take_skew(xi*twist, 10, stiffness)
-   end subroutine gap_nodal_tangent
-
-   !> The same where nothing turns the string: the force alone, a fifth of the work.
-   pure subroutine take_force_tangent(shape, force_tangent, stiffness)
-      real(wp), intent(in) :: shape(4), force_tangent(3, 3)
-      real(wp), intent(inout) :: stiffness(12, 12)
-      real(wp) :: by_point(12, 3)
-      integer :: b, j, k
-      do j = 1, 3
-         by_point(:, j) = spread_out(shape, force_tangent(:, j))
-      end do
-      do b = 1, 4
-         do j = 1, 3
-            k = 3*(b - 1) + j
-            stiffness(:, k) = stiffness(:, k) - shape(b)*by_point(:, j)
+         do p = 1, 2
+            by%point(:, 2*p, j) = by%point(:, 2*p, j) + share(p)*product_of(twist_by_r, d(:, p))
+            by%direction(:, 2*p, j) = by%direction(:, 2*p, j) + share(p)*product_of(twist_by_slope, d(:, p))
+            by%twisting_by_point(p, j) = share(p)*(twist_by_r(1)*d(1, p) + twist_by_r(2)*d(2, p) + twist_by_r(3)*d(3, p))
+            by%twisting_by_direction(p, j) = share(p)*(twist_by_slope(1)*d(1, p) + twist_by_slope(2)*d(2, p) &
+                                                       + twist_by_slope(3)*d(3, p))
          end do
       end do
-   end subroutine take_force_tangent
+   end subroutine gap_derivatives
 
-   !> Takes the derivatives of a force F on r and of P on r' at x0, by r and by r' (3,3), off `stiffness`(12,12).
-   pure subroutine add_couple_tangent(shape, slope, force_by_point, force_by_direction, bend_by_point, bend_by_direction, stiffness)
+   !> The same of a force F on r and of P on r' at x0, that depend on r and r' by derivatives (3,3).
+   pure subroutine couple_derivatives(shape, slope, force_by_point, force_by_direction, bend_by_point, bend_by_direction, by)
       real(wp), intent(in) :: shape(4), slope(4)
       real(wp), intent(in) :: force_by_point(3, 3), force_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
-      real(wp), intent(inout) :: stiffness(12, 12)
-      real(wp) :: by_point(12, 3), by_direction(12, 3)
-      integer :: j
+      type(gap_derivative_type), intent(out) :: by
+      integer :: a, j
+      by%turns = .true.
+      by%twist = 0.0_wp
+      by%twisting_by_point = 0.0_wp
+      by%twisting_by_direction = 0.0_wp
       do j = 1, 3
-         by_point(:, j) = spread_out(shape, force_by_point(:, j)) + spread_out(slope, bend_by_point(:, j))
-         by_direction(:, j) = spread_out(shape, force_by_direction(:, j)) + spread_out(slope, bend_by_direction(:, j))
-      end do
-      call take_columns(shape, slope, by_point, by_direction, stiffness)
-   end subroutine add_couple_tangent
-
-   !> What a vector at x0 is on the four nodal vectors that carry it with the weights.
-   pure function spread_out(weights, vector) result(nodal)
-      real(wp), intent(in) :: weights(4), vector(3)
-      real(wp) :: nodal(12)
-      integer :: a
-      do a = 1, 4
-         nodal(3*a - 2) = weights(a)*vector(1)
-         nodal(3*a - 1) = weights(a)*vector(2)
-         nodal(3*a) = weights(a)*vector(3)
-      end do
-   end function spread_out
-
-   !> Takes derivatives of nodal forces by r and by r' at x0 (12,3) off `stiffness`(12,12): r = N y, r' = N' y.
-   pure subroutine take_columns(shape, slope, by_point, by_direction, stiffness)
-      real(wp), intent(in) :: shape(4), slope(4), by_point(12, 3), by_direction(12, 3)
-      real(wp), intent(inout) :: stiffness(12, 12)
-      integer :: b, j, k
-      do b = 1, 4
-         do j = 1, 3
-            k = 3*(b - 1) + j
-            stiffness(:, k) = stiffness(:, k) - shape(b)*by_point(:, j) - slope(b)*by_direction(:, j)
+         do a = 1, 4
+            by%point(:, a, j) = shape(a)*force_by_point(:, j) + slope(a)*bend_by_point(:, j)
+            by%direction(:, a, j) = shape(a)*force_by_direction(:, j) + slope(a)*bend_by_direction(:, j)
          end do
       end do
-   end subroutine take_columns
-
-   !> Takes the matrix S(a), S(a) b = a x b, off the diagonal block that starts at `first`.
-   pure subroutine take_skew(a, first, stiffness)
-      real(wp), intent(in) :: a(3)
-      integer, intent(in) :: first
-      real(wp), intent(inout) :: stiffness(12, 12)
-      integer :: f
-      f = first
-      stiffness(f + 1, f) = stiffness(f + 1, f) - a(3)
-      stiffness(f + 2, f) = stiffness(f + 2, f) + a(2)
-      stiffness(f, f + 1) = stiffness(f, f + 1) + a(3)
-      stiffness(f + 2, f + 1) = stiffness(f + 2, f + 1) - a(1)
-      stiffness(f, f + 2) = stiffness(f, f + 2) - a(2)
-      stiffness(f + 1, f + 2) = stiffness(f + 1, f + 2) + a(1)
-   end subroutine take_skew
+   end subroutine couple_derivatives
 
    !> a x b, here so that it is inlined.
    pure function product_of(a, b) result(c)

@@ -3,7 +3,7 @@
 module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_beam_element, only: beam_section_type, beam_stress_tangent
+   use dg_beam_element, only: beam_stress_tangent
    use dg_block_matrix, only: add_multiple, block_matrix_type, copy_matrix, new_block_matrix
    use dg_block_solver, only: block_positive_definite
    use dg_director, only: director_curvature, director_gradient
@@ -67,19 +67,16 @@ contains
       type(workspace_type), intent(in) :: work       !< placed at `state`, with its axial forces
       type(block_matrix_type), intent(out) :: matrix
       type(element_type) :: element
-      type(beam_section_type) :: section
       real(wp) :: chord(3), force(12)
       integer :: e, n
       matrix = new_block_matrix(mesh%nodes)
       element%twist_row = 0.0_wp
       element%twist_column = 0.0_wp
       element%twist_stiffness = 0.0_wp
-      element%symmetric = .true.
       do e = 1, mesh%elements
          if (.not. work%axial(e) < 0.0_wp) cycle
          chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-         section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
-         call beam_stress_tangent(section, chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
+         call beam_stress_tangent(chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
          call scatter_more(mesh, e, director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e)), &
                            director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1)), element, matrix)
          do n = e, e + 1

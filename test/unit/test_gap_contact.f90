@@ -36,7 +36,7 @@ contains
       real(wp) :: force(3), moment(3)
       integer :: i
       do i = 1, size(a)
-         call contact_action(0.04_wp*n, t, normal_force, a(i), m(i), radius, force, moment)
+         call contact_action(0.04_wp*n, t, normal_force, a(i), m(i), m(i), radius, force, moment)
          call assertEqual(-normal_force, dot_product(force, n), round_off, message='normal')
          call assertEqual(a(i)*normal_force, dot_product(force, t), round_off, message='axial')
          call assertEqual(-m(i)*normal_force, dot_product(force, cross(t, n)), round_off, message='circumferential')
@@ -51,9 +51,9 @@ contains
    subroutine test_senses()
       real(wp), parameter :: t(3) = [1.0_wp, 0.0_wp, 0.0_wp], gap(3) = [0.0_wp, 0.0_wp, 0.03_wp]
       real(wp) :: force(3), moment(3), surface_velocity(3)
-      call contact_action(gap, t, normal_force, 0.3_wp, 0.0_wp, radius, force, moment)
+      call contact_action(gap, t, normal_force, 0.3_wp, 0.0_wp, 0.0_wp, radius, force, moment)
       call assertEqual([1500.0_wp, 0.0_wp, -5000.0_wp], force, round_off, message='up')
-      call contact_action(gap, t, normal_force, 0.0_wp, 0.3_wp, radius, force, moment)
+      call contact_action(gap, t, normal_force, 0.0_wp, 0.3_wp, 0.3_wp, radius, force, moment)
       surface_velocity = cross(t, [0.0_wp, 0.0_wp, radius])
       call assertLessThan(dot_product(force, surface_velocity), 0.0_wp, message='against the surface''s motion')
       call assertEqual([0.0_wp, 1500.0_wp, -5000.0_wp], force, round_off, message='turning')
@@ -106,7 +106,7 @@ contains
                                      normal_force_type(pressing, lag_stiffness*contact, pressing), 0.3_wp, 0.2_wp, 0.2_wp, radius, &
                                      f, mom, df, dm)
          if (way == 2) return
-         call contact_action(gap, t, load, 0.3_wp, 0.2_wp, radius, plain_force, plain_moment)
+         call contact_action(gap, t, load, 0.3_wp, 0.2_wp, 0.2_wp, radius, plain_force, plain_moment)
          call assertEqual(plain_force, f, 1.0e-9_wp, message='same force')
          call assertEqual(plain_moment, mom, 1.0e-9_wp, message='same moment')
       end subroutine action_at
@@ -138,7 +138,7 @@ contains
       real(wp), parameter :: t(3) = [1.0_wp, 0.0_wp, 0.0_wp], n(3) = [0.0_wp, 0.0_wp, 1.0_wp], tau(3) = [0.0_wp, -1.0_wp, 0.0_wp]
       real(wp), parameter :: straight(3) = 0.0_wp, couple = 0.3_wp*normal_force*radius, offset = 0.04_wp, slant = 0.01_wp
       real(wp) :: d(3), force(3), bend(3), ignored(3, 3, 4), eq4(3), moment(3)
-      call contact_action(offset*n, t, normal_force, 0.3_wp, 0.0_wp, radius, eq4, moment)
+      call contact_action(offset*n, t, normal_force, 0.3_wp, 0.0_wp, 0.0_wp, radius, eq4, moment)
       call sliding_couple(offset*n, t, straight, t, couple, 0.0_wp, force, bend, ignored(:, :, 1), ignored(:, :, 2), &
                           ignored(:, :, 3), ignored(:, :, 4))
       call assertEqual(moment, cross(t, bend), round_off, message='moment of Eq. 5')

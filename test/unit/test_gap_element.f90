@@ -1,7 +1,7 @@
 !> The nodal forces of a gap element (Eq. 6) are statically the same as its force and moment, in any displaced shape.
 module dg_test_gap_element
-   use funit, only: assertEqual, TestMethod, TestSuite
-   use dg_gap_element, only: gap_nodal_force, gap_nodal_tangent
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_gap_element, only: gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_kinds, only: wp
    use dg_vector, only: cross
@@ -64,29 +64,47 @@ contains
       end do
    end subroutine test_statically_the_same
 
-   !> The tangent against differences; force and moment depend on the point through two given matrices. It is taken off
-   !> what is there, as external forces are.
+   !> The derivatives against differences; force and moment depend on the point through two given matrices.
    subroutine test_derivatives()
       real(wp), parameter :: step = 1.0e-5_wp, tolerance = 1.0e-6_wp  !< of entries near 1e4
       real(wp) :: y(12), y_moved(12), plus(12), minus(12), twist_plus(2), twist_minus(2), by_force(3, 3), by_moment(3, 3)
-      real(wp) :: stiffness(12, 12), twist_stiffness(2, 12), point(3), direction(3)
-      integer :: i, j
+      real(wp) :: stiffness(12, 12), twist_stiffness(2, 12), point(3), direction(3), d(3, 2), unit(3)
+      real(wp) :: shape_there(4), slope_there(4)
+      type(gap_derivative_type) :: by
+      integer :: a, i, j, k
       by_force = reshape([(1.0e3_wp*sin(1.0_wp*j), j=1, 9)], [3, 3])
       by_moment = reshape([(1.0e2_wp*cos(2.0_wp*j), j=1, 9)], [3, 3])
       y = shape_of_string()
       do i = 1, size(xi)
          call axis_at(y, xi(i), point, direction)
-         stiffness = 7.0_wp
-         call gap_nodal_tangent(xi(i), hermite_value(xi(i), length), hermite_slope(xi(i), length), y(4:6), y(10:12), direction, &
-                                moment, by_force, by_moment, stiffness, twist_stiffness)
+         d(:, 1) = y(4:6)
+         d(:, 2) = y(10:12)
+         shape_there = hermite_value(xi(i), length)
+         slope_there = hermite_slope(xi(i), length)
+         call gap_derivatives(xi(i), shape_there, slope_there, d, direction, moment, by_force, by_moment, by)
+         call assertTrue(by%turns, message='a moment acts')
+         do j = 1, 12
+            a = (j + 2)/3
+            k = j - 3*(a - 1)
+            stiffness(:, j) = shape_there(a)*reshape(by%point(:, :, k), [12]) + slope_there(a)*reshape(by%direction(:, :, k), [12])
+            twist_stiffness(:, j) = shape_there(a)*by%twisting_by_point(:, k) + slope_there(a)*by%twisting_by_direction(:, k)
+            if (a == 2) twist_stiffness(1, j) = twist_stiffness(1, j) + (1.0_wp - xi(i))*by%twist(k)
+            if (a == 4) twist_stiffness(2, j) = twist_stiffness(2, j) + xi(i)*by%twist(k)
+         end do
+         do k = 1, 3
+            unit = 0.0_wp
+            unit(k) = 1.0_wp
+            stiffness(4:6, 3 + k) = stiffness(4:6, 3 + k) + (1.0_wp - xi(i))*cross(by%twist, unit)
+            stiffness(10:12, 9 + k) = stiffness(10:12, 9 + k) + xi(i)*cross(by%twist, unit)
+         end do
          do j = 1, 12
             y_moved = y
             y_moved(j) = y(j) + step
             call moved_nodal(plus, twist_plus)
             y_moved(j) = y(j) - step
             call moved_nodal(minus, twist_minus)
-            call assertEqual((plus - minus)/(2.0_wp*step), 7.0_wp - stiffness(:, j), tolerance, message='nodal force')
-            call assertEqual((twist_plus - twist_minus)/(2.0_wp*step), -twist_stiffness(:, j), tolerance, message='twisting')
+            call assertEqual((plus - minus)/(2.0_wp*step), stiffness(:, j), tolerance, message='nodal force')
+            call assertEqual((twist_plus - twist_minus)/(2.0_wp*step), twist_stiffness(:, j), tolerance, message='twisting')
          end do
       end do
    contains
