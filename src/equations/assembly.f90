@@ -13,7 +13,7 @@ module dg_assembly
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
    use dg_gap_action, only: contact_action_at, contact_type, find_contact, load_type
-   use dg_gap_contact, only: contact_action, normal_force_type, sliding_couple
+   use dg_gap_contact, only: contact_action, couple_action, normal_force_type, sliding_couple
    use dg_gap_element, only: couple_derivatives, gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
@@ -337,11 +337,18 @@ contains
       real(wp), intent(inout) :: force(12)
       type(gap_derivative_type), intent(inout) :: by
       real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
+      real(wp) :: lever
       integer :: a
-      call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
-                          contact%axial*mesh%radius(e)*contact%pressing%force, &
-                          contact%axial*mesh%radius(e)*contact%pressing%stiffness, push, bend, push_by_point, push_by_direction, &
-                          bend_by_point, bend_by_direction)
+      lever = contact%axial*mesh%radius(e)
+      if (tangent) then
+         call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
+                             lever*contact%pressing%force, lever*contact%pressing%stiffness, push, bend, push_by_point, &
+                             push_by_direction, bend_by_point, bend_by_direction)
+         call couple_derivatives(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, bend_by_point, &
+                                 bend_by_direction, by)
+      else
+         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, lever*contact%pressing%force, push, bend)
+      end if
       if (allocated(work%contact_force)) then
          work%contact_force(:, e) = work%contact_force(:, e) + push
          work%contact_moment(:, e) = work%contact_moment(:, e) + cross(contact%direction, bend)
@@ -349,8 +356,6 @@ contains
       do a = 1, 4
          force(3*a - 2:3*a) = force(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
       end do
-      if (tangent) call couple_derivatives(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, &
-                                           bend_by_point, bend_by_direction, by)
    end subroutine add_couple
 
    !> Lateral supports of the ends, weight and torque on bit.

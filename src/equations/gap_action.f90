@@ -2,14 +2,13 @@
 !> contact forces are unknowns of their own.
 module dg_gap_action
    use dg_kinds, only: wp
-   use dg_director, only: director_gradient
-   use dg_gap_contact, only: contact_action, contact_action_tangent, normal_force_type, sliding_couple
+   use dg_beam_blocks, only: node_type, own_node, part_energy
+   use dg_gap_contact, only: contact_action, contact_action_tangent, couple_action, normal_force_type
    use dg_gap_element, only: gap_nodal_force
    use dg_gap_state, only: contact_force
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_mesh, only: mesh_type
-   use dg_beam_blocks, only: part_energy
    use dg_scatter, only: element_type
    use dg_whirling, only: add_turning, turning_type
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
@@ -62,8 +61,8 @@ contains
       contact%rotary = mesh%rotary(e)*loads%friction_scale
       contact%shape = hermite_value(gaps%xi(e), mesh%length(e))
       contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
-      contact%direction = contact%slope(1)*work%shift(:, e) + contact%slope(2)*work%d(:, e) &
-                          + contact%slope(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + contact%slope(4)*work%d(:, e + 1)
+      contact%direction = contact%slope(3)*(mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))) &
+                          + contact%slope(2)*work%d(:, e) + contact%slope(4)*work%d(:, e + 1)
       contact%climbing = work%climb(e)*contact%rotary
       contact%turning%lever = 0.0_wp
       if (work%climb(e) < 1.0_wp) then
@@ -105,32 +104,50 @@ contains
       type(workspace_type), intent(inout) :: work       !< placed and surveyed at `state`
       real(wp), intent(out) :: by(:, :), on(:, :)
       type(contact_type) :: contact
-      real(wp) :: nodal(12), twisting(2), outward(3), gradient(3, 2)
-      integer :: a, e, i, k
-      by = 0.0_wp
-      on = 0.0_wp
+      real(wp) :: nodal(12), twisting(2), outward(3)
+      integer :: e
       do e = 1, mesh%elements
-         if (work%displacement(e) < near*gaps%law(e)%clearance) cycle
+         if (work%displacement(e) < near*gaps%law(e)%clearance) then
+            on(:, e) = 0.0_wp
+            by(:, e) = 0.0_wp
+            cycle
+         end if
          call find_contact(mesh, loads, gaps, e, work, contact)
          call unit_force(mesh, gaps, e, work, contact, nodal, twisting)
-         outward = work%gap(:, e)/work%displacement(e)
-         do i = 0, 1
-            k = 6*i
-            gradient = director_gradient(mesh%frame(:, :, e + i), state(5:6, e + i), work%d(:, e + i))
-            do a = 1, 3
-               on(k + a, e) = sum(nodal(k + 1:k + 3)*mesh%frame(:, a, e + i))
-               by(k + a, e) = contact%shape(2*i + 1)*sum(outward*mesh%frame(:, a, e + i))
-            end do
-            on(k + 4, e) = twisting(i + 1)
-            do a = 1, 2
-               on(k + 4 + a, e) = sum(nodal(k + 4:k + 6)*gradient(:, a))
-               by(k + 4 + a, e) = contact%shape(2*i + 2)*sum(outward*gradient(:, a))
-            end do
-         end do
+         outward = work%gap(:, e)*(1.0_wp/work%displacement(e))
+         call rows_of_node(mesh%frame(:, :, e), own_node(state(5:6, e)), nodal(1:6), outward, contact%shape(1:2), on(1:6, e), &
+                           by(1:6, e))
+         call rows_of_node(mesh%frame(:, :, e + 1), own_node(state(5:6, e + 1)), nodal(7:12), outward, contact%shape(3:4), &
+                           on(7:12, e), by(7:12, e))
+         on(4, e) = twisting(1)
+         on(10, e) = twisting(2)
       end do
       on([dof_axial, dof_twist], 1) = 0.0_wp
       by([dof_axial, dof_twist], 1) = 0.0_wp
    end subroutine find_contact_rows
+
+   !> Those of one node but for the twist, on which `by` is nothing.
+   pure subroutine rows_of_node(frame, node, force, outward, shape, on, by)
+      real(wp), intent(in) :: frame(3, 3)
+      type(node_type), intent(in) :: node
+      real(wp), intent(in) :: force(6)       !< on place and director, in space axes
+      real(wp), intent(in) :: outward(3)     !< f/|f|
+      real(wp), intent(in) :: shape(2)       !< what r has of the node's place and director
+      real(wp), intent(inout) :: on(6), by(6)
+      real(wp) :: pull(3), push(3)
+      integer :: a
+      do a = 1, 3
+         on(a) = force(1)*frame(1, a) + force(2)*frame(2, a) + force(3)*frame(3, a)
+         pull(a) = force(4)*frame(1, a) + force(5)*frame(2, a) + force(6)*frame(3, a)
+         push(a) = outward(1)*frame(1, a) + outward(2)*frame(2, a) + outward(3)*frame(3, a)
+         by(a) = shape(1)*push(a)
+      end do
+      by(4) = 0.0_wp
+      do a = 1, 2
+         on(4 + a) = pull(1)*node%g(1, a) + pull(2)*node%g(2, a) + pull(3)*node%g(3, a)
+         by(4 + a) = shape(2)*(push(1)*node%g(1, a) + push(2)*node%g(2, a) + push(3)*node%g(3, a))
+      end do
+   end subroutine rows_of_node
 
    !> What a contact force of 1 N adds to the forces on (x_i, d_i, x_j, d_j) and to the torques at both nodes, internal less
    !> external.
@@ -143,7 +160,6 @@ contains
       real(wp), intent(out) :: nodal(12), twisting(2)
       type(element_type) :: ignored
       real(wp) :: action(3), moment(3), push(3), bend(3)
-      real(wp), dimension(3, 3) :: push_by_point, push_by_direction, bend_by_point, bend_by_direction
       integer :: a
       call contact_action(work%gap(:, e), work%axis_tangent(:, e), 1.0_wp, contact%axial, contact%rotary, contact%climbing, &
                           contact%radius, action, moment)
@@ -152,9 +168,7 @@ contains
       nodal = -nodal
       twisting = -twisting
       if (contact%sliding) then
-         call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
-                             contact%axial*mesh%radius(e), 0.0_wp, push, bend, push_by_point, push_by_direction, bend_by_point, &
-                             bend_by_direction)
+         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, contact%axial*mesh%radius(e), push, bend)
          do a = 1, 4
             nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
          end do

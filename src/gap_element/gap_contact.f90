@@ -19,7 +19,7 @@ module dg_gap_contact
    use dg_kinds, only: wp
    implicit none
    private
-   public :: normal_force_type, contact_action, contact_action_tangent, sliding_couple, support_action
+   public :: normal_force_type, contact_action, contact_action_tangent, couple_action, sliding_couple, support_action
 
    !> A normal force for contact_action_tangent.
    type :: normal_force_type
@@ -87,8 +87,24 @@ contains
       end do
    end subroutine contact_action_tangent
 
-   !> The couple of axial friction on a string that does not rotate, F_tau and P, with their derivatives by the point and
-   !> by r' (3,3); R's own derivative makes them unsymmetric.
+   !> The couple of axial friction on a string that does not rotate: F_tau on the point and P on r'.
+   pure subroutine couple_action(gap, tangent, direction, couple, force, bend)
+      real(wp), intent(in) :: gap(3), tangent(3)
+      real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised
+      real(wp), intent(in) :: couple            !< r R a [N.m]
+      real(wp), intent(out) :: force(3)         !< on the point [N]
+      real(wp), intent(out) :: bend(3)          !< on r' [N.m]
+      real(wp) :: n(3), tau(3), d(3), reciprocal, stretch
+      reciprocal = 1.0_wp/sqrt(gap(1)*gap(1) + gap(2)*gap(2) + gap(3)*gap(3))
+      stretch = 1.0_wp/sqrt(direction(1)*direction(1) + direction(2)*direction(2) + direction(3)*direction(3))
+      n = gap*reciprocal
+      d = direction*stretch
+      tau = product_of(tangent, n)
+      force = -(couple*reciprocal*(d(1)*tau(1) + d(2)*tau(2) + d(3)*tau(3)))*tau
+      bend = -(couple*stretch)*(n - d*(d(1)*n(1) + d(2)*n(2) + d(3)*n(3)))
+   end subroutine couple_action
+
+   !> As couple_action, with the derivatives of F_tau and P by the point and by r' (3,3); R's own derivative makes them unsymmetric.
    pure subroutine sliding_couple(gap, tangent, curvature, direction, couple, couple_stiffness, force, bend, force_by_point, &
                                   force_by_direction, bend_by_point, bend_by_direction)
       real(wp), intent(in) :: gap(3), tangent(3), curvature(3)
