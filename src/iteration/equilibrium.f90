@@ -70,7 +70,8 @@ contains
       work%separate = .false.
    end subroutine find_equilibrium
 
-   !> Measures the state for good.
+   !> Measures the state for good. Where the step before began next to an equilibrium forces are measured alone at first: most such
+   !> states are the last, and want no tangent. The stability of a string that is watched is judged by its tangent.
    pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -79,7 +80,13 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      call measure(it, equations, trajectory, mesh, gaps, state, work, it%before)
+      logical :: last
+      last = .not. it%watched .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
+      if (last) then
+         call measure(it, equations, trajectory, mesh, gaps, state, .true., work, it%before)
+         if (is_within(it, equations, it%tolerance)) return
+      end if
+      call measure(it, equations, trajectory, mesh, gaps, state, .false., work, it%before)
       if (it%watched) call swap_matrices(equations%matrix, it%energy)
    end subroutine measure_here
 

@@ -102,16 +102,17 @@ contains
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
    !> that are too deep. The tangent is the energy's where the string is watched.
-   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, work, largest)
+   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, work, largest)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
+      logical, intent(in) :: forces_only     !< without the tangent
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: largest
-      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, .false., work)
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, forces_only, work)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
          call hold_turn(state, it%held, equations%matrix, equations%residual)
       it%residual = equations%residual
