@@ -26,10 +26,18 @@ contains
       integer :: b
       b = block_size
       if (present(unknowns)) b = unknowns
-      allocate (matrix%diagonal(b, b, nodes), source=0.0_wp)
-      allocate (matrix%upper(b, b, nodes - 1), source=0.0_wp)
-      allocate (matrix%lower(b, b, nodes - 1), source=0.0_wp)
+      allocate (matrix%diagonal(b, b, nodes), matrix%upper(b, b, nodes - 1), matrix%lower(b, b, nodes - 1))
+      call clear(size(matrix%diagonal), matrix%diagonal)
+      call clear(size(matrix%upper), matrix%upper)
+      call clear(size(matrix%lower), matrix%lower)
    end function new_block_matrix
+
+   !> Plain numbers, which go many at a time: `source=` goes column by column.
+   pure subroutine clear(n, a)
+      integer, intent(in) :: n
+      real(wp), intent(out) :: a(n)
+      a = 0.0_wp
+   end subroutine clear
 
    !> to <- from, of the same size.
    pure subroutine copy_matrix(from, to)
