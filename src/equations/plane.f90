@@ -9,7 +9,7 @@ module dg_plane
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: plane_type, choose_way, find_plane, flatten, fold_rows, unfold
+   public :: plane_type, choose_way, find_plane, flatten, unfold
    public :: row_axial, row_lateral, row_slope
 
    !> Order of a node's three unknowns in the plane.
@@ -93,23 +93,6 @@ contains
          state(dof_twist, n) = 0.0_wp
       end do
    end subroutine flatten
-
-   !> Rows (12,e) by the unknowns of an element's two nodes in space become rows by those in the plane, in the first six places.
-   pure subroutine fold_rows(plane, rows)
-      type(plane_type), intent(in) :: plane
-      real(wp), intent(inout) :: rows(:, :)
-      real(wp) :: folded(6)
-      integer :: e, i
-      do e = 1, size(rows, 2)
-         do i = 0, 1
-            folded(3*i + row_axial) = rows(6*i + dof_axial, e)
-            folded(3*i + row_lateral) = dot_product(plane%lateral, rows(6*i + dof_lateral_1:6*i + dof_lateral_2, e))
-            folded(3*i + row_slope) = dot_product(plane%lateral, rows(6*i + dof_slope_1:6*i + dof_slope_2, e))
-         end do
-         rows(:6, e) = folded
-         rows(7:, e) = 0.0_wp
-      end do
-   end subroutine fold_rows
 
    !> A step(3,nodes) in the plane as one in space (6,nodes).
    pure subroutine unfold(plane, step, in_space)

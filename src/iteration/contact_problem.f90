@@ -16,13 +16,14 @@ module dg_contact_problem
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size, copy_matrix
    use dg_block_solver, only: block_positive_definite
+   use dg_element_rows, only: add_dyad, add_rows, multiply_rows
    use dg_equations, only: equations_type
    use dg_gap_action, only: find_contact_rows, load_type
    use dg_gap_state, only: depth_of, state_free, state_rigid
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_plane, only: fold_rows
+   use dg_plane_assembly, only: find_rows_in_plane
    use dg_tuning, only: tuning_type
    use dg_viscosity, only: raise_viscosity
    use dg_workspace, only: workspace_type
@@ -33,7 +34,7 @@ module dg_contact_problem
 
    type :: contact_problem_type
       integer :: unknowns = block_size         !< of a node
-      real(wp), allocatable :: by(:, :)        !< change of |f| by the element's unknowns (12,e), in a plane in the first six
+      real(wp), allocatable :: by(:, :)        !< change of |f| by the unknowns of the element's nodes (2*unknowns,e)
       real(wp), allocatable :: on(:, :)        !< residual by the contact force, the same
       real(wp), allocatable :: penalty(:)      !< rho (e) [N/m]
       real(wp), allocatable :: deep(:)         !< h (e) [m]
@@ -51,7 +52,7 @@ contains
       integer, intent(in) :: unknowns          !< of a node
       type(contact_problem_type), intent(out) :: problem
       problem%unknowns = unknowns
-      allocate (problem%by(12, mesh%elements), problem%on(12, mesh%elements), problem%penalty(mesh%elements), &
+      allocate (problem%by(2*unknowns, mesh%elements), problem%on(2*unknowns, mesh%elements), problem%penalty(mesh%elements), &
                 problem%deep(mesh%elements), problem%wanted(mesh%elements), problem%load(unknowns, mesh%nodes), source=0.0_wp)
       allocate (problem%closed(mesh%elements), source=.false.)
    end subroutine new_contact_problem
@@ -68,10 +69,10 @@ contains
       type(contact_problem_type), intent(inout) :: problem
       real(wp) :: wall
       integer :: e
-      call find_contact_rows(mesh, loads, gaps, state, work, problem%by, problem%on)
       if (equations%planar) then
-         call fold_rows(equations%plane, problem%by)
-         call fold_rows(equations%plane, problem%on)
+         call find_rows_in_plane(mesh, equations%plane, loads, gaps, state, work, problem%by, problem%on)
+      else
+         call find_contact_rows(mesh, loads, gaps, state, work, problem%by, problem%on)
       end if
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)
@@ -86,24 +87,12 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(out) :: load(:, :)
-      integer :: e
+      real(wp), intent(out), contiguous :: load(:, :)
+      real(wp) :: push(size(gaps%state))
       load = residual
-      do e = 1, size(gaps%state)
-         if (gaps%state(e) /= state_free) call add_row(problem%penalty(e)*problem%deep(e), problem%on(:, e), e, load)
-      end do
+      push = merge(problem%penalty*problem%deep, 0.0_wp, gaps%state /= state_free)
+      call add_rows(problem%unknowns, size(push), push, problem%on, load)
    end subroutine add_pushes
-
-   !> Adds factor times a row of an element's unknowns to both nodes of a load.
-   pure subroutine add_row(factor, row, e, load)
-      real(wp), intent(in) :: factor, row(12)
-      integer, intent(in) :: e
-      real(wp), intent(inout) :: load(:, :)
-      integer :: u
-      u = size(load, 1)
-      load(:, e) = load(:, e) + factor*row(:u)
-      load(:, e + 1) = load(:, e + 1) + factor*row(u + 1:2*u)
-   end subroutine add_row
 
    !> Stiffness of two springs in series [N/m].
    elemental function in_series(a, b) result(stiffness)
@@ -120,7 +109,7 @@ contains
       integer :: e
       call copy_matrix(energy, matrix)
       do e = 1, size(problem%closed)
-         if (problem%closed(e)) call add_dyad(problem%penalty(e)*problem%by(:, e), problem%by(:, e), e, matrix)
+         if (problem%closed(e)) call add_dyad(problem%penalty(e), problem%by(:, e), problem%by(:, e), e, matrix)
       end do
    end subroutine add_closed
 
@@ -161,25 +150,25 @@ contains
       type(contact_problem_type), intent(inout) :: problem   !< `closed`: where to begin
       integer, intent(out) :: fault                !< 0: none
       logical :: entered(size(force))              !< gaps whose stiffness is in the matrix
-      real(wp) :: change, rho
+      real(wp) :: change(size(force)), rho
       integer :: round, e, changes
       entered = .false.
       changes = 0
       do round = 1, most_rounds
          problem%load = residual
+         change = merge(problem%penalty*problem%deep, -force, problem%closed)
+         if (live) then
+            call add_rows(problem%unknowns, size(force), change, problem%on, problem%load)
+         else
+            call add_rows(problem%unknowns, size(force), change, problem%by, problem%load)
+         end if
          do e = 1, size(force)
-            change = merge(problem%penalty(e)*problem%deep(e), -force(e), problem%closed(e))
-            if (live) then
-               call add_row(change, problem%on(:, e), e, problem%load)
-            else
-               call add_row(change, problem%by(:, e), e, problem%load)
-            end if
             if (problem%closed(e) .eqv. entered(e)) cycle
             rho = merge(problem%penalty(e), -problem%penalty(e), problem%closed(e))
             if (live) then
-               call add_dyad(rho*problem%on(:, e), problem%by(:, e), e, equations%matrix)
+               call add_dyad(rho, problem%on(:, e), problem%by(:, e), e, equations%matrix)
             else
-               call add_dyad(rho*problem%by(:, e), problem%by(:, e), e, equations%matrix)
+               call add_dyad(rho, problem%by(:, e), problem%by(:, e), e, equations%matrix)
             end if
             entered(e) = problem%closed(e)
          end do
@@ -194,14 +183,16 @@ contains
    !> Opens and closes gaps by what a step makes of them; enters the forces wanted.
    pure subroutine judge_closed(gaps, force, step, problem, changes)
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: force(:), step(:, :)
+      real(wp), intent(in) :: force(:)
+      real(wp), intent(in), contiguous :: step(:, :)
       type(contact_problem_type), intent(inout) :: problem
       integer, intent(out) :: changes
-      real(wp) :: deep
+      real(wp) :: moved(size(force)), deep
       integer :: e
       changes = 0
+      call multiply_rows(problem%unknowns, size(force), problem%by, step, moved)
       do e = 1, size(force)
-         deep = problem%deep(e) + change_of_gap(problem, step, e)
+         deep = problem%deep(e) + moved(e)
          problem%wanted(e) = 0.0_wp
          if (problem%closed(e)) then
             problem%wanted(e) = force(e) + problem%penalty(e)*deep
@@ -219,29 +210,10 @@ contains
    !> Change of a gap's |f| by a step, to first order [m].
    pure function change_of_gap(problem, step, e) result(change)
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: step(:, :)
+      real(wp), intent(in), contiguous :: step(:, :)
       integer, intent(in) :: e
-      real(wp) :: change
-      integer :: i, u
-      u = problem%unknowns
-      change = 0.0_wp
-      do i = 1, u
-         change = change + problem%by(i, e)*step(i, e) + problem%by(u + i, e)*step(i, e + 1)
-      end do
+      real(wp) :: change, alone(1)
+      call multiply_rows(problem%unknowns, 1, problem%by(:, e), step(:, e:e + 1), alone)
+      change = alone(1)
    end function change_of_gap
-
-   !> Adds a b^T of an element's unknowns to a chain.
-   pure subroutine add_dyad(a, b, e, matrix)
-      real(wp), intent(in) :: a(12), b(12)
-      integer, intent(in) :: e
-      type(block_matrix_type), intent(inout) :: matrix
-      integer :: j, u
-      u = size(matrix%diagonal, 1)
-      do j = 1, u
-         matrix%diagonal(:, j, e) = matrix%diagonal(:, j, e) + a(:u)*b(j)
-         matrix%upper(:, j, e) = matrix%upper(:, j, e) + a(:u)*b(j + u)
-         matrix%lower(:, j, e) = matrix%lower(:, j, e) + a(u + 1:2*u)*b(j)
-         matrix%diagonal(:, j, e + 1) = matrix%diagonal(:, j, e + 1) + a(u + 1:2*u)*b(j + u)
-      end do
-   end subroutine add_dyad
 end module dg_contact_problem

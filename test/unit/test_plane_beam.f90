@@ -2,11 +2,10 @@
 module dg_test_plane_beam
    use funit, only: assertEqual, assertLessThan, TestMethod, TestSuite
    use dg_beam_angle, only: signed_angle
-   use dg_beam_element, only: beam_section_type, beam_tangent
+   use dg_beam_element, only: beam_section_type, beam_tangent, energy_weights
    use dg_director, only: director_curvature, director_gradient
    use dg_kinds, only: wp
-   use dg_plane_beam_element, only: director_force, director_stiffness, new_plane_node, plane_beam, plane_node_type, quarter_turn, &
-                                    unknowns
+   use dg_plane_beam_element, only: plane_beam, plane_node_type, unknowns
    implicit none
    private
    public :: plane_beam_suite
@@ -26,7 +25,7 @@ contains
       call suite%addTest(TestMethod('signed_angle', test_signed_angle))
       call suite%addTest(TestMethod('against_space', test_against_space))
       call suite%addTest(TestMethod('against_differences', test_against_differences))
-      call suite%addTest(TestMethod('directors', test_directors))
+      call suite%addTest(TestMethod('weights', test_weights))
    end function plane_beam_suite
 
    !> All quadrants, both sides of the switch to the series.
@@ -56,6 +55,26 @@ contains
       axes(:, 1) = [cos(start), sin(start)]
       axes(:, 2) = [cos(start + bend), sin(start + bend)]
    end subroutine configuration
+
+   !> A vector turned from the first axis to the second.
+   pure function quarter_turn(a) result(b)
+      real(wp), intent(in) :: a(2)
+      real(wp) :: b(2)
+      b = [-a(2), a(1)]
+   end function quarter_turn
+
+   !> A node of unknowns u, v [m] and beta [-] where the hole axis points to `axis`.
+   pure function new_plane_node(axis, u, v, beta) result(node)
+      real(wp), intent(in) :: axis(2)
+      real(wp), intent(in) :: u, v, beta
+      type(plane_node_type) :: node
+      node%axis = axis
+      node%across = quarter_turn(axis)
+      node%shift = u*node%axis + v*node%across
+      node%turn = 1.0_wp/(1.0_wp + beta*beta)
+      node%bend = -2.0_wp*beta*node%turn*node%turn
+      node%d = (node%axis + beta*node%across)*sqrt(node%turn)
+   end function new_plane_node
 
    pure subroutine set_up(x, axes, i, j, chord)
       real(wp), intent(in) :: x(unknowns), axes(2, 2)
@@ -146,20 +165,33 @@ contains
       end subroutine keep_tangent
    end subroutine test_against_differences
 
-   !> A constant force g on a director: its work g.d, derived once and twice by the slope.
-   subroutine test_directors()
-      real(wp), parameter :: axis(2) = [0.6_wp, 0.8_wp], g(2) = [3.0_wp, -7.0_wp], beta = 0.4_wp, step = 1.0e-4_wp
-      type(plane_node_type) :: node
-      real(wp) :: work(-1:1)
-      integer :: k
-      do k = -1, 1
-         node = new_plane_node(axis, 0.0_wp, 0.0_wp, beta + k*step)
-         work(k) = dot_product(g, node%d)
-         call assertEqual(1.0_wp, norm2(node%d), 1.0e-15_wp, message='unit')
+   !> Axial force and end moments by the weights of the element in space.
+   subroutine test_weights()
+      type(plane_node_type) :: i, j
+      real(wp) :: x(unknowns), axes(2, 2), chord(2), force(unknowns), axial, none(unknowns, unknowns)
+      real(wp) :: length, angle(2), bowing, expected, weight_a, weight_b
+      integer :: c
+      do c = 1, configurations
+         call configuration(c, x, axes)
+         call set_up(x, axes, i, j, chord)
+         call plane_beam(section, chord, i, j, .false., force, axial, none)
+         length = norm2(chord)
+         angle = [turn_to(i%d), turn_to(j%d)]
+         bowing = (2.0_wp*sum(angle**2) - product(angle))/30.0_wp
+         call energy_weights(section, length, bowing, expected, weight_a, weight_b)
+         call assertEqual(expected, axial, round_off*section%axial_stiffness, message='axial force')
+         call assertEqual((2.0_wp*weight_a*angle(1) + weight_b*angle(2))*i%turn, force(3), round_off*section%axial_stiffness, &
+                          message='moment')
+         call assertEqual((2.0_wp*weight_a*angle(2) + weight_b*angle(1))*j%turn, force(6), round_off*section%axial_stiffness, &
+                          message='moment')
       end do
-      node = new_plane_node(axis, 0.1_wp, 0.2_wp, beta)
-      call assertEqual([0.06_wp - 0.16_wp, 0.08_wp + 0.12_wp], node%shift, 1.0e-15_wp, message='shift')
-      call assertEqual((work(1) - work(-1))/(2.0_wp*step), director_force(node, g), 1.0e-7_wp, message='first')
-      call assertEqual((work(1) - 2.0_wp*work(0) + work(-1))/step**2, director_stiffness(node, g), 1.0e-6_wp, message='second')
-   end subroutine test_directors
+
+   contains
+
+      function turn_to(d) result(angle)
+         real(wp), intent(in) :: d(2)
+         real(wp) :: angle
+         angle = atan2(chord(1)*d(2) - chord(2)*d(1), dot_product(chord, d))
+      end function turn_to
+   end subroutine test_weights
 end module dg_test_plane_beam

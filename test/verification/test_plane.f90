@@ -8,6 +8,7 @@ module dg_test_plane
    use dg_case_result, only: case_result_type, result_converged, way_buckles, way_left, way_not_asked, way_planar, way_rotates, &
                              way_turns
    use dg_error, only: error_type
+   use dg_gap_action, only: find_contact_rows
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, new_gap_table
@@ -19,7 +20,7 @@ module dg_test_plane
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, settings_of
    use dg_plane, only: find_plane, flatten, plane_type, unfold
-   use dg_plane_assembly, only: assemble_in_plane
+   use dg_plane_assembly, only: assemble_in_plane, find_rows_in_plane
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: new_well, note, pipe, string_weight, three_part_well
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
@@ -38,6 +39,7 @@ contains
       suite = TestSuite('plane')
       call suite%addTest(TestMethod('equations_are_those_of_space', test_equations))
       call suite%addTest(TestMethod('tangent_matches_differences', test_differences))
+      call suite%addTest(TestMethod('rows_are_those_of_space', test_rows))
       call suite%addTest(TestMethod('planes_are_found', test_planes_are_found))
       call suite%addTest(TestMethod('build_hold_drop', test_build_hold_drop))
       call suite%addTest(TestMethod('lateral', test_lateral))
@@ -131,6 +133,39 @@ contains
       call note('largest difference of the tangents over their largest entry', worst/scale)
       call assertLessThan(worst, round_off*scale, message='tangent')
    end subroutine test_equations
+
+   !> Rows of contact forces in the plane are those in space, of gaps near the wall and of none else.
+   subroutine test_rows()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      type(plane_type) :: plane
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      real(wp), allocatable :: state(:, :), by(:, :), on(:, :), spatial_by(:, :), spatial_on(:, :)
+      real(wp) :: ways(12, 6)
+      integer :: i, rows
+      real(wp), parameter :: round_off = 1.0e-12_wp
+      call planar_string(model, mesh, plane, gaps, loads, state, work)
+      call place_nodes(mesh, state, work)
+      call survey_gaps(model%trajectory, mesh, gaps, work)
+      work%separate = .true.
+      work%normal = 0.0_wp
+      allocate (by(6, mesh%elements), on(6, mesh%elements), spatial_by(12, mesh%elements), spatial_on(12, mesh%elements))
+      call find_contact_rows(mesh, loads, gaps, state, work, spatial_by, spatial_on)
+      call find_rows_in_plane(mesh, plane, loads, gaps, state, work, by, on)
+      ways = 0.0_wp
+      do i = 0, 1
+         ways(6*i + 1, 3*i + 1) = 1.0_wp
+         ways(6*i + 2:6*i + 3, 3*i + 2) = plane%lateral
+         ways(6*i + 5:6*i + 6, 3*i + 3) = plane%lateral
+      end do
+      call assertEqual(matmul(transpose(ways), spatial_by), by, round_off, message='by')
+      call assertEqual(matmul(transpose(ways), spatial_on), on, round_off, message='on')
+      rows = count(maxval(abs(by), dim=1) > 0.0_wp)
+      call assertGreaterThan(rows, 1, message='some are near')
+      call assertLessThan(rows, mesh%elements, message='some are not')
+   end subroutine test_rows
 
    !> The tangent against central differences of the residual, as for the one in space.
    subroutine test_differences()
