@@ -29,24 +29,26 @@ module dg_beam_blocks
 
 contains
 
-   !> A node in its own frame.
-   pure function own_node(slopes) result(node)
-      real(wp), intent(in) :: slopes(2)       !< beta [-]
+   !> A node in its own frame, from the director in space axes.
+   pure function own_node(frame, d) result(node)
+      real(wp), intent(in) :: frame(3, 3)     !< columns t, n_1, n_2
+      real(wp), intent(in) :: d(3)
       type(node_type) :: node
-      real(wp) :: s, d2, d3
-      s = 1.0_wp/sqrt(1.0_wp + slopes(1)*slopes(1) + slopes(2)*slopes(2))
-      d2 = slopes(1)*s
-      d3 = slopes(2)*s
-      node%d(1) = s
+      real(wp) :: d1, d2, d3
+      d1 = frame(1, 1)*d(1) + frame(2, 1)*d(2) + frame(3, 1)*d(3)
+      d2 = frame(1, 2)*d(1) + frame(2, 2)*d(2) + frame(3, 2)*d(3)
+      d3 = frame(1, 3)*d(1) + frame(2, 3)*d(2) + frame(3, 3)*d(3)
+      node%d(1) = d1
       node%d(2) = d2
       node%d(3) = d3
-      node%g(1, 1) = -s*d2*s
-      node%g(2, 1) = (1.0_wp - d2*d2)*s
-      node%g(3, 1) = -d3*d2*s
-      node%g(1, 2) = -s*d3*s
+      ! d/dbeta of (1, beta_1, beta_2)/sqrt(1 + beta^2), whose first component is the root's inverse
+      node%g(1, 1) = -d1*d1*d2
+      node%g(2, 1) = (1.0_wp - d2*d2)*d1
+      node%g(3, 1) = -d1*d2*d3
+      node%g(1, 2) = -d1*d1*d3
       node%g(2, 2) = node%g(3, 1)
-      node%g(3, 2) = (1.0_wp - d3*d3)*s
-      node%fold = s*s*s
+      node%g(3, 2) = (1.0_wp - d3*d3)*d1
+      node%fold = d1*d1*d1
    end function own_node
 
    !> A node seen in another frame, in which the axes of its own are the columns of `turn`(3,3).

@@ -79,11 +79,11 @@ contains
       end if
       residual = 0.0_wp
       if (action%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
-      action%lower = own_node(state(5:6, 1))
+      action%lower = own_node(mesh%frame(:, :, 1), work%d(:, 1))
       action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, 1), action%lower%g)
       do e = 1, mesh%elements
          action%upper = action%lower
-         action%lower = own_node(state(5:6, e + 1))
+         action%lower = own_node(mesh%frame(:, :, e + 1), work%d(:, e + 1))
          action%gradient(:, :, 1) = action%gradient(:, :, 2)
          action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
          call add_beam(mesh, e, state(dof_twist, e + 1) - state(dof_twist, e), work, action)
@@ -111,7 +111,7 @@ contains
       call add_supports(trajectory, mesh, loads, action%tangent, work, residual, matrix)
       call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, action%part, action%tangent, work, matrix)
       do n = 1, mesh%nodes
-         own = own_node(state(5:6, n))
+         own = own_node(mesh%frame(:, :, n), work%d(:, n))
          residual(1:3, n) = in_frame(mesh%frame(:, :, n), work%node_force(1:3, n))
          moment = in_frame(mesh%frame(:, :, n), work%node_force(4:6, n))
          do j = 1, 2
@@ -258,8 +258,8 @@ contains
          twisted = abs(work%torque(e)) > 0.0_wp
          rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
          if (.not. (rubs .or. twisted)) cycle
-         action%upper = own_node(state(5:6, e))
-         action%lower = own_node(state(5:6, e + 1))
+         action%upper = own_node(mesh%frame(:, :, e), work%d(:, e))
+         action%lower = own_node(mesh%frame(:, :, e + 1), work%d(:, e + 1))
          action%blocks = 0.0_wp
          action%bends = .false.
          if (twisted) then

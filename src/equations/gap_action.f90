@@ -96,12 +96,11 @@ contains
    !> Of every gap near the wall: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m], and `on`(12,e), what a
    !> newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change dR adds on*dR to the
    !> residual, and dR = rho (h + by.d), h what the gap is too deep for its force. The held unknowns of the top have none.
-   pure subroutine find_contact_rows(mesh, loads, gaps, state, work, by, on)
+   pure subroutine find_contact_rows(mesh, loads, gaps, work, by, on)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work       !< placed and surveyed at `state`
+      type(workspace_type), intent(inout) :: work       !< placed and surveyed
       real(wp), intent(out) :: by(:, :), on(:, :)
       type(contact_type) :: contact
       real(wp) :: nodal(12), twisting(2), outward(3)
@@ -115,10 +114,9 @@ contains
          call find_contact(mesh, loads, gaps, e, work, contact)
          call unit_force(mesh, gaps, e, work, contact, nodal, twisting)
          outward = work%gap(:, e)*(1.0_wp/work%displacement(e))
-         call rows_of_node(mesh%frame(:, :, e), own_node(state(5:6, e)), nodal(1:6), outward, contact%shape(1:2), on(1:6, e), &
-                           by(1:6, e))
-         call rows_of_node(mesh%frame(:, :, e + 1), own_node(state(5:6, e + 1)), nodal(7:12), outward, contact%shape(3:4), &
-                           on(7:12, e), by(7:12, e))
+         call rows_of_node(mesh%frame(:, :, e), work%d(:, e), nodal(1:6), outward, contact%shape(1:2), on(1:6, e), by(1:6, e))
+         call rows_of_node(mesh%frame(:, :, e + 1), work%d(:, e + 1), nodal(7:12), outward, contact%shape(3:4), on(7:12, e), &
+                           by(7:12, e))
          on(4, e) = twisting(1)
          on(10, e) = twisting(2)
       end do
@@ -127,15 +125,16 @@ contains
    end subroutine find_contact_rows
 
    !> Those of one node but for the twist, on which `by` is nothing.
-   pure subroutine rows_of_node(frame, node, force, outward, shape, on, by)
-      real(wp), intent(in) :: frame(3, 3)
-      type(node_type), intent(in) :: node
+   pure subroutine rows_of_node(frame, d, force, outward, shape, on, by)
+      real(wp), intent(in) :: frame(3, 3), d(3)   !< of the node
       real(wp), intent(in) :: force(6)       !< on place and director, in space axes
       real(wp), intent(in) :: outward(3)     !< f/|f|
       real(wp), intent(in) :: shape(2)       !< what r has of the node's place and director
       real(wp), intent(inout) :: on(6), by(6)
+      type(node_type) :: node
       real(wp) :: pull(3), push(3)
       integer :: a
+      node = own_node(frame, d)
       do a = 1, 3
          on(a) = force(1)*frame(1, a) + force(2)*frame(2, a) + force(3)*frame(3, a)
          pull(a) = force(4)*frame(1, a) + force(5)*frame(2, a) + force(6)*frame(3, a)

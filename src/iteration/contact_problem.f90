@@ -72,7 +72,7 @@ contains
       if (equations%planar) then
          call find_rows_in_plane(mesh, equations%plane, loads, gaps, state, work, problem%by, problem%on)
       else
-         call find_contact_rows(mesh, loads, gaps, state, work, problem%by, problem%on)
+         call find_contact_rows(mesh, loads, gaps, work, problem%by, problem%on)
       end if
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)

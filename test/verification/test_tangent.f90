@@ -281,7 +281,7 @@ contains
          if (kind > 1) mesh%rotary = 0.0_wp
          work%normal = [(1000.0_wp + 100.0_wp*e, e=1, mesh%elements)]
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, ignored)
-         call find_contact_rows(mesh, loads, gaps, state, work, by, on)
+         call find_contact_rows(mesh, loads, gaps, work, by, on)
          do e = 1, mesh%elements
             if (gaps%state(e) == state_free) cycle
             closed = closed + 1
