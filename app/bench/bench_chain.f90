@@ -1,6 +1,7 @@
 !> The equations of one load case as an iteration meets them: mesh, gaps and matrix at the predicted state.
 module dg_bench_chain
    use dg_assembly, only: assemble, load_type
+   use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, new_block_matrix
    use dg_bench_tools, only: now
    use dg_gap_state, only: gap_law_type
@@ -14,7 +15,7 @@ module dg_bench_chain
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
-   public :: chain_type, new_chain, assemble_chain, survey_chain, time_chain, remaining, phases, least_elements
+   public :: chain_type, new_chain, assemble_chain, survey_chain, time_chain, time_band, remaining, phases, least_elements
 
    !> Phases of an iteration: survey of the gaps, assembly, solution.
    integer, parameter :: phases = 3
@@ -103,6 +104,24 @@ contains
       t(3) = now()
       seconds = t(1:) - t(:phases - 1)
    end subroutine time_chain
+
+   !> Seconds of LAPACK's band solver for the same equations, so many times over: what an iteration is compared with.
+   subroutine time_band(repeats, chain, x, seconds)
+      integer, intent(in) :: repeats
+      type(chain_type), intent(in) :: chain
+      real(wp), intent(inout) :: x(:, :)         !< (6,nodes)
+      real(wp), intent(out) :: seconds
+      type(band_solver_type) :: band
+      integer :: again, info
+      band = new_band_solver(chain%mesh%nodes)
+      seconds = now()
+      do again = 1, repeats
+         call band_factor(band, chain%matrix, info)
+         x = -chain%residual
+         call band_solve(band, x)
+      end do
+      seconds = now() - seconds
+   end subroutine time_band
 
    !> Largest |r + K x| over the largest |r| [-].
    pure function remaining(chain, x) result(remainder)
