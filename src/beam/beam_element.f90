@@ -73,7 +73,7 @@ contains
       type(measure_type) :: m
       real(wp) :: by(12)
       m = measure(chord, d_i, d_j)
-      call gradient(m, d_i, d_j, energy_slopes(m, 1.0_wp, m%length/15.0_wp, -m%length/30.0_wp), by)
+      call gradient(m, d_i, d_j, energy_slopes(m, 1.0_wp, 2.0_wp*thirtieth*m%length, -thirtieth*m%length), by)
       change = dot_product(by, moved)
    end function membrane_change
 
@@ -91,7 +91,7 @@ contains
       call angle_ratio(m%c_j, m%g_j, m%dg_j, m%ddg_j)
       m%s = dot_product(m%a_i, m%a_j)          ! = p - c_i c_j without its cancellation
       product = m%g_i*m%g_j
-      m%bowing = (2.0_wp*(angle_square(m%c_i, m%g_i) + angle_square(m%c_j, m%g_j)) - product*m%s)/30.0_wp
+      m%bowing = (2.0_wp*(angle_square(m%c_i, m%g_i) + angle_square(m%c_j, m%g_j)) - product*m%s)*thirtieth
       m%a_ci = -2.0_wp*m%g_i
       m%a_cj = -2.0_wp*m%g_j
       m%b_ci = m%dg_i*m%g_j*m%s - product*m%c_j
@@ -107,12 +107,13 @@ contains
       real(wp), intent(in) :: bowing     !< b [-]
       real(wp), intent(out) :: axial     !< N, tension > 0 [N]
       real(wp), intent(out) :: weight_a, weight_b  !< dU/dA, dU/dB [N.m]
-      real(wp) :: bending
+      real(wp) :: bending, carried
       axial = section%axial_stiffness*(length*(1.0_wp + bowing) - section%membrane_length)/section%membrane_length
       bending = 2.0_wp*section%bending_stiffness/section%length
       ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m
-      weight_a = axial*length/15.0_wp + bending
-      weight_b = -axial*length/30.0_wp + bending
+      carried = thirtieth*axial*length
+      weight_a = bending + 2.0_wp*carried
+      weight_b = bending - carried
    end subroutine energy_weights
 
    !> Internal force dU/dy(12) [N; N.m per unit director] of the element, Eq. 9 left-hand side, and its axial force.
@@ -193,7 +194,7 @@ contains
       type(measure_type) :: m
       real(wp) :: c(4, 4), first(4)
       m = measure(chord, d_i, d_j)
-      first = energy_slopes(m, axial, axial*m%length/15.0_wp, -axial*m%length/30.0_wp)
+      first = energy_slopes(m, axial, 2.0_wp*thirtieth*axial*m%length, -thirtieth*axial*m%length)
       call gradient(m, d_i, d_j, first, force)
       call energy_hessian(m, 0.0_wp, axial, 0.0_wp, c)
       call space_hessian(m, d_i, d_j, c, first, ksigma)
@@ -220,7 +221,7 @@ contains
       real(wp), intent(in) :: axial       !< N, tension > 0 [N]
       real(wp), intent(in) :: bending     !< 2 EI/L [N.m]
       real(wp), intent(out) :: c(4, 4)
-      real(wp) :: b_ci, b_cj, b_p, s_l, s_ci, s_cj, s_p, weight_a, weight_b
+      real(wp) :: b_ci, b_cj, b_p, s_l, s_ci, s_cj, s_p, carried, weight_a, weight_b
       ! derivatives of the bowing, and of the strain times L_m
       b_ci = (2.0_wp*m%a_ci - m%b_ci)*thirtieth
       b_cj = (2.0_wp*m%a_cj - m%b_cj)*thirtieth
@@ -229,8 +230,9 @@ contains
       s_ci = m%length*b_ci
       s_cj = m%length*b_cj
       s_p = m%length*b_p
-      weight_b = bending - axial*m%length*thirtieth
-      weight_a = bending + 2.0_wp*(axial*m%length*thirtieth)
+      carried = thirtieth*axial*m%length
+      weight_a = bending + 2.0_wp*carried
+      weight_b = bending - carried
       c(1, 1) = stiffness*s_l*s_l
       c(2, 1) = stiffness*s_l*s_ci + axial*b_ci
       c(3, 1) = stiffness*s_l*s_cj + axial*b_cj

@@ -17,7 +17,6 @@ module dg_assembly
    use dg_gap_element, only: couple_derivatives, gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
-   use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
    use dg_scatter, only: add_blocks, element_type, hold_top, put_blocks, scatter_more, take_contact
    use dg_trajectory, only: trajectory_type
@@ -67,7 +66,7 @@ contains
       logical, intent(in), optional :: forces_only   !< absent: no
       type(action_type) :: action
       type(node_type) :: own
-      real(wp) :: load(4), top_force(3), moment(3)
+      real(wp) :: top_force(3), moment(3)
       integer :: e, n, j
       action%part = merge(part_energy, part_all, conservative)
       action%tangent = .true.
@@ -87,8 +86,7 @@ contains
          action%gradient(:, :, 1) = action%gradient(:, :, 2)
          action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
          call add_beam(mesh, e, state(dof_twist, e + 1) - state(dof_twist, e), work, action)
-         load = mesh%weight(e)*hermite_line_load(mesh%length(e))
-         action%force(3:12:3) = action%force(3:12:3) - load
+         call take_weight(mesh%weight(e), mesh%length(e), action%force)
          if (abs(mesh%drag(e)) > 0.0_wp) then
             action%force(1:3) = action%force(1:3) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e)
             action%force(7:9) = action%force(7:9) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e + 1)
@@ -127,6 +125,20 @@ contains
       residual([dof_axial, dof_twist], 1) = 0.0_wp
       if (action%tangent) call hold_top(matrix)
    end subroutine assemble
+
+   !> Takes an element's weight, down, off its forces: hermite_line_load, here so that it is inlined.
+   pure subroutine take_weight(weight, length, force)
+      real(wp), intent(in) :: weight, length     !< [N/m, m]
+      real(wp), intent(inout) :: force(12)
+      real(wp), parameter :: twelfth = 1.0_wp/12.0_wp
+      real(wp) :: load, turning
+      load = 0.5_wp*weight*length
+      turning = twelfth*weight*length*length
+      force(3) = force(3) - load
+      force(6) = force(6) - turning
+      force(9) = force(9) - load
+      force(12) = force(12) + turning
+   end subroutine take_weight
 
    !> Columns of components along a frame's axes, in space axes.
    pure function in_columns(frame, own) result(space)
