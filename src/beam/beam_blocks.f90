@@ -12,7 +12,7 @@ module dg_beam_blocks
    use dg_beam_element, only: measure_type
    implicit none
    private
-   public :: node_type, own_node, seen_from, turn_of, beam_blocks, add_torque_blocks
+   public :: beam_blocks, torque_blocks
    public :: block_ii, block_ij, block_ji, block_jj, part_all, part_energy, part_rest
 
    !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
@@ -77,11 +77,43 @@ contains
       end do
    end function turn_of
 
-   !> K0 + KN + Ksigma of Eq. 10 in the four blocks of an element, blocks(6,6,4) in the order block_ii, block_ij, block_ji, block_jj
-   !> [N/m, N, N.m]. Rows and columns of the twist are zero.
-   pure subroutine beam_blocks(m, first, c, frame, turn, i, j, blocks)
-      type(measure_type), intent(in) :: m        !< in space axes
-      real(wp), intent(in) :: first(4), c(4, 4)  !< derivatives of the energy by (l, c_i, c_j, p)
+   !> K0 + KN + Ksigma of Eq. 10 and the torque's tangent, or the part of it that derives from an energy, in the four blocks of an
+   !> element, blocks(6,6,4) in the order block_ii, block_ij, block_ji, block_jj [N/m, N, N.m].
+   pure subroutine beam_blocks(m, first, c, frame, d, torque, stiffness, part, blocks)
+      type(measure_type), intent(in) :: m            !< in space axes
+      real(wp), intent(in) :: first(4), c(4, 4)      !< derivatives of the energy by (l, c_i, c_j, p)
+      real(wp), intent(in) :: frame(3, 3, 2), d(3, 2)   !< of both nodes
+      real(wp), intent(in) :: torque                 !< T = GJ/L (phi_j - phi_i) [N.m]
+      real(wp), intent(in) :: stiffness              !< GJ/L [N.m]
+      integer, intent(in) :: part                    !< of the torque's tangent
+      real(wp), intent(out) :: blocks(6, 6, 4)
+      type(node_type) :: i, j
+      real(wp) :: turn(3, 3)
+      turn = turn_of(frame(:, :, 1), frame(:, :, 2))
+      i = own_node(frame(:, :, 1), d(:, 1))
+      j = seen_from(turn, own_node(frame(:, :, 2), d(:, 2)))
+      call fill_blocks(m, first, c, frame(:, :, 1), turn, i, j, blocks)
+      blocks(4, 4, block_ii) = stiffness
+      blocks(4, 4, block_jj) = stiffness
+      blocks(4, 4, block_ij) = -stiffness
+      blocks(4, 4, block_ji) = -stiffness
+      if (abs(torque) > 0.0_wp) call add_torque(torque, stiffness, part, i, j, blocks)
+   end subroutine beam_blocks
+
+   !> What is not symmetric of the torque's tangent, alone.
+   pure subroutine torque_blocks(frame, d, torque, stiffness, blocks)
+      real(wp), intent(in) :: frame(3, 3, 2), d(3, 2), torque, stiffness   !< as of beam_blocks
+      real(wp), intent(out) :: blocks(6, 6, 4)
+      blocks = 0.0_wp
+      if (.not. abs(torque) > 0.0_wp) return
+      call add_torque(torque, stiffness, part_rest, own_node(frame(:, :, 1), d(:, 1)), &
+                      seen_from(turn_of(frame(:, :, 1), frame(:, :, 2)), own_node(frame(:, :, 2), d(:, 2))), blocks)
+   end subroutine torque_blocks
+
+   !> The beam's part; rows and columns of the twist are zero.
+   pure subroutine fill_blocks(m, first, c, frame, turn, i, j, blocks)
+      type(measure_type), intent(in) :: m
+      real(wp), intent(in) :: first(4), c(4, 4)
       real(wp), intent(in) :: frame(3, 3)        !< of the upper node
       real(wp), intent(in) :: turn(3, 3)         !< of turn_of
       type(node_type), intent(in) :: i, j        !< both seen from the upper node
@@ -188,25 +220,16 @@ contains
             blocks(4 + k, 4 + l, block_ji) = x
          end do
       end do
-   end subroutine beam_blocks
+   end subroutine fill_blocks
 
-   !> Adds the tangent of a torque T = GJ/L (phi_j - phi_i), or a part of it, to an element's blocks: twist by twist, and the slopes'
-   !> moments of torque_force, t x d, by slopes and twist.
-   pure subroutine add_torque_blocks(torque, stiffness, part, i, j, blocks)
-      real(wp), intent(in) :: torque              !< T [N.m]
-      real(wp), intent(in) :: stiffness           !< GJ/L [N.m]
-      integer, intent(in) :: part                 !< part_rest has nothing of what is symmetric
+   !> Adds a part of the torque's tangent but for that of twist by twist: the moments of torque_force by slopes and twist.
+   pure subroutine add_torque(torque, stiffness, part, i, j, blocks)
+      real(wp), intent(in) :: torque, stiffness
+      integer, intent(in) :: part
       type(node_type), intent(in) :: i, j         !< both seen from one frame
       real(wp), intent(inout) :: blocks(6, 6, 4)
       real(wp) :: factor, p, x(3), ti(2), tj(2), dji(2), dij(2), ii(2, 2), jj(2, 2), ij(2, 2), ji(2, 2)
       integer :: k, l
-      if (part /= part_rest) then
-         blocks(4, 4, block_ii) = blocks(4, 4, block_ii) + stiffness
-         blocks(4, 4, block_jj) = blocks(4, 4, block_jj) + stiffness
-         blocks(4, 4, block_ij) = blocks(4, 4, block_ij) - stiffness
-         blocks(4, 4, block_ji) = blocks(4, 4, block_ji) - stiffness
-      end if
-      if (.not. abs(torque) > 0.0_wp) return
       p = i%d(1)*j%d(1) + i%d(2)*j%d(2) + i%d(3)*j%d(3)
       factor = 1.0_wp/(1.0_wp + p)
       ! derivative by T, d_i x d_j/(1 + p), and its products with the derivatives of the directors
@@ -246,7 +269,7 @@ contains
          blocks(4 + k, 4, block_ji) = blocks(4 + k, 4, block_ji) - stiffness*tj(k)
          blocks(4 + k, 4, block_jj) = blocks(4 + k, 4, block_jj) + stiffness*tj(k)
       end do
-   end subroutine add_torque_blocks
+   end subroutine add_torque
 
    !> Adds a part of a slopes' matrix (2,2) to a block, `other` being its counterpart beyond the diagonal.
    pure subroutine add_part(part, matrix, other, block)

@@ -6,11 +6,10 @@
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
-   use dg_beam_blocks, only: add_torque_blocks, beam_blocks, node_type, own_node, part_all, part_energy, part_rest, seen_from, &
-                             turn_of
+   use dg_beam_blocks, only: beam_blocks, part_all, part_energy, part_rest, torque_blocks
    use dg_beam_element, only: beam_section_type, energy_hessian, measure_force, measure_type, torque_force
    use dg_block_matrix, only: block_matrix_type
-   use dg_director, only: director_curvature, director_gradient
+   use dg_director, only: director_gradient
    use dg_end_supports, only: end_action
    use dg_gap_action, only: contact_action_at, contact_type, find_contact, load_type
    use dg_gap_contact, only: contact_action, couple_action, normal_force_type, sliding_couple
@@ -20,23 +19,17 @@ module dg_assembly
    use dg_mesh, only: mesh_type
    use dg_scatter, only: add_blocks, element_type, hold_top, put_blocks, scatter_more, take_contact
    use dg_trajectory, only: trajectory_type
-   use dg_vector, only: cross, in_frame
+   use dg_vector, only: cross
    use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
    public :: load_type, assemble, add_unsymmetric_part
 
-   !> A node's axes seen from itself.
-   real(wp), parameter :: own_axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
-                                                          1.0_wp], [3, 3])
-
    !> What one element and its gap do, internal less external.
    type :: action_type
       integer :: part                   !< of the tangent
       logical :: tangent                !< is wanted
-      type(node_type) :: upper, lower   !< the nodes, each in its own frame
-      real(wp) :: gradient(3, 2, 2)     !< of both directors by their slopes, in space axes
       real(wp) :: force(12)             !< on (x_i, d_i, x_j, d_j), in space axes [N, N.m]
       real(wp) :: twisting(2)           !< torque on both nodes [N.m]
       real(wp) :: blocks(6, 6, 4)       !< its tangent in the nodes' unknowns
@@ -65,9 +58,8 @@ contains
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: no
       type(action_type) :: action
-      type(node_type) :: own
-      real(wp) :: top_force(3), moment(3)
-      integer :: e, n, j
+      real(wp) :: top_force(3), by_slopes(2, 2)
+      integer :: e, n
       action%part = merge(part_energy, part_all, conservative)
       action%tangent = .true.
       if (present(forces_only)) action%tangent = .not. forces_only
@@ -78,13 +70,7 @@ contains
       end if
       residual = 0.0_wp
       if (action%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
-      action%lower = own_node(mesh%frame(:, :, 1), work%d(:, 1))
-      action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, 1), action%lower%g)
       do e = 1, mesh%elements
-         action%upper = action%lower
-         action%lower = own_node(mesh%frame(:, :, e + 1), work%d(:, e + 1))
-         action%gradient(:, :, 1) = action%gradient(:, :, 2)
-         action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
          call add_beam(mesh, e, state(dof_twist, e + 1) - state(dof_twist, e), work, action)
          call take_weight(mesh%weight(e), mesh%length(e), action%force)
          if (abs(mesh%drag(e)) > 0.0_wp) then
@@ -103,20 +89,14 @@ contains
          work%node_force(:, e + 1) = action%force(7:12)
          if (.not. action%tangent) cycle
          call put_blocks(e, action%blocks, matrix)
-         if (action%bends) call scatter_more(mesh, e, action%gradient(:, :, 1), action%gradient(:, :, 2), action%element, matrix)
+         if (action%bends) call scatter_more(mesh, e, work%d(:, e:e + 1), action%element, matrix)
       end do
       top_force = work%node_force(1:3, 1)
       call add_supports(trajectory, mesh, loads, action%tangent, work, residual, matrix)
       call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, action%part, action%tangent, work, matrix)
       do n = 1, mesh%nodes
-         own = own_node(mesh%frame(:, :, n), work%d(:, n))
-         residual(1:3, n) = in_frame(mesh%frame(:, :, n), work%node_force(1:3, n))
-         moment = in_frame(mesh%frame(:, :, n), work%node_force(4:6, n))
-         do j = 1, 2
-            residual(4 + j, n) = moment(1)*own%g(1, j) + moment(2)*own%g(2, j) + moment(3)*own%g(3, j)
-         end do
-         if (action%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) &
-                                                            + director_curvature(own_axes, state(5:6, n), own%d, moment)
+         call finish_node(mesh%frame(:, :, n), work%d(:, n), work%node_force(:, n), residual(:, n), by_slopes)
+         if (action%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
@@ -140,15 +120,30 @@ contains
       force(12) = force(12) + turning
    end subroutine take_weight
 
-   !> Columns of components along a frame's axes, in space axes.
-   pure function in_columns(frame, own) result(space)
-      real(wp), intent(in) :: frame(3, 3), own(3, 2)
-      real(wp) :: space(3, 2)
-      integer :: j
-      do j = 1, 2
-         space(:, j) = own(1, j)*frame(:, 1) + own(2, j)*frame(:, 2) + own(3, j)*frame(:, 3)
+   !> A node's residual but for its twist, from the forces on its place and director in space axes: dd/dbeta_k = s (n_k - d d.n_k),
+   !> s = d.t. by_slopes(2,2) is what the director's second derivative makes of the force on it (director_curvature).
+   pure subroutine finish_node(frame, d, force, residual, by_slopes)
+      real(wp), intent(in) :: frame(3, 3), d(3), force(6)
+      real(wp), intent(inout) :: residual(6)
+      real(wp), intent(out) :: by_slopes(2, 2)
+      real(wp) :: s, along, d2, d3, m2, m3
+      integer :: k
+      do k = 1, 3
+         residual(k) = force(1)*frame(1, k) + force(2)*frame(2, k) + force(3)*frame(3, k)
       end do
-   end function in_columns
+      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
+      d2 = d(1)*frame(1, 2) + d(2)*frame(2, 2) + d(3)*frame(3, 2)
+      d3 = d(1)*frame(1, 3) + d(2)*frame(2, 3) + d(3)*frame(3, 3)
+      m2 = force(4)*frame(1, 2) + force(5)*frame(2, 2) + force(6)*frame(3, 2)
+      m3 = force(4)*frame(1, 3) + force(5)*frame(2, 3) + force(6)*frame(3, 3)
+      along = force(4)*d(1) + force(5)*d(2) + force(6)*d(3)
+      residual(5) = s*(m2 - along*d2)
+      residual(6) = s*(m3 - along*d3)
+      by_slopes(1, 1) = -(2.0_wp*d2*m2 + along*(1.0_wp - 3.0_wp*d2*d2))*s*s
+      by_slopes(2, 2) = -(2.0_wp*d3*m3 + along*(1.0_wp - 3.0_wp*d3*d3))*s*s
+      by_slopes(1, 2) = -(d2*m3 + d3*m2 - 3.0_wp*along*d2*d3)*s*s
+      by_slopes(2, 1) = by_slopes(1, 2)
+   end subroutine finish_node
 
    !> Begins an element's action by the beam's forces, its torque T = GJ/L (phi_j - phi_i) and their tangent.
    pure subroutine add_beam(mesh, e, twist, work, action)
@@ -159,8 +154,7 @@ contains
       type(action_type), intent(inout) :: action
       type(beam_section_type) :: section
       type(measure_type) :: m
-      type(node_type) :: lower
-      real(wp) :: chord(3), first(4), c(4, 4), turn(3, 3), end_moment(3)
+      real(wp) :: chord(3), first(4), c(4, 4), end_moment(3)
       chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
       section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
       call measure_force(section, chord, work%d(:, e), work%d(:, e + 1), m, first, action%force, work%axial(e))
@@ -180,13 +174,10 @@ contains
          end if
       end if
       if (.not. action%tangent) return
-      turn = turn_of(mesh%frame(:, :, e), mesh%frame(:, :, e + 1))
-      lower = seen_from(turn, action%lower)
       call energy_hessian(m, section%axial_stiffness/section%membrane_length, work%axial(e), &
                           2.0_wp*section%bending_stiffness/section%length, c)
-      call beam_blocks(m, first, c, mesh%frame(:, :, e), turn, action%upper, lower, action%blocks)
-      call add_torque_blocks(work%torque(e), section%torsional_stiffness/section%length, action%part, action%upper, lower, &
-                             action%blocks)
+      call beam_blocks(m, first, c, mesh%frame(:, :, e:e + 1), work%d(:, e:e + 1), work%torque(e), &
+                       section%torsional_stiffness/section%length, action%part, action%blocks)
    end subroutine add_beam
 
    !> Opens an element's matrix for what few elements have.
@@ -237,7 +228,7 @@ contains
                               moment_by_point, by)
       end if
       if (action%tangent) call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), &
-                                            action%gradient, action%blocks)
+                                            work%d(:, e:e + 1), action%blocks)
       if (.not. contact%turning%lever > 0.0_wp) return
       call begin_rest(action)
       call add_turning(contact%turning, work%d(:, e:e + 1), action%part, action%tangent, action%twisting, action%force, &
@@ -260,27 +251,18 @@ contains
       type(gap_derivative_type) :: by
       real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
       real(wp), parameter :: none(3, 3) = 0.0_wp
-      real(wp) :: ignored(12), unused(2), force(3), moment(3), stiffness, turn(3, 3)
+      real(wp) :: ignored(12), unused(2), force(3), moment(3)
       logical :: rubs, twisted
       integer :: e
       ignored = 0.0_wp
       unused = 0.0_wp
       do e = 1, mesh%elements
-         stiffness = mesh%gj(e)/mesh%length(e)
          twisted = abs(work%torque(e)) > 0.0_wp
          rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
          if (.not. (rubs .or. twisted)) cycle
-         action%upper = own_node(mesh%frame(:, :, e), work%d(:, e))
-         action%lower = own_node(mesh%frame(:, :, e + 1), work%d(:, e + 1))
-         action%blocks = 0.0_wp
          action%bends = .false.
-         if (twisted) then
-            turn = turn_of(mesh%frame(:, :, e), mesh%frame(:, :, e + 1))
-            call add_torque_blocks(work%torque(e), stiffness, part_rest, action%upper, seen_from(turn, action%lower), action%blocks)
-         end if
+         call torque_blocks(mesh%frame(:, :, e:e + 1), work%d(:, e:e + 1), work%torque(e), mesh%gj(e)/mesh%length(e), action%blocks)
          if (rubs) then
-            action%gradient(:, :, 1) = in_columns(mesh%frame(:, :, e), action%upper%g)
-            action%gradient(:, :, 2) = in_columns(mesh%frame(:, :, e + 1), action%lower%g)
             call find_contact(mesh, loads, gaps, e, work, contact)
             call contact_action_at(contact, normal_force_type(), contact%pressing, e, work, force, moment, by_point, &
                                    moment_by_point)
@@ -293,15 +275,15 @@ contains
                call gap_derivatives(gaps%xi(e), contact%shape, contact%slope, work%d(:, e:e + 1), contact%direction, moment, &
                                     by_point, moment_by_point, by)
             end if
-            call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), action%gradient, &
-                              action%blocks)
+            call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), &
+                              work%d(:, e:e + 1), action%blocks)
             if (contact%turning%lever > 0.0_wp) then
                call begin_rest(action)
                call add_turning(contact%turning, work%d(:, e:e + 1), part_rest, .true., unused, ignored, action%element)
             end if
          end if
          call add_blocks(e, action%blocks, matrix)
-         if (action%bends) call scatter_more(mesh, e, action%gradient(:, :, 1), action%gradient(:, :, 2), action%element, matrix)
+         if (action%bends) call scatter_more(mesh, e, work%d(:, e:e + 1), action%element, matrix)
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
       call hold_top(matrix)

@@ -2,7 +2,7 @@
 !> contact forces are unknowns of their own.
 module dg_gap_action
    use dg_kinds, only: wp
-   use dg_beam_blocks, only: node_type, own_node, part_energy
+   use dg_beam_blocks, only: part_energy
    use dg_gap_contact, only: contact_action, contact_action_tangent, couple_action, normal_force_type
    use dg_gap_element, only: gap_nodal_force
    use dg_gap_state, only: contact_force
@@ -130,21 +130,23 @@ contains
       real(wp), intent(in) :: force(6)       !< on place and director, in space axes
       real(wp), intent(in) :: outward(3)     !< f/|f|
       real(wp), intent(in) :: shape(2)       !< what r has of the node's place and director
-      real(wp), intent(inout) :: on(6), by(6)
-      type(node_type) :: node
-      real(wp) :: pull(3), push(3)
+      real(wp), intent(inout) :: on(6), by(6)     !< by slopes: dd/dbeta_k = s (n_k - d d.n_k), s = d.t
+      real(wp) :: push(3), pull(2:3), along(2:3), s, pulled, pushed
       integer :: a
-      node = own_node(frame, d)
       do a = 1, 3
          on(a) = force(1)*frame(1, a) + force(2)*frame(2, a) + force(3)*frame(3, a)
-         pull(a) = force(4)*frame(1, a) + force(5)*frame(2, a) + force(6)*frame(3, a)
          push(a) = outward(1)*frame(1, a) + outward(2)*frame(2, a) + outward(3)*frame(3, a)
          by(a) = shape(1)*push(a)
       end do
       by(4) = 0.0_wp
-      do a = 1, 2
-         on(4 + a) = pull(1)*node%g(1, a) + pull(2)*node%g(2, a) + pull(3)*node%g(3, a)
-         by(4 + a) = shape(2)*(push(1)*node%g(1, a) + push(2)*node%g(2, a) + push(3)*node%g(3, a))
+      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
+      pulled = force(4)*d(1) + force(5)*d(2) + force(6)*d(3)
+      pushed = outward(1)*d(1) + outward(2)*d(2) + outward(3)*d(3)
+      do a = 2, 3
+         along(a) = d(1)*frame(1, a) + d(2)*frame(2, a) + d(3)*frame(3, a)
+         pull(a) = force(4)*frame(1, a) + force(5)*frame(2, a) + force(6)*frame(3, a)
+         on(3 + a) = s*(pull(a) - pulled*along(a))
+         by(3 + a) = shape(2)*s*(push(a) - pushed*along(a))
       end do
    end subroutine rows_of_node
 

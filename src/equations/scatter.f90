@@ -60,13 +60,15 @@ contains
    end subroutine add_numbers
 
    !> Adds an element's matrix to a chain.
-   pure subroutine scatter_more(mesh, e, gradient_i, gradient_j, element, matrix)
+   pure subroutine scatter_more(mesh, e, d, element, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
-      real(wp), intent(in) :: gradient_i(3, 2), gradient_j(3, 2)
+      real(wp), intent(in) :: d(3, 2)          !< directors of both nodes
       type(element_type), intent(in) :: element
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: block(6, 6)
+      real(wp) :: block(6, 6), gradient_i(3, 2), gradient_j(3, 2)
+      gradient_i = gradient_of(mesh%frame(:, :, e), d(:, 1))
+      gradient_j = gradient_of(mesh%frame(:, :, e + 1), d(:, 2))
       associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
          call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
          call add_numbers(block, matrix%diagonal(:, :, e))
@@ -80,13 +82,15 @@ contains
    end subroutine scatter_more
 
    !> Takes the derivatives of a gap's forces on its nodes off an element's blocks.
-   pure subroutine take_contact(by, xi, shape, slope, frame, gradient, blocks)
+   pure subroutine take_contact(by, xi, shape, slope, frame, d, blocks)
       type(gap_derivative_type), intent(in) :: by
       real(wp), intent(in) :: xi, shape(4), slope(4)                !< x0/L, N and dN/dx there
-      real(wp), intent(in) :: frame(3, 3, 2), gradient(3, 2, 2)     !< of both nodes
+      real(wp), intent(in) :: frame(3, 3, 2), d(3, 2)               !< of both nodes
       real(wp), intent(inout) :: blocks(6, 6, 4)
-      real(wp) :: point(6, 3, 2), direction(6, 3, 2), twist(3), folded
+      real(wp) :: gradient(3, 2, 2), point(6, 3, 2), direction(6, 3, 2), twist(3), folded
       integer :: p, b
+      gradient(:, :, 1) = gradient_of(frame(:, :, 1), d(:, 1))
+      gradient(:, :, 2) = gradient_of(frame(:, :, 2), d(:, 2))
       call on_unknowns(frame, gradient, by%point, point)
       if (.not. by%turns) then
          do p = 1, 2
@@ -112,6 +116,22 @@ contains
          blocks(6, 5, b) = blocks(6, 5, b) - folded
       end do
    end subroutine take_contact
+
+   !> Derivatives of a director by its slopes: director_gradient, here so that it is inlined, s (n_k - d d.n_k) with s = d.t.
+   pure function gradient_of(frame, d) result(gradient)
+      real(wp), intent(in) :: frame(3, 3), d(3)
+      real(wp) :: gradient(3, 2)
+      real(wp) :: s, d2, d3
+      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
+      d2 = d(1)*frame(1, 2) + d(2)*frame(2, 2) + d(3)*frame(3, 2)
+      d3 = d(1)*frame(1, 3) + d(2)*frame(2, 3) + d(3)*frame(3, 3)
+      gradient(1, 1) = s*(frame(1, 2) - d(1)*d2)
+      gradient(2, 1) = s*(frame(2, 2) - d(2)*d2)
+      gradient(3, 1) = s*(frame(3, 2) - d(3)*d2)
+      gradient(1, 2) = s*(frame(1, 3) - d(1)*d3)
+      gradient(2, 2) = s*(frame(2, 3) - d(2)*d3)
+      gradient(3, 2) = s*(frame(3, 3) - d(3)*d3)
+   end function gradient_of
 
    !> Columns of forces on (x_i, d_i, x_j, d_j) as rows of both nodes' unknowns; none on the twist.
    pure subroutine on_unknowns(frame, gradient, forces, rows)

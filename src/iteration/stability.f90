@@ -6,7 +6,7 @@ module dg_stability
    use dg_beam_element, only: beam_stress_tangent
    use dg_block_matrix, only: add_multiple, block_matrix_type, copy_matrix, new_block_matrix
    use dg_block_solver, only: block_positive_definite
-   use dg_director, only: director_curvature, director_gradient
+   use dg_director, only: director_curvature
    use dg_equations, only: equations_type
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
@@ -77,8 +77,7 @@ contains
          if (.not. work%axial(e) < 0.0_wp) cycle
          chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
          call beam_stress_tangent(chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
-         call scatter_more(mesh, e, director_gradient(mesh%frame(:, :, e), state(5:6, e), work%d(:, e)), &
-                           director_gradient(mesh%frame(:, :, e + 1), state(5:6, e + 1), work%d(:, e + 1)), element, matrix)
+         call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
          do n = e, e + 1
             matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(mesh%frame(:, :, n), &
                                            state(5:6, n), work%d(:, n), force(6*(n - e) + 4:6*(n - e) + 6))
