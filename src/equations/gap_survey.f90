@@ -8,7 +8,7 @@ module dg_gap_survey
    use dg_gap_table, only: gap_table_type, lone_contacts, move_gap
    use dg_hermite, only: hermite_value
    use dg_mesh, only: mesh_type
-   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_trajectory, only: gap_to_axis, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -28,11 +28,11 @@ contains
       type(workspace_type), intent(in) :: work
       integer, intent(in) :: node
       real(wp), intent(out) :: gap(3), tangent(3)
-      real(wp) :: point(3), curvature(3), offset
+      real(wp) :: point(3), curvature(3)
       integer :: arc
       arc = mesh%arc(node)
       point = mesh%base(:, node) + work%shift(:, node)
-      call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
+      call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
    end subroutine node_offset
 
    !> A point of an element's axis at xi = x/L, off the hole axis at its upper node [m].
@@ -67,11 +67,11 @@ contains
       real(wp), intent(in) :: xi
       integer, intent(in) :: e
       type(workspace_type), intent(inout) :: work
-      real(wp) :: point(3), offset
+      real(wp) :: point(3)
       integer :: arc
       point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
       arc = mesh%arc(e)
-      call closest_point(trajectory, arc, point, offset, work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e))
+      call gap_to_axis(trajectory, arc, point, work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e))
       work%displacement(e) = sqrt(work%gap(1, e)**2 + work%gap(2, e)**2 + work%gap(3, e)**2)
    end subroutine survey_gap
 

@@ -9,7 +9,7 @@ module dg_outside_hole
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_length, unit_wall
    use dg_units, only: unit_system_type
-   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_trajectory, only: gap_to_axis, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -50,7 +50,7 @@ contains
       type(outside_type), intent(out) :: outside
       logical, intent(out), optional :: cut(:)       !< elements that stand outside by more than is told where their gap does not:
                                                      !< shorter ones help, as it is not the wall that gives way
-      real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), offset, xi, largest, excess, &
+      real(wp) :: gap_i(3), gap_j(3), t_i(3), t_j(3), gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, &
                   pressed_in
       integer :: e, arc
       if (present(cut)) cut = .false.
@@ -62,7 +62,7 @@ contains
          call extremum_of_displacement(gap_i, work%d(:, e) - t_i, gap_j, work%d(:, e + 1) - t_j, mesh%length(e), xi, largest)
          point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
          arc = mesh%arc(e)
-         call closest_point(trajectory, arc, point, offset, gap, tangent, curvature)
+         call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
          excess = norm2(gap)/mesh%clearance(e) - 1.0_wp
          if (.not. is_told(excess, mesh, e)) cycle
          pressed_in = max(work%displacement(e)/mesh%clearance(e) - 1.0_wp, 0.0_wp)

@@ -1,9 +1,8 @@
 !> Steps of a string that lies against a round wall, in a hole that bends.
 module dg_node_moves
    use dg_kinds, only: wp
-   use dg_arc, only: point_on_arc
    use dg_mesh, only: mesh_type
-   use dg_trajectory, only: closest_point, trajectory_type
+   use dg_trajectory, only: foot_offset, gap_to_axis, point_on_arc, trajectory_type
    use dg_vector, only: in_frame, in_space
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
@@ -25,12 +24,12 @@ contains
       real(wp), intent(out) :: offset(:, :)          !< of the node from the hole axis, along n_1 and n_2 (2,nodes) [m]
       real(wp), intent(out) :: slide(:)              !< [m]
       real(wp), intent(out) :: across(:, :)          !< lateral (2) and slopes (2) by node [m, -]
-      real(wp) :: point(3), gap(3), tangent(3), curvature(3), foot, local(3)
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3), local(3)
       integer :: n, arc
       do n = 1, mesh%nodes
          arc = mesh%arc(n)
          point = mesh%base(:, n) + work%shift(:, n)
-         call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
+         call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
          offset(:, n) = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
          local = in_frame(mesh%frame(:, :, n), tangent)
          slide(n) = dot_product(step(:3, n), local)
@@ -83,14 +82,13 @@ contains
       integer :: arc
       arc = mesh%arc(node)
       point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), [state(1), state(2), state(3)])
-      call closest_point(trajectory, arc, point, foot, gap, tangent, curvature)
+      call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
       if (abs(distance) < shortest_slide) then
          path = distance*tangent
          turn = distance*curvature
       else
-         call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
-         path = -point
-         foot = foot + distance
+         foot = foot_offset(trajectory%arcs(arc), point) + distance
+         path = gap - point
          do while (foot > trajectory%arcs(arc)%length .and. arc < size(trajectory%arcs))
             foot = foot - trajectory%arcs(arc)%length
             path = path + trajectory%arcs(arc)%chord

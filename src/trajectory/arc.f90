@@ -8,7 +8,7 @@ module dg_arc
    use dg_vector, only: cross
    implicit none
    private
-   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc
+   public :: arc_type, finish_arc, point_on_arc, frame_on_arc, foot_on_arc, foot_offset
    public :: turn_type, turn_of
 
    type :: arc_type
@@ -20,7 +20,10 @@ module dg_arc
       real(wp) :: curvature = 0.0_wp     !< >= 0 [1/m]
       real(wp) :: lateral_1(3) = 0.0_wp  !< rotation-minimising frame at its start, unit
       real(wp) :: lateral_2(3) = 0.0_wp  !< tangent x lateral_1
+      ! what follows from these: finish_arc
+      real(wp) :: binormal(3) = 0.0_wp   !< tangent x normal
       real(wp) :: chord(3) = 0.0_wp      !< from its start to its end [m]
+      real(wp) :: end_sine = 0.0_wp, end_cosine = 1.0_wp   !< of the angle that it turns by
    end type arc_type
 
    !> A step along an arc towards its start, for those who go along it in equal ones: tangent t and normal n become
@@ -35,6 +38,16 @@ module dg_arc
    real(wp), parameter :: vanishing = 1.0e-100_wp
 
 contains
+
+   !> Fills in what follows from an arc's length, curvature, tangent and normal.
+   pure subroutine finish_arc(arc)
+      type(arc_type), intent(inout) :: arc
+      real(wp) :: tangent(3), curvature(3)
+      arc%binormal = cross(arc%tangent, arc%normal)
+      call point_on_arc(arc, arc%length, arc%chord, tangent, curvature)
+      arc%end_sine = sin(arc%curvature*arc%length)
+      arc%end_cosine = cos(arc%curvature*arc%length)
+   end subroutine finish_arc
 
    !> Point, unit tangent and curvature vector dt/ds of an arc.
    !> `offset` may lie outside the arc: the circle goes on.
@@ -102,37 +115,59 @@ contains
    end function chord_of
 
    !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends).
-   !> With a, b the point's components along tangent and normal and k the curvature, the foot lies at the angle
-   !> atan2(k a, 1 - k b), and the point off the foot towards the centre by
+   !> With a, b the point's components along tangent and normal and k the curvature, the foot lies at the angle whose
+   !> sine and cosine are k a/r and (1 - k b)/r, and the point off the foot towards the centre by
    !> (1 - r)/k = (2 b - k (a^2 + b^2))/(1 + r),  r = hypot(k a, 1 - k b), which holds down to k = 0.
-   pure subroutine foot_on_arc(arc, point, offset, gap, tangent, curvature)
+   pure subroutine foot_on_arc(arc, point, gap, tangent, curvature, beyond)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]
-      real(wp), intent(out) :: offset        !< of the foot along the arc from its start [m]
       real(wp), intent(out) :: gap(3)        !< from the foot to the point, across the tangent [m]
       real(wp), intent(out) :: tangent(3)    !< unit, at the foot
       real(wp), intent(out) :: curvature(3)  !< dt/ds at the foot [1/m]
-      real(wp) :: binormal(3), normal(3), along, inward, sine, cosine, radius
-      along = dot_product(point, arc%tangent)
-      inward = dot_product(point, arc%normal)
-      sine = arc%curvature*along
-      cosine = 1.0_wp - arc%curvature*inward
-      radius = sqrt(sine*sine + cosine*cosine)
-      if (radius <= vanishing) then   ! on the arc's centre line every point is as near: take the start
-         sine = 0.0_wp
-         cosine = 1.0_wp
-         offset = 0.0_wp
+      integer, intent(out) :: beyond         !< -1: the foot lies above the arc's start; 1: below its end; else 0
+      real(wp) :: along, inward, across, sine, cosine, radius, rise, reciprocal
+      along = point(1)*arc%tangent(1) + point(2)*arc%tangent(2) + point(3)*arc%tangent(3)
+      inward = point(1)*arc%normal(1) + point(2)*arc%normal(2) + point(3)*arc%normal(3)
+      across = point(1)*arc%binormal(1) + point(2)*arc%binormal(2) + point(3)*arc%binormal(3)
+      beyond = 0
+      if (.not. arc%curvature > 0.0_wp) then
+         if (along > arc%length) beyond = 1
+         tangent = arc%tangent
+         curvature = 0.0_wp
+         gap = across*arc%binormal + inward*arc%normal
       else
-         offset = along
-         if (arc%curvature > vanishing) offset = atan2(sine, cosine)/arc%curvature
-         sine = sine/radius
-         cosine = cosine/radius
+         sine = arc%curvature*along
+         cosine = 1.0_wp - arc%curvature*inward
+         radius = sqrt(sine*sine + cosine*cosine)
+         rise = (2.0_wp*inward - arc%curvature*(along*along + inward*inward))/(1.0_wp + radius)
+         if (radius > vanishing) then
+            reciprocal = 1.0_wp/radius
+            sine = sine*reciprocal
+            cosine = cosine*reciprocal
+         else                       ! on the arc's centre line every point is as near: take the start
+            sine = 0.0_wp
+            cosine = 1.0_wp
+         end if
+         if (sine*arc%end_cosine > cosine*arc%end_sine) beyond = 1
+         tangent = cosine*arc%tangent + sine*arc%normal
+         curvature = cosine*arc%normal - sine*arc%tangent
+         gap = across*arc%binormal + rise*curvature
+         curvature = arc%curvature*curvature
       end if
-      tangent = cosine*arc%tangent + sine*arc%normal
-      normal = cosine*arc%normal - sine*arc%tangent
-      curvature = arc%curvature*normal
-      binormal = cross(arc%tangent, arc%normal)
-      gap = dot_product(point, binormal)*binormal &
-            + ((2.0_wp*inward - arc%curvature*(along*along + inward*inward))/(1.0_wp + radius))*normal
+      if (along < 0.0_wp) beyond = -1
    end subroutine foot_on_arc
+
+   !> Where on an arc the foot of a point lies, along the arc from its start [m].
+   pure function foot_offset(arc, point) result(offset)
+      type(arc_type), intent(in) :: arc
+      real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]
+      real(wp) :: offset
+      real(wp) :: sine, cosine
+      offset = dot_product(point, arc%tangent)
+      if (.not. arc%curvature > vanishing) return
+      sine = arc%curvature*offset
+      cosine = 1.0_wp - arc%curvature*dot_product(point, arc%normal)
+      offset = 0.0_wp
+      if (max(abs(sine), abs(cosine)) > vanishing) offset = atan2(sine, cosine)/arc%curvature
+   end function foot_offset
 end module dg_arc

@@ -2,7 +2,7 @@
 !> (Taylor & Mason 1972; Sawaryn & Thorogood 2005, SPE 84246).
 module dg_minimum_curvature
    use dg_kinds, only: wp
-   use dg_arc, only: arc_type, point_on_arc, frame_on_arc
+   use dg_arc, only: arc_type, finish_arc, frame_on_arc
    use dg_survey, only: unit, high_side
    use dg_vector, only: cross
    implicit none
@@ -28,7 +28,7 @@ contains
       real(wp), intent(in) :: md(:)          !< [m], at least two
       real(wp), intent(in) :: tangents(:, :) !< (3, size(md)), unit
       type(arc_type), intent(out) :: arcs(:) !< (size(md) - 1)
-      real(wp) :: origin(3), lateral(3), t(3), other(3), curvature(3)
+      real(wp) :: origin(3), lateral(3), t(3), other(3)
       integer :: i
       origin = 0.0_wp
       lateral = high_side(tangents(:, 1))
@@ -42,7 +42,7 @@ contains
          arcs(i)%lateral_1 = unit(lateral - dot_product(lateral, t)*t)
          arcs(i)%lateral_2 = cross(t, arcs(i)%lateral_1)
          call bend(arcs(i), tangents(:, i + 1))
-         call point_on_arc(arcs(i), arcs(i)%length, arcs(i)%chord, t, curvature)
+         call finish_arc(arcs(i))
          call frame_on_arc(arcs(i), arcs(i)%length, t, lateral, other)
          origin = origin + arcs(i)%chord
       end do

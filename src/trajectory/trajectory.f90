@@ -4,16 +4,17 @@ module dg_trajectory
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_error, only: error_type, raise, status_bad_input
-   use dg_arc, only: arc_type, point_on_arc, frame_on_arc, foot_on_arc, turn_of, turn_type
+   use dg_arc, only: arc_type, finish_arc, foot_offset, foot_on_arc, frame_on_arc, point_on_arc, turn_of, turn_type
    use dg_minimum_curvature, only: chain_arcs, dogleg_between
    use dg_spline_path, only: resample_spline
    use dg_survey, only: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle
    implicit none
    private
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
-   public :: cut_trajectory, arc_at, closest_point, position_at, frame_at, true_vertical_depth, measured_depth_at, top_md, bottom_md
+   public :: cut_trajectory, arc_at, closest_point, gap_to_axis, position_at, frame_at
+   public :: true_vertical_depth, measured_depth_at, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
-   public :: arc_type, point_on_arc, frame_on_arc, foot_on_arc, turn_type, turn_of
+   public :: arc_type, point_on_arc, frame_on_arc, foot_offset, turn_type, turn_of
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
 
    integer, parameter :: interpolation_minimum_curvature = 1
@@ -95,7 +96,7 @@ contains
          arc%origin = whole%origin + position
          if (whole%curvature > 0.0_wp) arc%normal = curvature/whole%curvature
          call frame_on_arc(whole, md - whole%md, arc%tangent, arc%lateral_1, arc%lateral_2)
-         call point_on_arc(arc, arc%length, arc%chord, tangent, curvature)
+         call finish_arc(arc)
          below%md = [md, pack(trajectory%md, trajectory%md > md)]
          below%inclination = [inclination_of(arc%tangent), pack(trajectory%inclination, trajectory%md > md)]
          below%azimuth = [azimuth_of(arc%tangent), pack(trajectory%azimuth, trajectory%md > md)]
@@ -146,29 +147,37 @@ contains
       end do
    end function arc_at
 
-   !> Foot of the perpendicular from a point on the hole axis. Beyond its ends the axis goes on as the circles
-   !> (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller who keeps the
-   !> index pays for one arc.
+   !> Foot of the perpendicular from a point on the hole axis, as of gap_to_axis, and where along the hole it lies.
    pure subroutine closest_point(trajectory, index, point, offset, gap, tangent, curvature)
+      type(trajectory_type), intent(in) :: trajectory
+      integer, intent(inout) :: index
+      real(wp), intent(inout) :: point(3)
+      real(wp), intent(out) :: offset           !< of the foot from the start of arc `index` [m]
+      real(wp), intent(out) :: gap(3), tangent(3), curvature(3)
+      call gap_to_axis(trajectory, index, point, gap, tangent, curvature)
+      offset = foot_offset(trajectory%arcs(index), point)
+   end subroutine closest_point
+
+   !> How a point lies off the hole axis: across the tangent at the foot of the perpendicular. Beyond its ends the axis
+   !> goes on as the circles (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller
+   !> who keeps the index pays for one arc.
+   pure subroutine gap_to_axis(trajectory, index, point, gap, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(inout) :: index           !< arc to start from; on return the one that holds the foot
       real(wp), intent(inout) :: point(3)       !< relative to the origin of arc `index` [m], before and after
-      real(wp), intent(out) :: offset           !< of the foot from the start of that arc [m]
       real(wp), intent(out) :: gap(3)           !< from the foot to the point, across the tangent [m]
       real(wp), intent(out) :: tangent(3)       !< unit, at the foot
       real(wp), intent(out) :: curvature(3)     !< dt/ds at the foot [1/m]
-      integer :: direction, wanted
+      integer :: direction, beyond
       direction = 0
       do
-         call foot_on_arc(trajectory%arcs(index), point, offset, gap, tangent, curvature)
-         wanted = 0
-         if (offset > trajectory%arcs(index)%length .and. index < size(trajectory%arcs)) wanted = 1
-         if (offset < 0.0_wp .and. index > 1) wanted = -1
+         call foot_on_arc(trajectory%arcs(index), point, gap, tangent, curvature, beyond)
          ! A foot within round-off of a joint, or a point beyond the centre of a bend, would be handed to and
          ! fro: once moved one way never go back.
-         if (wanted == 0 .or. wanted*direction < 0) return
-         direction = wanted
-         if (wanted > 0) then
+         if (beyond == 0 .or. beyond*direction < 0) return
+         if (index + beyond < 1 .or. index + beyond > size(trajectory%arcs)) return
+         direction = beyond
+         if (beyond > 0) then
             point = point - trajectory%arcs(index)%chord
             index = index + 1
          else
@@ -176,7 +185,7 @@ contains
             point = point + trajectory%arcs(index)%chord
          end if
       end do
-   end subroutine closest_point
+   end subroutine gap_to_axis
 
    !> Position, north-east-down from the first station [m], and unit tangent at a measured depth [m].
    pure subroutine position_at(trajectory, md, position, tangent)

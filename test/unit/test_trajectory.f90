@@ -2,7 +2,7 @@
 module dg_test_trajectory
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
-   use dg_arc, only: arc_type, foot_on_arc, frame_on_arc, point_on_arc
+   use dg_arc, only: arc_type, finish_arc, foot_offset, foot_on_arc, frame_on_arc, point_on_arc
    use dg_constants, only: degree, pi
    use dg_error, only: error_type, status_bad_input
    use dg_kinds, only: wp
@@ -266,8 +266,8 @@ contains
    subroutine test_vanishing_curvature()
       type(arc_type) :: arc
       real(wp), dimension(3) :: position, tangent, curvature, gap, expected
-      real(wp) :: k, s, offset
-      integer :: i
+      real(wp) :: k, s
+      integer :: i, beyond
       arc%length = 100.0_wp
       arc%tangent = [1.0_wp, 0.0_wp, 0.0_wp]
       arc%normal = [0.0_wp, 1.0_wp, 0.0_wp]
@@ -276,12 +276,14 @@ contains
          k = 10.0_wp**(-4.0_wp - real(i, wp))
          if (i > 300) k = 0.0_wp
          arc%curvature = k
+         call finish_arc(arc)
          call point_on_arc(arc, s, position, tangent, curvature)
          expected = [s, 0.0_wp, 0.0_wp]
          if (k > 1.0e-100_wp) expected = [s - (k*s)**2*s/6.0_wp, k*s*s/2.0_wp - (k*s)**3*s/24.0_wp, 0.0_wp]
          call assertEqual(expected, position, 1.0e-14_wp, message='position')
-         call foot_on_arc(arc, position + [0.0_wp, 0.0_wp, 0.02_wp], offset, gap, tangent, curvature)
-         call assertEqual(s, offset, 1.0e-14_wp, message='offset')
+         call foot_on_arc(arc, position + [0.0_wp, 0.0_wp, 0.02_wp], gap, tangent, curvature, beyond)
+         call assertEqual(0, beyond, message='within the arc')
+         call assertEqual(s, foot_offset(arc, position), 1.0e-14_wp, message='offset')
          call assertEqual([0.0_wp, 0.0_wp, 0.02_wp], gap, 1.0e-16_wp, message='gap')
       end do
    end subroutine test_vanishing_curvature
