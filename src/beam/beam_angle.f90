@@ -3,12 +3,14 @@ module dg_beam_angle
    use dg_kinds, only: wp
    implicit none
    private
-   public :: angle_ratio, angle_square, signed_angle
+   public :: angle_ratio, angle_ratio_alone, angle_ratio_once, angle_square, signed_angle
 
    !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
    real(wp), parameter :: series_limit = 0.02_wp
    integer, parameter :: series_terms = 8
+   !> Below this u a few terms leave (u/2)**5 < 1e-20.
+   real(wp), parameter :: small = 2.0e-4_wp
    !> Least square of the sine, of an element that a wild step has folded back on itself: such a state is never kept, but its
    !> numbers must stay in range. What depends on it grows by no more than its fifth power of the root.
    real(wp), parameter :: folded = 1.0e-20_wp
@@ -43,6 +45,33 @@ contains
          ddg = (3.0_wp*cosine*dg + g)/sine_square
       end if
    end subroutine angle_ratio
+
+   !> g of angle_ratio alone.
+   pure function angle_ratio_alone(cosine) result(g)
+      real(wp), intent(in) :: cosine
+      real(wp) :: g
+      real(wp) :: u, dg, ddg
+      u = 1.0_wp - cosine
+      if (u < small) then
+         g = c(0) + u*(c(1) + u*(c(2) + u*(c(3) + u*c(4))))
+      else
+         call angle_ratio(cosine, g, dg, ddg)
+      end if
+   end function angle_ratio_alone
+
+   !> g of angle_ratio and its first derivative.
+   pure subroutine angle_ratio_once(cosine, g, dg)
+      real(wp), intent(in) :: cosine
+      real(wp), intent(out) :: g, dg
+      real(wp) :: u, ddg
+      u = 1.0_wp - cosine
+      if (u < small) then
+         g = c(0) + u*(c(1) + u*(c(2) + u*(c(3) + u*c(4))))
+         dg = -(c(1) + u*(2.0_wp*c(2) + u*(3.0_wp*c(3) + u*(4.0_wp*c(4) + u*(5.0_wp*c(5))))))
+      else
+         call angle_ratio(cosine, g, dg, ddg)
+      end if
+   end subroutine angle_ratio_once
 
    !> The angle alpha itself with its sign [rad], in a plane, from its cosine and sine; -pi to pi.
    pure function signed_angle(cosine, sine) result(angle)

@@ -23,11 +23,11 @@
 !> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes; dg_assembly turns them into the element's 12 dofs.
 module dg_beam_element
    use dg_kinds, only: wp
-   use dg_beam_angle, only: angle_ratio, angle_square
+   use dg_beam_angle, only: angle_ratio, angle_ratio_alone, angle_ratio_once, angle_square
    use dg_vector, only: cross, outer, skew
    implicit none
    private
-   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_change
+   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_step
    public :: torque_force, torque_tangent, energy_weights
    public :: measure_type, measure_force, energy_hessian
 
@@ -60,22 +60,49 @@ contains
       real(wp), intent(in) :: chord(3)  !< x_j - x_i [m]
       real(wp), intent(in) :: d_i(3), d_j(3)
       real(wp) :: length
-      type(measure_type) :: m
-      m = measure(chord, d_i, d_j)
-      length = m%length*(1.0_wp + m%bowing)
+      real(wp) :: l, reciprocal, e(3), c_i, c_j, g_i, g_j, s
+      l = sqrt(chord(1)*chord(1) + chord(2)*chord(2) + chord(3)*chord(3))
+      reciprocal = 1.0_wp/l
+      e = chord*reciprocal
+      c_i = d_i(1)*e(1) + d_i(2)*e(2) + d_i(3)*e(3)
+      c_j = d_j(1)*e(1) + d_j(2)*e(2) + d_j(3)*e(3)
+      s = (d_i(1) - c_i*e(1))*(d_j(1) - c_j*e(1)) + (d_i(2) - c_i*e(2))*(d_j(2) - c_j*e(2)) &
+          + (d_i(3) - c_i*e(3))*(d_j(3) - c_j*e(3))
+      g_i = angle_ratio_alone(c_i)
+      g_j = angle_ratio_alone(c_j)
+      length = l*(1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c_i)*(1.0_wp + c_i) + g_j*g_j*(1.0_wp - c_j)*(1.0_wp + c_j)) &
+                            - g_i*g_j*s)*thirtieth)
    end function membrane_length
 
-   !> Its change to first order by changes of (x_i, d_i, x_j, d_j) [m].
-   pure function membrane_change(chord, d_i, d_j, moved) result(change)
+   !> The same, and its change to first order by a move [m].
+   pure subroutine membrane_step(chord, d_i, d_j, move, turn_i, turn_j, length, longer)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      real(wp), intent(in) :: moved(12)
-      real(wp) :: change
-      type(measure_type) :: m
-      real(wp) :: by(12)
-      m = measure(chord, d_i, d_j)
-      call gradient(m, d_i, d_j, energy_slopes(m, 1.0_wp, 2.0_wp*thirtieth*m%length, -thirtieth*m%length), by)
-      change = dot_product(by, moved)
-   end function membrane_change
+      real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
+      real(wp), intent(in) :: turn_i(3), turn_j(3)   !< changes of the tangents
+      real(wp), intent(out) :: length, longer
+      real(wp) :: l, reciprocal, e(3), a_i(3), a_j(3), c_i, c_j, g_i, g_j, s, dg_i, dg_j, product, by_i, by_j, by_p
+      l = sqrt(chord(1)*chord(1) + chord(2)*chord(2) + chord(3)*chord(3))
+      reciprocal = 1.0_wp/l
+      e = chord*reciprocal
+      c_i = d_i(1)*e(1) + d_i(2)*e(2) + d_i(3)*e(3)
+      c_j = d_j(1)*e(1) + d_j(2)*e(2) + d_j(3)*e(3)
+      a_i = d_i - c_i*e
+      a_j = d_j - c_j*e
+      s = a_i(1)*a_j(1) + a_i(2)*a_j(2) + a_i(3)*a_j(3)
+      call angle_ratio_once(c_i, g_i, dg_i)
+      call angle_ratio_once(c_j, g_j, dg_j)
+      product = g_i*g_j
+      ! changes of the cosines and of d_i.d_j
+      by_i = turn_i(1)*e(1) + turn_i(2)*e(2) + turn_i(3)*e(3) + (a_i(1)*move(1) + a_i(2)*move(2) + a_i(3)*move(3))*reciprocal
+      by_j = turn_j(1)*e(1) + turn_j(2)*e(2) + turn_j(3)*e(3) + (a_j(1)*move(1) + a_j(2)*move(2) + a_j(3)*move(3))*reciprocal
+      by_p = turn_i(1)*d_j(1) + turn_i(2)*d_j(2) + turn_i(3)*d_j(3) + d_i(1)*turn_j(1) + d_i(2)*turn_j(2) + d_i(3)*turn_j(3)
+      length = 1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c_i)*(1.0_wp + c_i) + g_j*g_j*(1.0_wp - c_j)*(1.0_wp + c_j)) &
+                         - product*s)*thirtieth
+      longer = length*(e(1)*move(1) + e(2)*move(2) + e(3)*move(3)) &
+               - l*thirtieth*((4.0_wp*g_i + dg_i*g_j*s - product*c_j)*by_i &
+                                     + (4.0_wp*g_j + g_i*dg_j*s - product*c_i)*by_j + product*by_p)
+      length = l*length
+   end subroutine membrane_step
 
    pure function measure(chord, d_i, d_j) result(m)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)

@@ -2,7 +2,6 @@
 module dg_workspace
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
-   use dg_director, only: director
    use dg_mesh, only: mesh_type
    implicit none
    private
@@ -73,24 +72,27 @@ contains
       allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), source=0.0_wp)
    end subroutine make_room_for_recovery
 
-   !> Displacements and directors in space axes from the unknowns state(6,nodes).
+   !> Displacements and directors (dg_director) in space axes from the unknowns state(6,nodes).
    pure subroutine place_nodes(mesh, state, work)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       integer :: n
       do n = 1, mesh%nodes
-         call place_node(mesh, state, n, work)
+         call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
       end do
    end subroutine place_nodes
 
    !> Those of one node.
-   pure subroutine place_node(mesh, state, n, work)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: state(:, :)
-      integer, intent(in) :: n
-      type(workspace_type), intent(inout) :: work
-      work%shift(:, n) = state(1, n)*mesh%frame(:, 1, n) + state(2, n)*mesh%frame(:, 2, n) + state(3, n)*mesh%frame(:, 3, n)
-      work%d(:, n) = director(mesh%frame(:, :, n), state(5:6, n))
+   pure subroutine place_node(frame, state, shift, d)
+      real(wp), intent(in) :: frame(3, 3), state(6)
+      real(wp), intent(out) :: shift(3), d(3)
+      real(wp) :: reciprocal
+      integer :: i
+      reciprocal = 1.0_wp/sqrt(1.0_wp + state(5)**2 + state(6)**2)
+      do i = 1, 3
+         shift(i) = state(1)*frame(i, 1) + state(2)*frame(i, 2) + state(3)*frame(i, 3)
+         d(i) = reciprocal*(frame(i, 1) + state(5)*frame(i, 2) + state(6)*frame(i, 3))
+      end do
    end subroutine place_node
 end module dg_workspace

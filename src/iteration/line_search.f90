@@ -1,16 +1,15 @@
 !> How a step of the iteration to equilibrium (dg_equilibrium) is shortened and taken.
 module dg_line_search
    use dg_kinds, only: wp
-   use dg_beam_element, only: membrane_change, membrane_length
+   use dg_beam_element, only: membrane_length, membrane_step
    use dg_contact_problem, only: change_of_gap, in_series
-   use dg_director, only: director_gradient
    use dg_equations, only: equations_type, find_tangent
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, rigid
    use dg_mesh, only: mesh_type
-   use dg_node_moves, only: move_across, slide_along
+   use dg_node_moves, only: move_across, slide_along, slide_on
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_twist, place_nodes, workspace_type
    implicit none
@@ -118,21 +117,21 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work       !< placed at `state`, before and after
-      real(wp), intent(inout) :: state(:, :)
-      real(wp) :: slide
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      real(wp) :: slide, chord(3), tangent(3, mesh%nodes), curvature(3, mesh%nodes)
       integer :: e
       call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
       state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
       do e = 1, mesh%nodes
-         call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e))
+         call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e), tangent(:, e), curvature(:, e))
       end do
       call place_nodes(mesh, state, work)
       if (.not. it%numerics%tuning%keep_lengths) return
       slide = 0.0_wp
       do e = 1, mesh%elements
-         slide = slide + it%length(e) + it%longer(e) - membrane_length(mesh%chord(:, e) + (work%shift(:, e + 1) &
-                                                                       - work%shift(:, e)), work%d(:, e), work%d(:, e + 1))
-         call slide_along(trajectory, mesh, e + 1, slide, state(:, e + 1))
+         chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+         slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, e + 1))
+         call slide_on(trajectory, mesh, e + 1, slide, tangent(:, e + 1), curvature(:, e + 1), state(:, e + 1))
       end do
       call place_nodes(mesh, state, work)
    end subroutine move_string
@@ -141,25 +140,36 @@ contains
    pure subroutine find_lengths(mesh, work, state, step, length, longer)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< placed at `state`
-      real(wp), intent(in) :: state(:, :), step(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :), step(:, :)
       real(wp), intent(out) :: length(:), longer(:)
-      real(wp) :: moved(12), gradient(3, 2), chord(3)
-      integer :: e, n, j
-      moved = 0.0_wp
+      real(wp) :: chord(3), moved(6), before(6)
+      integer :: e, n
+      before = 0.0_wp
       do n = 1, mesh%nodes
-         moved(1:6) = moved(7:12)
-         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
-         do j = 1, 3
-            moved(6 + j) = mesh%frame(j, 1, n)*step(1, n) + mesh%frame(j, 2, n)*step(2, n) + mesh%frame(j, 3, n)*step(3, n)
-            moved(9 + j) = gradient(j, 1)*step(5, n) + gradient(j, 2)*step(6, n)
-         end do
-         if (n == 1) cycle
-         e = n - 1
-         chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
-         length(e) = membrane_length(chord, work%d(:, e), work%d(:, n))
-         longer(e) = membrane_change(chord, work%d(:, e), work%d(:, n), moved)
+         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), step(:, n), moved)
+         if (n > 1) then
+            e = n - 1
+            chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
+            before(1:3) = moved(1:3) - before(1:3)
+            call membrane_step(chord, work%d(:, e), work%d(:, n), before(1:3), before(4:6), moved(4:6), length(e), longer(e))
+         end if
+         before = moved
       end do
    end subroutine find_lengths
+
+   !> What a step of a node's unknowns moves it by and, to first order, its director: (6), in space axes.
+   pure subroutine move_in_space(frame, d, state, step, moved)
+      real(wp), intent(in) :: frame(3, 3), d(3), state(6), step(6)
+      real(wp), intent(out) :: moved(6)
+      real(wp) :: reciprocal, along
+      integer :: j
+      reciprocal = 1.0_wp/sqrt(1.0_wp + state(5)**2 + state(6)**2)
+      along = (state(5)*step(5) + state(6)*step(6))*reciprocal
+      do j = 1, 3
+         moved(j) = frame(j, 1)*step(1) + frame(j, 2)*step(2) + frame(j, 3)*step(3)
+         moved(3 + j) = (frame(j, 2)*step(5) + frame(j, 3)*step(6) - along*d(j))*reciprocal
+      end do
+   end subroutine move_in_space
 
    !> Gives a string that has been moved that share of the change of contact forces that the linear problem has.
    pure subroutine take_step(it, trajectory, mesh, gaps, work)

@@ -3,11 +3,10 @@ module dg_node_moves
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: foot_offset, gap_to_axis, point_on_arc, trajectory_type
-   use dg_vector, only: in_frame, in_space
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: split_step, move_across, slide_along
+   public :: split_step, move_across, slide_along, slide_on
 
    !> Slides along the hole shorter than this are straight [m]: in a hole of 10 m radius a slope is off by 1e-6 then.
    real(wp), parameter :: shortest_slide = 1.0e-5_wp
@@ -20,24 +19,37 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed
-      real(wp), intent(in) :: step(:, :)
-      real(wp), intent(out) :: offset(:, :)          !< of the node from the hole axis, along n_1 and n_2 (2,nodes) [m]
-      real(wp), intent(out) :: slide(:)              !< [m]
-      real(wp), intent(out) :: across(:, :)          !< lateral (2) and slopes (2) by node [m, -]
-      real(wp) :: point(3), gap(3), tangent(3), curvature(3), local(3)
+      real(wp), contiguous, intent(in) :: step(:, :)
+      real(wp), contiguous, intent(out) :: offset(:, :)   !< of the node from the hole axis, along n_1 and n_2 (2,nodes) [m]
+      real(wp), intent(out) :: slide(:)                   !< [m]
+      real(wp), contiguous, intent(out) :: across(:, :)   !< lateral (2) and slopes (2) by node [m, -]
+      real(wp) :: point(3), gap(3), tangent(3), curvature(3)
       integer :: n, arc
       do n = 1, mesh%nodes
          arc = mesh%arc(n)
          point = mesh%base(:, n) + work%shift(:, n)
          call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
-         offset(:, n) = [dot_product(gap, mesh%frame(:, 2, n)), dot_product(gap, mesh%frame(:, 3, n))]
-         local = in_frame(mesh%frame(:, :, n), tangent)
-         slide(n) = dot_product(step(:3, n), local)
-         across(1:2, n) = step(dof_lateral_1:dof_lateral_2, n) - slide(n)*local(2:3)
-         local = in_frame(mesh%frame(:, :, n), curvature)
-         across(3:4, n) = step(dof_slope_1:dof_slope_2, n) - slide(n)*local(2:3)
+         call split(mesh%frame(:, :, n), gap, tangent, curvature, step(:, n), offset(:, n), slide(n), across(:, n))
       end do
    end subroutine split_step
+
+   !> The same of one node, whose gap to the hole axis is known, and that axis' tangent and curvature there.
+   pure subroutine split(frame, gap, tangent, curvature, step, offset, slide, across)
+      real(wp), intent(in) :: frame(3, 3), gap(3), tangent(3), curvature(3), step(6)
+      real(wp), intent(out) :: offset(2), slide, across(4)
+      real(wp) :: t(3), k(2)
+      integer :: i
+      do i = 1, 2
+         offset(i) = gap(1)*frame(1, i + 1) + gap(2)*frame(2, i + 1) + gap(3)*frame(3, i + 1)
+         k(i) = curvature(1)*frame(1, i + 1) + curvature(2)*frame(2, i + 1) + curvature(3)*frame(3, i + 1)
+      end do
+      do i = 1, 3
+         t(i) = tangent(1)*frame(1, i) + tangent(2)*frame(2, i) + tangent(3)*frame(3, i)
+      end do
+      slide = step(1)*t(1) + step(2)*t(2) + step(3)*t(3)
+      across(1:2) = step(dof_lateral_1:dof_lateral_2) - slide*t(2:3)
+      across(3:4) = step(dof_slope_1:dof_slope_2) - slide*k
+   end subroutine split
 
    !> Moves the nodes across the hole. Where that is wanted (`turning`), what moves a node across its offset from the hole axis is
    !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
@@ -52,11 +64,17 @@ contains
       real(wp), intent(inout) :: state(:, :)
       real(wp) :: move(2), slope(2), square, along, turn
       integer :: n
+      if (.not. turning) then
+         do n = 1, mesh%nodes
+            state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + across(1:2, n)
+            state(dof_slope_1:dof_slope_2, n) = state(dof_slope_1:dof_slope_2, n) + across(3:4, n)
+         end do
+         return
+      end if
       do n = 1, mesh%nodes
          move = across(1:2, n)
          slope = state(dof_slope_1:dof_slope_2, n)
-         square = 0.0_wp
-         if (turning) square = sum(offset(:, n)**2)
+         square = sum(offset(:, n)**2)
          if (square > (beyond*minval(mesh%clearance(max(1, n - 1):min(n, mesh%elements))))**2) then
             turn = (offset(1, n)*move(2) - offset(2, n)*move(1))/square
             along = dot_product(move, offset(:, n))/square
@@ -72,41 +90,67 @@ contains
 
    !> Slides a node along the hole by `distance` [m]: its place follows the hole's bend, its slope turns with the hole. Elastic
    !> strings stretch by metres, on which a bend leaves its tangent by more than the clearance.
-   pure subroutine slide_along(trajectory, mesh, node, distance, state)
+   pure subroutine slide_along(trajectory, mesh, node, distance, state, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: distance
-      real(wp), intent(inout) :: state(:)        !< of the node
-      real(wp) :: point(3), gap(3), tangent(3), curvature(3), path(3), turn(3), foot
+      real(wp), intent(inout) :: state(6)        !< of the node
+      real(wp), intent(out) :: tangent(3), curvature(3)   !< of the hole axis where the node is then, but for shortest_slide
+      real(wp) :: point(3), gap(3), path(3), before(3), foot
       integer :: arc
       arc = mesh%arc(node)
-      point = mesh%base(:, node) + in_space(mesh%frame(:, :, node), [state(1), state(2), state(3)])
-      call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
-      if (abs(distance) < shortest_slide) then
-         path = distance*tangent
-         turn = distance*curvature
-      else
-         foot = foot_offset(trajectory%arcs(arc), point) + distance
-         path = gap - point
-         do while (foot > trajectory%arcs(arc)%length .and. arc < size(trajectory%arcs))
-            foot = foot - trajectory%arcs(arc)%length
-            path = path + trajectory%arcs(arc)%chord
-            arc = arc + 1
-         end do
-         do while (foot < 0.0_wp .and. arc > 1)
-            arc = arc - 1
-            foot = foot + trajectory%arcs(arc)%length
-            path = path - trajectory%arcs(arc)%chord
-         end do
-         call point_on_arc(trajectory%arcs(arc), foot, point, turn, curvature)
-         path = path + point
-         turn = turn - tangent
-      end if
-      state(:3) = state(:3) + in_frame(mesh%frame(:, :, node), path)
-      turn = in_frame(mesh%frame(:, :, node), turn)
-      state(dof_slope_1:dof_slope_2) = state(dof_slope_1:dof_slope_2) + turn(2:3)
+      associate (frame => mesh%frame(:, :, node))
+         point = mesh%base(:, node) + (state(1)*frame(:, 1) + state(2)*frame(:, 2) + state(3)*frame(:, 3))
+         call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
+         if (abs(distance) < shortest_slide) then
+            call slide_straight(frame, distance, tangent, curvature, state)
+         else
+            before = tangent
+            path = gap - point
+            foot = foot_offset(trajectory%arcs(arc), point) + distance
+            do while (foot > trajectory%arcs(arc)%length .and. arc < size(trajectory%arcs))
+               foot = foot - trajectory%arcs(arc)%length
+               path = path + trajectory%arcs(arc)%chord
+               arc = arc + 1
+            end do
+            do while (foot < 0.0_wp .and. arc > 1)
+               arc = arc - 1
+               foot = foot + trajectory%arcs(arc)%length
+               path = path - trajectory%arcs(arc)%chord
+            end do
+            call point_on_arc(trajectory%arcs(arc), foot, point, tangent, curvature)
+            call slide_straight(frame, 1.0_wp, path + point, tangent - before, state)
+         end if
+      end associate
    end subroutine slide_along
+
+   !> Slides a node on from where slide_along left it: straight, where that is short enough.
+   pure subroutine slide_on(trajectory, mesh, node, distance, tangent, curvature, state)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node
+      real(wp), intent(in) :: distance
+      real(wp), intent(inout) :: tangent(3), curvature(3)   !< from slide_along
+      real(wp), intent(inout) :: state(6)
+      if (abs(distance) < shortest_slide) then
+         call slide_straight(mesh%frame(:, :, node), distance, tangent, curvature, state)
+      else
+         call slide_along(trajectory, mesh, node, distance, state, tangent, curvature)
+      end if
+   end subroutine slide_on
+
+   !> Moves a node by so much of a path, and turns it by so much of a turn, in the frame of its unknowns.
+   pure subroutine slide_straight(frame, distance, path, turn, state)
+      real(wp), intent(in) :: frame(3, 3), distance, path(3), turn(3)
+      real(wp), intent(inout) :: state(6)
+      integer :: i
+      do i = 1, 3
+         state(i) = state(i) + distance*(path(1)*frame(1, i) + path(2)*frame(2, i) + path(3)*frame(3, i))
+      end do
+      state(dof_slope_1) = state(dof_slope_1) + distance*(turn(1)*frame(1, 2) + turn(2)*frame(2, 2) + turn(3)*frame(3, 2))
+      state(dof_slope_2) = state(dof_slope_2) + distance*(turn(1)*frame(1, 3) + turn(2)*frame(2, 3) + turn(3)*frame(3, 3))
+   end subroutine slide_straight
 
    pure function turned(a, angle) result(b)
       real(wp), intent(in) :: a(2), angle
