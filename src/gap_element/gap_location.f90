@@ -1,21 +1,15 @@
 !> Where in its element the gap element sits: x0, the extremum of the lateral displacement (Eqs. 1 and 2).
 module dg_gap_location
    use dg_kinds, only: wp
-   use dg_hermite, only: hermite_value
    implicit none
    private
    public :: extremum_of_displacement
 
    !> Places where the displacement is sampled before the largest is refined: a cubic in each plane has at most
    !> five extrema of its magnitude, so eight intervals separate those that matter.
-   integer, parameter :: intervals = 8
-   integer :: sample
-   real(wp), parameter :: sampled(0:intervals) = [(real(sample, wp)/intervals, sample=0, intervals)]
-   !> Hermite's shape functions there of an element of unit length.
-   real(wp), parameter :: offset_i(0:intervals) = (1.0_wp - sampled)**2*(1.0_wp + 2.0_wp*sampled)
-   real(wp), parameter :: slope_of_i(0:intervals) = (1.0_wp - sampled)**2*sampled
-   real(wp), parameter :: offset_j(0:intervals) = sampled**2*(1.0_wp + 2.0_wp*(1.0_wp - sampled))
-   real(wp), parameter :: slope_of_j(0:intervals) = -sampled**2*(1.0_wp - sampled)
+   integer, parameter :: intervals = 8, half = intervals/2
+   !> Squares that differ by less are equal [-]: where a string lies straight along its wall its gap stays in the middle.
+   real(wp), parameter :: round_off = 1.0e-12_wp
 
 contains
 
@@ -28,31 +22,47 @@ contains
       real(wp), intent(in) :: length                 !< [m]
       real(wp), intent(out) :: xi
       real(wp), intent(out) :: displacement
-      real(wp) :: square(0:intervals), turn_i(0:intervals), turn_j(0:intervals), n(4), f(3), left, right, curvature, shift
-      integer :: i, best
-      turn_i = slope_of_i*length
-      turn_j = slope_of_j*length
-      square = 0.0_wp
-      do i = 1, 3
-         square = square + (offset_i*gap_i(i) + turn_i*slope_i(i) + offset_j*gap_j(i) + turn_j*slope_j(i))**2
+      real(wp) :: square(-half:half), even_1(3), even_2(3), odd_1(3), odd_2(3), a(3), b(3), f(3), left, right, curvature, t, bar
+      integer :: k, best
+      ! The cubic from the middle of the element: f = even + odd t, both linear in t**2, t from -1 to 1. Two places share them.
+      even_2 = (0.125_wp*length)*(slope_j - slope_i)
+      even_1 = 0.5_wp*(gap_i + gap_j) - even_2
+      odd_2 = (0.125_wp*length)*(slope_i + slope_j) - 0.25_wp*(gap_j - gap_i)
+      odd_1 = 0.5_wp*(gap_j - gap_i) - odd_2
+      square(-half) = gap_i(1)*gap_i(1) + gap_i(2)*gap_i(2) + gap_i(3)*gap_i(3)
+      square(half) = gap_j(1)*gap_j(1) + gap_j(2)*gap_j(2) + gap_j(3)*gap_j(3)
+      square(0) = even_1(1)*even_1(1) + even_1(2)*even_1(2) + even_1(3)*even_1(3)
+      do k = 1, half - 1
+         t = real(k, wp)/half
+         a = even_1 + t*t*even_2
+         b = t*odd_1 + t*t*t*odd_2
+         f = a - b
+         square(-k) = f(1)*f(1) + f(2)*f(2) + f(3)*f(3)
+         f = a + b
+         square(k) = f(1)*f(1) + f(2)*f(2) + f(3)*f(3)
       end do
-      best = maxloc(square, dim=1) - 1
-      xi = real(best, wp)/intervals
-      if (best > 0 .and. best < intervals) then       ! parabola through the three largest
+      best = 0
+      bar = (1.0_wp + round_off)*square(0)
+      do k = -half, half
+         if (square(k) > bar) then
+            best = k
+            bar = (1.0_wp + round_off)*square(k)
+         end if
+      end do
+      t = real(best, wp)/half
+      if (abs(best) < half) then                      ! parabola through the three largest
          left = square(best - 1) - square(best)
          right = square(best + 1) - square(best)
          curvature = left + right
-         if (curvature < 0.0_wp) then
-            shift = 0.5_wp*(left - right)/curvature
-            xi = xi + shift/intervals
-         end if
+         if (curvature < -round_off*square(best)) t = t + 0.5_wp*(left - right)/(curvature*half)
       end if
-      n = hermite_value(xi, length)
-      f = n(1)*gap_i + n(2)*slope_i + n(3)*gap_j + n(4)*slope_j
-      displacement = norm2(f)
-      if (displacement**2 < square(best)) then        ! the parabola missed: keep the sample
-         xi = real(best, wp)/intervals
-         displacement = sqrt(square(best))
+      f = even_1 + t*t*even_2 + t*(odd_1 + t*t*odd_2)
+      displacement = f(1)*f(1) + f(2)*f(2) + f(3)*f(3)
+      if (displacement < square(best)) then           ! the parabola missed: keep the sample
+         t = real(best, wp)/half
+         displacement = square(best)
       end if
+      xi = 0.5_wp + 0.5_wp*t
+      displacement = sqrt(displacement)
    end subroutine extremum_of_displacement
 end module dg_gap_location
