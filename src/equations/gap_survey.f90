@@ -6,13 +6,12 @@ module dg_gap_survey
    use dg_gap_location, only: extremum_of_displacement
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type, lone_contacts, move_gap
-   use dg_hermite, only: hermite_value
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: gap_to_axis, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_offset, point_on_string, survey_gaps, relocate_gaps
+   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, relocate_gaps
 
    !> What a gap must gain by a move where tool joints touch, over the clearance [-]: a joint would else be held now at one end and
    !> now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere gaps of short
@@ -35,6 +34,18 @@ contains
       call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
    end subroutine node_offset
 
+   !> The same, and the slope of the string against the axis there.
+   pure subroutine node_lie(trajectory, mesh, work, node, gap, slope)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      integer, intent(in) :: node
+      real(wp), intent(out) :: gap(3), slope(3)   !< across the hole [m]; director less tangent [-]
+      real(wp) :: tangent(3)
+      call node_offset(trajectory, mesh, work, node, gap, tangent)
+      slope = work%d(:, node) - tangent
+   end subroutine node_lie
+
    !> A point of an element's axis at xi = x/L, off the hole axis at its upper node [m].
    pure function point_on_string(mesh, work, e, xi) result(point)
       type(mesh_type), intent(in) :: mesh
@@ -42,11 +53,25 @@ contains
       integer, intent(in) :: e
       real(wp), intent(in) :: xi
       real(wp) :: point(3)
-      real(wp) :: shape(4)
-      shape = hermite_value(xi, mesh%length(e))
-      point = shape(1)*work%shift(:, e) + shape(2)*work%d(:, e) &
-              + shape(3)*(mesh%chord(:, e) + work%shift(:, e + 1)) + shape(4)*work%d(:, e + 1)
+      point = point_between(xi, mesh%length(e), mesh%chord(:, e), work%shift(:, e), work%d(:, e), work%shift(:, e + 1), &
+                            work%d(:, e + 1))
    end function point_on_string
+
+   !> The same, written out: Hermite's cubic (dg_hermite) through displacements and directors of the nodes.
+   pure function point_between(xi, length, chord, shift_i, d_i, shift_j, d_j) result(point)
+      real(wp), intent(in) :: xi, length, chord(3), shift_i(3), d_i(3), shift_j(3), d_j(3)
+      real(wp) :: point(3)
+      real(wp) :: rest, shape_i, turn_i, shape_j, turn_j
+      integer :: i
+      rest = 1.0_wp - xi
+      shape_i = rest*rest*(1.0_wp + 2.0_wp*xi)
+      turn_i = rest*rest*xi*length
+      shape_j = xi*xi*(1.0_wp + 2.0_wp*rest)
+      turn_j = -xi*xi*rest*length
+      do i = 1, 3
+         point(i) = shape_i*shift_i(i) + turn_i*d_i(i) + shape_j*(chord(i) + shift_j(i)) + turn_j*d_j(i)
+      end do
+   end function point_between
 
    !> Measures all gaps at their places x0, at the nodes' present places (place_nodes first).
    pure subroutine survey_gaps(trajectory, mesh, gaps, work)
@@ -89,7 +114,7 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
-      real(wp) :: gap_i(3), gap_j(3), tangent_i(3), tangent_j(3), xi, estimate, scale
+      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), xi, estimate, scale
       logical :: changed
       logical :: lone(mesh%elements)
       integer :: e, known
@@ -101,16 +126,14 @@ contains
          if (.not. (closed .or. gaps%state(e) == state_free) .or. mesh%centralizer(e)) cycle
          if (known == e) then
             gap_i = gap_j
-            tangent_i = tangent_j
+            slope_i = slope_j
          else
-            call node_offset(trajectory, mesh, work, e, gap_i, tangent_i)
+            call node_lie(trajectory, mesh, work, e, gap_i, slope_i)
          end if
-         call node_offset(trajectory, mesh, work, e + 1, gap_j, tangent_j)
+         call node_lie(trajectory, mesh, work, e + 1, gap_j, slope_j)
          known = e + 1
-         if (out_of_reach(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, mesh%length(e), &
-                          gaps%law(e)%clearance)) cycle
-         call extremum_of_displacement(gap_i, work%d(:, e) - tangent_i, gap_j, work%d(:, e + 1) - tangent_j, &
-                                       mesh%length(e), xi, estimate)
+         if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), gaps%law(e)%clearance)) cycle
+         call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
          scale = gaps%law(e)%clearance
          if (lone(e)) scale = deepest(gaps, work, e)
@@ -135,13 +158,18 @@ contains
       end do
    end function deepest
 
-   !> Whether no point of an element can be as far off the axis as the clearance: N_1 + N_3 = 1, |N_2| and |N_4| are at
+   !> Whether no point of an element can be as far off the axis as so much [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at
    !> most 4/27 of the length.
-   pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, clearance) result(out)
-      real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3), length, clearance
+   pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, reach) result(out)
+      real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie
+      real(wp), intent(in) :: length, reach
       logical :: out
       real(wp), parameter :: largest_slope_shape = 4.0_wp/27.0_wp
-      out = sqrt(max(sum(gap_i**2), sum(gap_j**2))) &
-            + largest_slope_shape*length*(sqrt(sum(slope_i**2)) + sqrt(sum(slope_j**2))) < clearance
+      real(wp) :: square
+      square = max(gap_i(1)**2 + gap_i(2)**2 + gap_i(3)**2, gap_j(1)**2 + gap_j(2)**2 + gap_j(3)**2)
+      out = square < reach**2
+      if (.not. out) return
+      out = sqrt(square) + largest_slope_shape*length*(sqrt(slope_i(1)**2 + slope_i(2)**2 + slope_i(3)**2) &
+                                                       + sqrt(slope_j(1)**2 + slope_j(2)**2 + slope_j(3)**2)) < reach
    end function out_of_reach
 end module dg_gap_survey

@@ -263,7 +263,8 @@ contains
          call node_offset(model%trajectory, mesh, work, n, gap, tangent)
          beside = [max(n - 1, 1), min(n, mesh%elements)]
          wide = widest_beside(mesh, n)
-         outside = (norm2(gap) - max(wide, maxval(work%displacement(beside), mask=work%normal(beside) > 0.0_wp)))/wide
+         outside = (sqrt(gap(1)**2 + gap(2)**2 + gap(3)**2) &
+                    - max(wide, maxval(work%displacement(beside), mask=work%normal(beside) > 0.0_wp)))/wide
          if (outside <= worst) cycle
          worst = outside
          place = n
