@@ -210,6 +210,8 @@ contains
       associate (tuning => it%numerics%tuning)
          taken = .not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
                  it%trial < it%before
+         ! a string that hangs free may start with no residual but round-off, which no step makes less
+         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance*equations%force_scale
          if (taken) then
             it%row%judged = judged_whole
             if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)

@@ -22,7 +22,7 @@ module dg_predictor
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_tuning, only: tuning_type
    use dg_vector, only: cross
-   use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
+   use dg_workspace, only: dof_axial, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
    public :: predict, start_type
@@ -38,6 +38,8 @@ module dg_predictor
 
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
+   !> A last one shorter than this leaves the node's slope as it is [m]: in a hole of 10 m radius that is off by 1e-9 then.
+   real(wp), parameter :: straight_slide = 1.0e-8_wp
 
 contains
 
@@ -189,34 +191,42 @@ contains
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:), offset(:, :), slope(:, :)
       real(wp), intent(out) :: state(:, :)
-      real(wp) :: slide, shift(3), previous(3), d(3), previous_d(3), strain, reference
+      real(wp) :: slide, more, shift(3), previous(3), d(3), previous_d(3), chord(3), strain, reference, tangent(3)
       integer :: e, step
       state = 0.0_wp
       slide = 0.0_wp
-      call place(trajectory, mesh, 1, slide, offset(:, 1), slope(:, 1), state(:, 1), previous, previous_d)
+      call place(trajectory, mesh, 1, slide, offset(:, 1), slope(:, 1), tangent, previous, previous_d)
+      call find_unknowns(mesh%frame(:, :, 1), previous, previous_d, state(:, 1))
       do e = 1, mesh%elements
          reference = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
          strain = 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e)
-         slide = slide + reference*strain
+         more = reference*strain
          do step = 1, slide_steps
-            call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
-            slide = slide + reference*(1.0_wp + strain) - membrane_length(mesh%chord(:, e) + (shift - previous), previous_d, d)
+            slide = slide + more
+            call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), tangent, shift, d)
+            chord = mesh%chord(:, e) + (shift - previous)
+            more = reference*(1.0_wp + strain) - membrane_length(chord, previous_d, d)
          end do
-         call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), state(:, e + 1), shift, d)
+         slide = slide + more
+         if (abs(more) < straight_slide) then
+            shift = shift + more*tangent
+         else
+            call place(trajectory, mesh, e + 1, slide, offset(:, e + 1), slope(:, e + 1), tangent, shift, d)
+         end if
+         call find_unknowns(mesh%frame(:, :, e + 1), shift, d, state(:, e + 1))
          previous = shift
          previous_d = d
       end do
    end subroutine slide_into_place
 
-   !> Puts a node off the hole axis at its depth plus `slide`; returns its unknowns, displacement and director.
-   pure subroutine place(trajectory, mesh, node, slide, offset, slope, unknowns, shift, d)
+   !> Puts a node off the hole axis at its depth plus `slide`; returns the axis' tangent there, displacement and director.
+   pure subroutine place(trajectory, mesh, node, slide, offset, slope, tangent, shift, d)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: slide, offset(2), slope(2)
-      real(wp), intent(inout) :: unknowns(:)
-      real(wp), intent(out) :: shift(3), d(3)
-      real(wp) :: tangent(3), lateral_1(3), lateral_2(3), axis(3), md
+      real(wp), intent(out) :: tangent(3), shift(3), d(3)
+      real(wp) :: lateral_1(3), lateral_2(3), axis(3), md
       integer :: arc, a
       md = mesh%md(node) + slide
       arc = arc_at(trajectory, md, near=mesh%arc(node))
@@ -228,15 +238,22 @@ contains
          axis = axis - trajectory%arcs(a)%chord
       end do
       shift = axis - mesh%base(:, node) + offset(1)*lateral_1 + offset(2)*lateral_2
-      d = tangent + slope(1)*lateral_1 + slope(2)*lateral_2
-      ! written out: matmul of the run-time library costs more here than all the rest
-      associate (t => mesh%frame(:, 1, node), n_1 => mesh%frame(:, 2, node), n_2 => mesh%frame(:, 3, node))
-         unknowns(dof_axial) = dot_product(shift, t)
-         unknowns(dof_lateral_1) = dot_product(shift, n_1)
-         unknowns(dof_lateral_2) = dot_product(shift, n_2)
-         unknowns(dof_slope_1) = dot_product(d, n_1)/dot_product(d, t)
-         unknowns(dof_slope_2) = dot_product(d, n_2)/dot_product(d, t)
-      end associate
-      d = d/norm2(d)
+      d = (tangent + slope(1)*lateral_1 + slope(2)*lateral_2)*(1.0_wp/sqrt(1.0_wp + slope(1)**2 + slope(2)**2))
    end subroutine place
+
+   !> Unknowns of a node from its displacement and director. Written out: matmul of the run-time library costs more here than all
+   !> the rest.
+   pure subroutine find_unknowns(frame, shift, d, unknowns)
+      real(wp), intent(in) :: frame(3, 3), shift(3), d(3)
+      real(wp), intent(inout) :: unknowns(:)
+      real(wp) :: along(3), reciprocal
+      integer :: i
+      do i = 1, 3
+         unknowns(dof_axial - 1 + i) = shift(1)*frame(1, i) + shift(2)*frame(2, i) + shift(3)*frame(3, i)
+         along(i) = d(1)*frame(1, i) + d(2)*frame(2, i) + d(3)*frame(3, i)
+      end do
+      reciprocal = 1.0_wp/along(1)
+      unknowns(dof_slope_1) = along(2)*reciprocal
+      unknowns(dof_slope_2) = along(3)*reciprocal
+   end subroutine find_unknowns
 end module dg_predictor

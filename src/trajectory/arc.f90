@@ -58,6 +58,12 @@ contains
       real(wp), intent(out) :: tangent(3)
       real(wp), intent(out) :: curvature(3)  !< [1/m]
       real(wp) :: half, sine, cosine, full_sine, full_cosine
+      if (.not. arc%curvature > 0.0_wp) then
+         position = offset*arc%tangent
+         tangent = arc%tangent
+         curvature = 0.0_wp
+         return
+      end if
       half = 0.5_wp*arc%curvature*offset
       sine = sin(half)
       cosine = cos(half)
@@ -95,14 +101,23 @@ contains
       real(wp), intent(out) :: lateral_1(3)
       real(wp), intent(out) :: lateral_2(3)  !< tangent x lateral_1
       real(wp), intent(out), optional :: position(3)   !< relative to arc%origin [m]
-      real(wp) :: half, sine, cosine, change(3)
+      real(wp) :: half, sine, cosine, change(3), part_1, part_2
+      if (.not. arc%curvature > 0.0_wp) then
+         tangent = arc%tangent
+         lateral_1 = arc%lateral_1
+         lateral_2 = arc%lateral_2
+         if (present(position)) position = offset*arc%tangent
+         return
+      end if
       half = 0.5_wp*arc%curvature*offset
       sine = sin(half)
       cosine = cos(half)
       tangent = (1.0_wp - 2.0_wp*sine*sine)*arc%tangent + 2.0_wp*sine*cosine*arc%normal
       change = -2.0_wp*sine*(sine*arc%normal + cosine*arc%tangent)  ! of the normal
-      lateral_1 = arc%lateral_1 + dot_product(arc%lateral_1, arc%normal)*change
-      lateral_2 = arc%lateral_2 + dot_product(arc%lateral_2, arc%normal)*change
+      part_1 = arc%lateral_1(1)*arc%normal(1) + arc%lateral_1(2)*arc%normal(2) + arc%lateral_1(3)*arc%normal(3)
+      part_2 = arc%lateral_2(1)*arc%normal(1) + arc%lateral_2(2)*arc%normal(2) + arc%lateral_2(3)*arc%normal(3)
+      lateral_1 = arc%lateral_1 + part_1*change
+      lateral_2 = arc%lateral_2 + part_2*change
       if (present(position)) position = chord_of(half, sine, offset)*(cosine*arc%tangent + sine*arc%normal)
    end subroutine frame_on_arc
 
