@@ -174,8 +174,8 @@ contains
       type(balance_type) :: here
       real(wp) :: position(3), tangent(3), curvature(3)
       here = balance(piece, changes, md, md + spacing(md), force, moment)
-      contact = climbed(piece, md, here%contact)
       call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, curvature)
+      contact = climbed(piece, tangent, here%contact)
       across = [norm2(here%bending), norm2(here%shear - moment*cross(tangent, here%bend))]
    end subroutine forces_across
 

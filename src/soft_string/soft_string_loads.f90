@@ -20,7 +20,7 @@ module dg_soft_string_loads
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_snake, only: snake_contact, snake_swing
-   use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type
+   use dg_string_piece, only: climbed, layout_of, layout_type, piece_above, piece_type
    use dg_trajectory, only: point_on_arc, turn_of, turn_type
    implicit none
    private
@@ -67,8 +67,7 @@ module dg_soft_string_loads
 contains
 
    !> Axial force, torque and contact of the soft string of a load case at given depths.
-   !> Where weight, curvature or friction jump, `contact` is the one just below the depth. Without it places within an arc are
-   !> found by turning the one below, which differs by round-off and takes a third of the time.
+   !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
    pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, totals, other)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -97,12 +96,12 @@ contains
       call enter_piece(model, layout, position, loads, piece, place)
       do i = size(md), 1, -1
          do while (position > md(i))
-            call climb(piece, max(piece%top, md(i)), present(contact), position, place, force, moment, sums)
+            call climb(piece, max(piece%top, md(i)), position, place, force, moment, sums)
             if (position > md(i)) call enter_piece(model, layout, position, loads, piece, place)
          end do
          axial(i) = force
          torque(i) = moment
-         if (present(contact)) contact(:, i) = contact_force(piece, md(i), force)
+         if (present(contact)) contact(:, i) = contact_force(piece, place, force)
          ! The next depth up starts in the piece above.
          if (position <= piece%top .and. i > 1) call enter_piece(model, layout, position, loads, piece, place)
       end do
@@ -132,7 +131,7 @@ contains
          limit = sinusoidal_limit(piece%stiffness, normal, piece%clearance)
          if (-force > max(helical_low*limit, piece%least_coiling)) then
             normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
-         else if (normal > 0.0_wp) then
+         else if (-force > limit .and. normal > 0.0_wp) then
             normal = normal*snake_contact(snake_swing(-force/limit))
          end if
       end if
@@ -141,10 +140,9 @@ contains
 
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
    !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
-   pure subroutine climb(piece, target, closely, position, place, force, moment, sums)
+   pure subroutine climb(piece, target, position, place, force, moment, sums)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: target             !< [m]
-      logical, intent(in) :: closely             !< every place from its depth, not from the one below
       real(wp), intent(inout) :: position        !< [m]
       type(place_type), intent(inout) :: place   !< at `position`
       real(wp), intent(inout) :: force           !< [N]
@@ -153,25 +151,31 @@ contains
       real(wp) :: step, angle, offset, normal, middle, n1, n2, n3, n4
       type(place_type) :: half_way, there
       type(turn_type) :: turn
+      logical :: bent
       integer :: steps, i
       offset = position - piece%arc%md
       step = position - target
       position = target
-      if (sums%runaway) return
+      if (sums%runaway) then
+         place = place_at(piece, target - piece%arc%md)
+         return
+      end if
       angle = step*piece%arc%curvature
       steps = 1
       if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp)) &
          steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
-      turn = turn_of(piece%arc, 0.5_wp*step)
-      if (closely) place = place_at(piece, offset)
+      bent = angle > 0.0_wp
+      if (bent) turn = turn_of(piece%arc, 0.5_wp*step)
+      half_way = place
+      there = place
       do i = 1, steps
-         if (closely) then
-            half_way = place_at(piece, offset - 0.5_wp*step)
-            there = place_at(piece, offset - step)
-         else
+         if (bent) then
             call go_up(piece, turn, place, half_way)
             call go_up(piece, turn, half_way, there)
+         else
+            half_way%depth = place%depth - 0.5_wp*step*place%tangent(3)
+            there%depth = place%depth - step*place%tangent(3)
          end if
          offset = offset - step
          middle = force + piece%weight*(place%depth - half_way%depth) + 0.5_wp*step*piece%drag
@@ -189,6 +193,7 @@ contains
          if (abs(force) > runaway_force .or. (piece%coils .and. -force > runaway_strain*piece%stretching)) then
             sums%runaway = .true.
             sums%runaway_md = piece%arc%md + offset
+            place = place_at(piece, target - piece%arc%md)
             return
          end if
          place = there
@@ -226,14 +231,16 @@ contains
       place%across = piece%weight**2*(place%tangent(1)**2 + place%tangent(2)**2)
    end subroutine go_up
 
-   !> Force of the string on the wall [N/m] at a depth [m] under an axial force [N].
-   pure function contact_force(piece, md, force) result(contact)
+   !> Force of the string on the wall [N/m] at a place under an axial force [N].
+   pure function contact_force(piece, place, force) result(contact)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: md
+      type(place_type), intent(in) :: place
       real(wp), intent(in) :: force
       real(wp) :: contact(3)
-      real(wp) :: position(3), across(3), bend(3)
-      call at_offset(piece, md - piece%arc%md, position, across, bend)
-      contact = climbed(piece, md, force*bend + across)
+      real(wp) :: across(3)
+      across(1:2) = -place%tangent(3)*place%tangent(1:2)
+      across(3) = place%tangent(1)**2 + place%tangent(2)**2
+      contact = (force*piece%arc%curvature)*place%normal + piece%weight*across
+      if (piece%climb < 1.0_wp) contact = climbed(piece, place%tangent, contact)
    end function contact_force
 end module dg_soft_string_loads

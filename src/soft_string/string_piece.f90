@@ -114,15 +114,13 @@ contains
 
    !> Contact force under a load across the hole [N/m]: the load itself, or with wall climb what balances it together
    !> with its own friction around the hole, load = n + m t x n, where the turning string comes to rest.
-   pure function climbed(piece, md, load) result(contact)
+   pure function climbed(piece, tangent, load) result(contact)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: md        !< [m]
+      real(wp), intent(in) :: tangent(3)
       real(wp), intent(in) :: load(3)
       real(wp) :: contact(3)
-      real(wp) :: position(3), tangent(3), bend(3)
       contact = load
       if (piece%climb >= 1.0_wp) return
-      call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, bend)
       contact = piece%climb**2*(load - piece%rotary*cross(tangent, load))
    end function climbed
 
