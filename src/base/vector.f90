@@ -3,7 +3,7 @@ module dg_vector
    use dg_kinds, only: wp
    implicit none
    private
-   public :: cross, outer, skew, in_frame, in_space
+   public :: cross, outer, skew, in_space
 
 contains
 
@@ -15,15 +15,6 @@ contains
       c(2) = a(3)*b(1) - a(1)*b(3)
       c(3) = a(1)*b(2) - a(2)*b(1)
    end function cross
-
-   !> Components of a vector along the columns of a frame. Written out: the result of `matmul` is allocated on every call.
-   pure function in_frame(frame, a) result(b)
-      real(wp), intent(in) :: frame(3, 3), a(3)
-      real(wp) :: b(3)
-      b(1) = a(1)*frame(1, 1) + a(2)*frame(2, 1) + a(3)*frame(3, 1)
-      b(2) = a(1)*frame(1, 2) + a(2)*frame(2, 2) + a(3)*frame(3, 2)
-      b(3) = a(1)*frame(1, 3) + a(2)*frame(2, 3) + a(3)*frame(3, 3)
-   end function in_frame
 
    !> The vector whose components along the columns of a frame are b.
    pure function in_space(frame, b) result(a)
