@@ -19,7 +19,7 @@ MAY_USE = {
     "gap_element": {"base", "beam"},
     "model": {"base", "linear_algebra", "trajectory", "string", "hole"},
     "results": {"base", "gap_element"},
-    "bending": {"base", "linear_algebra", "beam", "gap_element"},
+    "bending": {"base", "beam", "gap_element"},
     "buckling": {"base"},
     "soft_string": {"base", "buckling", "trajectory", "string", "hole", "model", "gap_element", "results"},
     "equations": {"base", "buckling", "linear_algebra", "trajectory", "beam", "gap_element", "model", "results", "soft_string"},

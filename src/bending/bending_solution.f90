@@ -8,10 +8,9 @@
 !> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
-   use dg_bending_beam, only: add_contact, add_contact_stiffness, beam_contact_type, bending_beam_type, curvature_within, &
-                              node_unknowns, set_linear_part
-   use dg_bending_elimination, only: eliminate
-   use dg_block_matrix, only: block_matrix_type, copy_matrix
+   use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
+   use dg_bending_element, only: add_action, contact_places, element_action, moments_of_shape, wall_push_type
+   use dg_bending_elimination, only: newton_step
    implicit none
    private
    public :: solve_bending
@@ -27,53 +26,40 @@ contains
 
    !> Iterates from a shape to equilibrium. Where none is found within `most_iterations`, or the matrix is singular, y is the last
    !> shape.
-   pure subroutine solve_bending(beam, y, settled, found, anchor)
-      type(bending_beam_type), intent(in) :: beam
+   pure subroutine solve_bending(beam, y, settled, found, anchor, pressed)
+      type(bending_beam_type), intent(in) :: beam      !< with its elements set
       real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
       real(wp), intent(in) :: settled      !< the iteration ends with a full step that changes moments by less than this part of
                                            !< the largest one [-]
       logical, intent(out) :: found        !< equilibrium
       !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
-      real(wp), intent(in), optional :: anchor(:, :)
-      type(block_matrix_type) :: linear, matrix
-      type(beam_contact_type) :: contact
-      real(wp), dimension(node_unknowns, size(y, 2)) :: load, residual, step, trial
+      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
+      type(wall_push_type) :: push(contact_places, size(beam%ei)), points(size(beam%point))
+      real(wp), dimension(node_unknowns, size(y, 2)) :: residual, step, trial
       real(wp) :: scale, work, share, lower, upper, work_lower, work_trial
-      logical :: regular, definite, small
-      logical :: fixed(node_unknowns, size(y, 2))
-      integer :: iteration, try
-      fixed = spread(beam%held, 1, node_unknowns)
-      fixed(1, :) = fixed(1, :) .or. beam%centred
-      fixed(2, :) = fixed(2, :) .or. beam%centred
-      call set_linear_part(beam, linear, load)
-      scale = max(maxval(abs(load(1:2, :))), tiny(1.0_wp))
-      matrix = linear
+      logical :: solved
+      integer :: fixed(size(y, 2)), iteration, try
+      fixed = merge(node_unknowns, merge(2, 0, beam%centred), beam%held)
+      scale = largest_load(beam)
       found = .false.
-      call find_residual(beam, linear, load, fixed, y, residual, contact, anchor)
+      call find_residual(beam, fixed, y, anchor, push, points, residual)
       do iteration = 0, most_iterations
-         if (maxval(abs(residual)) <= tolerance*scale) then
-            found = .true.
-            return
-         end if
-         call set_matrix(beam, linear, contact, fixed, merge(1, 0, present(anchor)), matrix)
-         step = -residual
-         call eliminate(matrix, step, regular, definite)
-         if (.not. (regular .and. definite)) then
-            call set_matrix(beam, linear, contact, fixed, merge(2, 1, present(anchor)), matrix)
-            step = -residual
-            call eliminate(matrix, step, regular, definite)
-            if (.not. regular) return
-         end if
-         work = sum(residual*step)
+         found = largest(size(residual), residual) <= tolerance*scale
+         if (found) exit
+         call newton_step(beam, push, points, fixed, merge(1, 0, present(anchor)), .false., residual, step, solved)
+         if (.not. solved) &
+            call newton_step(beam, push, points, fixed, merge(2, 1, present(anchor)), .true., residual, step, solved)
+         if (.not. solved) return
+         work = product_of(size(step), residual, step)
          lower = 0.0_wp
          work_lower = work
          upper = 1.0_wp
          share = 1.0_wp
-         small = is_small(beam, y, step, settled)
          do try = 1, most_trials
             trial = y + share*step
-            call find_residual(beam, linear, load, fixed, trial, residual, contact, anchor)
-            work_trial = sum(residual*step)
+            call find_residual(beam, fixed, trial, anchor, push, points, residual)
+            work_trial = product_of(size(step), residual, step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
                upper = share
@@ -87,125 +73,102 @@ contains
                                                  min(share, lower - work_lower*(upper - lower)/(work_trial - work_lower)))
          end do
          y = trial
-         found = small .and. share >= 1.0_wp
-         if (found) return
+         if (share >= 1.0_wp) found = is_small(beam, y, step, settled)
+         if (found) exit
       end do
+      if (present(pressed)) pressed = spread(beam%element%length/contact_places, 1, contact_places)*push%force
    end subroutine solve_bending
 
-   !> Residual at a shape, contact included [N, N.m].
-   pure subroutine find_residual(beam, linear, load, fixed, shape, residual, contact, anchor)
+   !> Residual at a shape, and how the wall presses there.
+   pure subroutine find_residual(beam, fixed, shape, anchor, push, points, residual)
       type(bending_beam_type), intent(in) :: beam
-      type(block_matrix_type), intent(in) :: linear     !< of all but contact
-      real(wp), contiguous, intent(in) :: load(:, :)    !< of all but contact
-      logical, intent(in) :: fixed(:, :)                !< unknowns that stay as they are
+      integer, intent(in) :: fixed(:)                        !< how many of a node's unknowns stay as they are, from the first on
       real(wp), contiguous, intent(in) :: shape(:, :)
-      real(wp), contiguous, intent(out) :: residual(:, :)
-      type(beam_contact_type), intent(inout) :: contact !< how the wall presses there
-      real(wp), intent(in), optional :: anchor(:, :)
-      integer :: n
-      call linear_residual(linear, load, shape, residual)
-      call add_contact(beam, shape, residual, contact)
+      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      type(wall_push_type), intent(inout) :: push(:, :)      !< at the places of the elements
+      type(wall_push_type), intent(inout) :: points(:)       !< of tool joints
+      real(wp), contiguous, intent(out) :: residual(:, :)    !< [N, N.m]
+      real(wp) :: action(2*node_unknowns)
+      integer :: e, n, p
+      residual(:, 1) = 0.0_wp
+      do e = 1, size(push, 2)
+         call element_action(beam%element(e), shape(:, e), shape(:, e + 1), push(:, e), action)
+         residual(:, e) = residual(:, e) + action(:node_unknowns)
+         residual(:, e + 1) = action(node_unknowns + 1:)
+      end do
+      call press_points(beam, shape, points)
+      do p = 1, size(points)
+         n = beam%point(p)
+         e = min(n, size(push, 2))
+         if (points(p)%force > 0.0_wp) call add_action(points(p), beam%element(e)%lever, beam%element(e)%around, residual(:, n))
+      end do
       if (present(anchor)) then
          do n = 1, size(shape, 2)
             residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
          end do
       end if
-      where (fixed) residual = 0.0_wp
+      do n = 1, size(shape, 2)
+         if (fixed(n) > 0) residual(:fixed(n), n) = 0.0_wp
+      end do
    end subroutine find_residual
 
-   !> Matrix where the wall presses so.
-   pure subroutine set_matrix(beam, linear, contact, fixed, viscous, matrix)
+   !> Largest load across the hole on a node [N].
+   pure function largest_load(beam) result(load)
       type(bending_beam_type), intent(in) :: beam
-      type(block_matrix_type), intent(in) :: linear     !< of all but contact
-      type(beam_contact_type), intent(in) :: contact
-      logical, intent(in) :: fixed(:, :)                !< unknowns that stay as they are
-      integer, intent(in) :: viscous                    !< how many times the stiffness that holds a compressed string is added
-      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: load
+      real(wp) :: above(2)
+      integer :: e
+      load = tiny(1.0_wp)
+      above = 0.0_wp
+      do e = 1, size(beam%ei)
+         load = max(load, maxval(abs(above + beam%element(e)%load(1:2))))
+         above = beam%element(e)%load(5:6)
+      end do
+      load = max(load, maxval(abs(above)))
+   end function largest_load
+
+   !> Largest of some numbers, whatever their signs.
+   pure function largest(n, numbers) result(most)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: numbers(n)
+      real(wp) :: most
       integer :: i
-      call copy_matrix(linear, matrix)
-      call add_contact_stiffness(beam, contact, matrix)
-      do i = 1, viscous
-         call add_viscous(beam, matrix)
+      most = 0.0_wp
+      do i = 1, n
+         most = max(most, abs(numbers(i)))
       end do
-      call fix_unknowns(fixed, matrix)
-   end subroutine set_matrix
+   end function largest
 
-   !> Stiffness that holds a compressed string, at its nodes.
-   pure subroutine add_viscous(beam, matrix)
-      type(bending_beam_type), intent(in) :: beam
-      type(block_matrix_type), intent(inout) :: matrix
-      integer :: n, i
-      do n = 1, size(beam%viscous)
-         do i = 1, 2
-            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + beam%viscous(n)
-         end do
+   !> Sum of products.
+   pure function product_of(n, a, b) result(product)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: a(n), b(n)
+      real(wp) :: product
+      real(wp) :: part(2)
+      integer :: i
+      part = 0.0_wp
+      do i = 1, n - 1, 2
+         part = part + a(i:i + 1)*b(i:i + 1)
       end do
-   end subroutine add_viscous
+      product = part(1) + part(2)
+   end function product_of
 
-   !> Whether a step changes moments at the ends of the elements by less than a part of the largest one there after it.
+   !> Whether a step changed moments at the ends of the elements by less than a part of the largest one there after it.
    pure function is_small(beam, y, step, part) result(small)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(in) :: y(:, :), step(:, :)
+      real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step
       real(wp), intent(in) :: part     !< [-]
       logical :: small
-      real(wp) :: length, largest, changed, change(2, 2), bend(2, 2)
+      real(wp) :: most, changed, change(2, 2), bend(2, 2)
       integer :: e
-      largest = 0.0_wp
+      most = 0.0_wp
       changed = 0.0_wp
       do e = 1, size(beam%ei)
-         length = beam%md(e + 1) - beam%md(e)
-         change = curvature_within(length, step(:, e), step(:, e + 1))
-         bend = change + curvature_within(length, y(:, e), y(:, e + 1))
-         bend(:, 1) = bend(:, 1) + (beam%curvature(:, e) - beam%bend(:, e))
-         bend(:, 2) = bend(:, 2) + (beam%curvature(:, e) - beam%bend(:, e))
-         changed = max(changed, beam%ei(e)**2*maxval(change(1, :)**2 + change(2, :)**2))      ! squares
-         largest = max(largest, beam%ei(e)**2*maxval(bend(1, :)**2 + bend(2, :)**2))
+         call moments_of_shape(beam%element(e), step(:, e), step(:, e + 1), .true., change)
+         call moments_of_shape(beam%element(e), y(:, e), y(:, e + 1), .false., bend)
+         changed = max(changed, change(1, 1)**2 + change(2, 1)**2, change(1, 2)**2 + change(2, 2)**2)      ! squares
+         most = max(most, bend(1, 1)**2 + bend(2, 1)**2, bend(1, 2)**2 + bend(2, 2)**2)
       end do
-      small = changed <= part**2*largest
+      small = changed <= part**2*most
    end function is_small
-
-   !> Matrix times y less load.
-   pure subroutine linear_residual(matrix, load, y, residual)
-      type(block_matrix_type), intent(in) :: matrix
-      real(wp), contiguous, intent(in) :: load(:, :), y(:, :)
-      real(wp), contiguous, intent(out) :: residual(:, :)
-      integer :: n
-      do n = 1, size(y, 2)
-         residual(:, n) = -load(:, n)
-         call add_product(matrix%diagonal(:, :, n), y(:, n), residual(:, n))
-         if (n > 1) call add_product(matrix%lower(:, :, n - 1), y(:, n - 1), residual(:, n))
-         if (n < size(y, 2)) call add_product(matrix%upper(:, :, n), y(:, n + 1), residual(:, n))
-      end do
-   end subroutine linear_residual
-
-   !> r <- r + a x, of a block and a node's unknowns.
-   pure subroutine add_product(a, x, r)
-      real(wp), intent(in) :: a(node_unknowns, node_unknowns), x(node_unknowns)
-      real(wp), intent(inout) :: r(node_unknowns)
-      r = r + (a(:, 1)*x(1) + a(:, 2)*x(2) + a(:, 3)*x(3) + a(:, 4)*x(4))
-   end subroutine add_product
-
-   !> Takes unknowns that stay as they are out of the matrix: zero rows and columns, with ones on the diagonal.
-   pure subroutine fix_unknowns(fixed, matrix)
-      logical, intent(in) :: fixed(:, :)
-      type(block_matrix_type), intent(inout) :: matrix
-      integer :: i, n, nodes
-      nodes = size(fixed, 2)
-      do n = 1, nodes
-         do i = 1, node_unknowns
-            if (.not. fixed(i, n)) cycle
-            matrix%diagonal(i, :, n) = 0.0_wp
-            matrix%diagonal(:, i, n) = 0.0_wp
-            matrix%diagonal(i, i, n) = 1.0_wp
-            if (n < nodes) then
-               matrix%upper(i, :, n) = 0.0_wp
-               matrix%lower(:, i, n) = 0.0_wp
-            end if
-            if (n > 1) then
-               matrix%upper(:, i, n - 1) = 0.0_wp
-               matrix%lower(i, :, n - 1) = 0.0_wp
-            end if
-         end do
-      end do
-   end subroutine fix_unknowns
 end module dg_bending_solution

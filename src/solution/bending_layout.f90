@@ -1,7 +1,7 @@
 !> Where the string of an analysis lies, and the beam by which it is bent again (dg_bending_profile): its nodes, loads and walls.
 module dg_bending_layout
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, node_unknowns
+   use dg_bending_beam, only: bending_beam_type, node_unknowns, set_elements
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
@@ -223,7 +223,7 @@ contains
       n = size(nodes)
       beam%md = nodes
       allocate (beam%place(n), beam%axial(n), beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
-                beam%weight(n - 1), beam%ei(n - 1), beam%law(n - 1), beam%radius(n - 1), beam%along(n - 1), beam%around(n - 1))
+                beam%weight(n - 1), beam%ei(n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
@@ -252,11 +252,11 @@ contains
          beam%ei(e) = mesh%ei(o)
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
-         beam%law(e) = gaps%law(o)
-         beam%law(e)%contact = gaps%law(o)%contact/mesh%length(o)
-         beam%law(e)%maximum = gaps%law(o)%maximum/mesh%length(o)
+         beam%element(e)%law = gaps%law(o)
+         beam%element(e)%law%contact = gaps%law(o)%contact/mesh%length(o)
+         beam%element(e)%law%maximum = gaps%law(o)%maximum/mesh%length(o)
          if (is_point(mesh, gaps, o)) then
-            beam%law(e)%clearance = out_of_reach
+            beam%element(e)%law%clearance = out_of_reach
             if (e > 1) then
                if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < 0.5_wp*sliver) then
                   beam%point = [beam%point, e]
@@ -264,9 +264,8 @@ contains
                end if
             end if
          end if
-         beam%radius(e) = mesh%radius(o)
-         beam%along(e) = mesh%axial(o)
-         beam%around(e) = mesh%rotary(o)*work%climb(o)
+         beam%element(e)%lever = mesh%radius(o)*mesh%axial(o)
+         beam%element(e)%around = mesh%rotary(o)*work%climb(o)
       end do
       arc = 1
       do e = 1, n - 1
@@ -274,6 +273,7 @@ contains
          arc = arc_at(model%trajectory, middle, near=arc)
          beam%curvature(:, e) = curvature_in_frame(model%trajectory, arc)
       end do
+      call set_elements(beam)
       allocate (beam%point_law(size(beam%point)))
       beam%point_law = gaps%law(beam%point_owner)
       beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)

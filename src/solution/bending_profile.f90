@@ -12,7 +12,8 @@
 !> where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, curvature_within, find_forces, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
+   use dg_bending_element, only: moments_of_shape
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, near_bit, new_beam, wants_bit
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: clock_in_hole, contact_scale, merge_rows
@@ -314,8 +315,7 @@ contains
       allocate (moments(size(y, 2)), differences(size(y, 2)), source=0.0_wp)
       above = 0.0_wp
       do n = 1, size(y, 2)
-         if (n < size(y, 2)) bend = beam%ei(n)*(curvature_within(beam%md(n + 1) - beam%md(n), y(:, n), y(:, n + 1)) &
-                                                + spread(beam%curvature(:, n) - beam%bend(:, n), 2, 2))
+         if (n < size(y, 2)) call moments_of_shape(beam%element(n), y(:, n), y(:, n + 1), .false., bend)
          if (.not. beam%held(n)) then
             moments(n) = length_of(bent%forces(3:4, n))
             if (n > 1 .and. n < size(y, 2)) &

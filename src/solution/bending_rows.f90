@@ -1,7 +1,8 @@
 !> Rows of the profile of a string that has been bent again (dg_bending_profile).
 module dg_bending_rows
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, contact_xi, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, length_of
+   use dg_bending_element, only: contact_xi
    use dg_bending_nodes, only: rows_needed
    use dg_mesh, only: mesh_type
    use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid

@@ -2,7 +2,8 @@
 !> stabilisers, edges of contact, and what holds the ends.
 module dg_contact_list
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, contact_places, contact_xi, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, length_of
+   use dg_bending_element, only: contact_places, contact_xi
    use dg_bending_rows, only: clock_in_hole
    use dg_case_result, only: case_result_type, contact_bit, contact_blades, contact_centralizer, contact_edge, contact_joint, &
                              contact_point_type, contact_top

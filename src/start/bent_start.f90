@@ -8,7 +8,7 @@
 !> them unstable: a start need not settle how they buckle.
 module dg_bent_start
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
+   use dg_bending_beam, only: bending_beam_type, set_elements
    use dg_bending_solution, only: solve_bending
    use dg_gap_state, only: gap_law_type
    use dg_mesh, only: is_straight_down, mesh_type
@@ -40,14 +40,13 @@ contains
       logical, intent(out) :: found
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       type(bending_beam_type) :: beam
-      type(bent_type) :: forces
       real(wp) :: bent(4, mesh%nodes), t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
       integer :: e, n, arc
       n = mesh%nodes
       beam%md = mesh%md
       beam%place = mesh%md
       beam%axial = axial
-      allocate (beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%law(n - 1))
+      allocate (beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
@@ -55,13 +54,12 @@ contains
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
       beam%weight = mesh%weight
       beam%ei = mesh%ei
-      beam%radius = mesh%radius
-      beam%along = mesh%axial
-      beam%around = rotary
+      beam%element%lever = mesh%radius*mesh%axial
+      beam%element%around = rotary
       do e = 1, n - 1
          beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
          beam%owner(e) = e
-         beam%law(e) = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
+         beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
       end do
@@ -82,12 +80,10 @@ contains
       end do
       beam%centred(1) = model%boundary%top_centred
       beam%centred(n) = model%boundary%bit_centred
+      call set_elements(beam)
       bent = y
-      call solve_bending(beam, bent, settled, found, anchor=y)
-      if (.not. found) return
-      y = bent
-      call find_forces(beam, y, forces)
-      pressed = forces%pressed
+      call solve_bending(beam, bent, settled, found, anchor=y, pressed=pressed)
+      if (found) y = bent
    end subroutine bend_start
 
    !> Largest contact load over its clearance that the bend of a housing is expected to have in a vertical hole [N/m2], where

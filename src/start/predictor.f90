@@ -7,7 +7,7 @@
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
-   use dg_bending_beam, only: contact_places, contact_xi
+   use dg_bending_element, only: contact_places, contact_xi
    use dg_bent_start, only: bend_start
    use dg_buckled_start, only: lay_buckled
    use dg_coiling, only: wound_compression
