@@ -16,7 +16,7 @@ module dg_bent_start
    use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
    private
-   public :: bend_start, pressing_of_bend
+   public :: bend_start, new_start_beam, pressing_of_bend
 
    !> Change of moments over the largest one at which a start is good enough [-].
    real(wp), parameter :: settled = 1.0e-3_wp
@@ -27,20 +27,15 @@ module dg_bent_start
 
 contains
 
-   !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are under the soft string's forces, and
-   !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
-   pure subroutine bend_start(model, mesh, axial, torque, rotary, wall, y, pressed, found)
+   !> The beam on the nodes of the mesh under the soft string's forces, but for its walls.
+   pure subroutine new_start_beam(model, mesh, axial, torque, rotary, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
       real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
-      real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
-      real(wp), contiguous, intent(inout) :: y(:, :)
-      real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
-      logical, intent(out) :: found
+      type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
-      type(bending_beam_type) :: beam
-      real(wp) :: bent(4, mesh%nodes), t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
+      real(wp) :: t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
       integer :: e, n, arc
       n = mesh%nodes
       beam%md = mesh%md
@@ -59,7 +54,6 @@ contains
       do e = 1, n - 1
          beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
          beam%owner(e) = e
-         beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
       end do
@@ -81,6 +75,22 @@ contains
       beam%centred(1) = model%boundary%top_centred
       beam%centred(n) = model%boundary%bit_centred
       call set_elements(beam)
+   end subroutine new_start_beam
+
+   !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are, against walls of a stiffness, and
+   !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
+   pure subroutine bend_start(mesh, wall, beam, y, pressed, found)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
+      type(bending_beam_type), intent(inout) :: beam
+      real(wp), contiguous, intent(inout) :: y(:, :)
+      real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
+      logical, intent(out) :: found
+      real(wp) :: bent(4, mesh%nodes)
+      integer :: e
+      do e = 1, mesh%elements
+         beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
+      end do
       bent = y
       call solve_bending(beam, bent, settled, found, anchor=y, pressed=pressed)
       if (found) y = bent

@@ -7,8 +7,9 @@
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
+   use dg_bending_beam, only: bending_beam_type
    use dg_bending_element, only: contact_places, contact_xi
-   use dg_bent_start, only: bend_start
+   use dg_bent_start, only: bend_start, new_start_beam
    use dg_buckled_start, only: lay_buckled
    use dg_coiling, only: wound_compression
    use dg_gap_state, only: state_elastic, state_free
@@ -61,6 +62,7 @@ contains
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
       real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
       real(wp) :: wound(mesh%nodes)
+      type(bending_beam_type) :: beam
       logical :: found, sharp, left_handed
       integer :: i, e, laid
       wall = start%softness*mesh%wall
@@ -94,11 +96,13 @@ contains
       y(1:2, :) = offset
       y(3:4, :) = slope
       found = .false.
-      if (model%numerics%tuning%start_bent) &
-         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, wall, y, forces, found)
+      if (model%numerics%tuning%start_bent) then
+         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, beam)
+         call bend_start(mesh, wall, beam, y, forces, found)
+      end if
       if (found .and. .not. start%spread) then
          bent = y
-         call bend_start(model, mesh, axial, torque, start%scale*climb*mesh%rotary, mesh%wall, bent, hard, sharp)
+         call bend_start(mesh, mesh%wall, beam, bent, hard, sharp)
          if (sharp) then
             forces = hard
             if (lies_outside(model%numerics%tuning%start_outside, mesh, y)) y = bent
