@@ -72,7 +72,7 @@ contains
       integer :: e
       do e = 1, size(beam%ei)
          call set_element(beam%md(e + 1) - beam%md(e), beam%ei(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
-                          beam%bend(:, e), beam%weight(e)*beam%down(:, e:e + 1), beam%element(e))
+                          beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
       end do
    end subroutine set_elements
 
@@ -104,6 +104,7 @@ contains
       bent%y = y
       allocate (bent%forces(4, n), bent%pressed(contact_places, n - 1), bent%points(size(beam%point)))
       do e = 1, n - 1
+         action = 0.0_wp
          call element_action(beam%element(e), y(:, e), y(:, e + 1), push, action)
          bent%pressed(:, e) = push%force*(beam%element(e)%length/contact_places)
          bent%forces(:, e) = action(:4)

@@ -7,7 +7,7 @@ module dg_bending_element
    implicit none
    private
    public :: beam_element_type, wall_push_type, contact_places, contact_xi
-   public :: set_element, element_action, element_matrix, push_at, add_action, add_stiffness, moments_of_shape
+   public :: set_element, element_action, element_matrix, push_at, add_action, add_stiffness, moments_of_shape, raise_moments
 
    !> Places of an element at which the wall is felt. A node has two unknowns in a plane, offset and slope; more places than two
    !> would leave a string that lies on the wall no freedom to bend along it.
@@ -51,14 +51,15 @@ module dg_bending_element
 contains
 
    !> Sets what an element needs but law and friction. Axial force and weight change linearly along it.
-   pure subroutine set_element(length, ei, axial, torque, curvature, bend, pull, element)
+   pure subroutine set_element(length, ei, axial, torque, curvature, bend, weight, down, element)
       real(wp), intent(in) :: length           !< [m]
       real(wp), intent(in) :: ei               !< [N.m2]
       real(wp), intent(in) :: axial(2)         !< T at its nodes [N]
       real(wp), intent(in) :: torque           !< M_t [N.m]
       real(wp), intent(in) :: curvature(2)     !< k [1/m]
       real(wp), intent(in) :: bend(2)          !< b [1/m]
-      real(wp), intent(in) :: pull(2, 2)       !< w at its nodes (2,node) [N/m]
+      real(wp), intent(in) :: weight           !< buoyed, per length [N/m]
+      real(wp), intent(in) :: down(2, 2)       !< part of the unit vector downwards across the hole, at its nodes (2,2) [-]
       type(beam_element_type), intent(inout) :: element
       real(wp) :: stiffness, tight(2), upper(2), lower(2), bending(2), turning(2)
       stiffness = ei/length
@@ -75,8 +76,8 @@ contains
       element%couple(1) = 4.0_wp*stiffness + 3.0_wp*tight(1) + tight(2)
       element%couple(2) = 2.0_wp*stiffness - 0.5_wp*(tight(1) + tight(2))
       element%couple(3) = 4.0_wp*stiffness + tight(1) + 3.0_wp*tight(2)
-      upper = (pull(:, 1) + axial(1)*curvature)*length
-      lower = (pull(:, 2) + axial(2)*curvature)*length
+      upper = (weight*down(:, 1) + axial(1)*curvature)*length
+      lower = (weight*down(:, 2) + axial(2)*curvature)*length
       bending = ei*element%bent
       turning(1) = torque*curvature(2)
       turning(2) = -torque*curvature(1)
@@ -86,39 +87,40 @@ contains
       element%load(7:8) = -length*(upper/30.0_wp + lower/20.0_wp) - bending
    end subroutine set_element
 
-   !> Forces and couples that an element's nodes must be held with at a shape: zero in sum over elements at equilibrium. And how the
-   !> wall presses there.
+   !> Forces and couples that an element's nodes must be held with at a shape, and how the wall presses. Over the elements they add
+   !> up to zero at equilibrium: those of the upper node are added to what is there.
    pure subroutine element_action(element, upper, lower, push, action)
       type(beam_element_type), intent(in) :: element
       real(wp), intent(in) :: upper(4), lower(4)        !< offsets and slopes of its nodes [m, -]
       type(wall_push_type), intent(inout) :: push(contact_places)
-      real(wp), intent(out) :: action(8)                !< in the order of the loads [N, N.m]
-      real(wp) :: difference(2), turn(2), couple(2), offset(2), square
+      real(wp), intent(inout) :: action(8)              !< in the order of the loads [N, N.m]
+      real(wp), dimension(2) :: difference, turn, couple, force, offset, far
+      real(wp) :: square
       integer :: p
       difference = upper(1:2) - lower(1:2)
       turn = element%torque(2)*(upper(3:4) - lower(3:4))
       couple = element%torque(2)*difference + element%torque(1)*(upper(3:4) + lower(3:4))
-      action(1:2) = element%shear*difference + element%turn(1)*upper(3:4) + element%turn(2)*lower(3:4)
-      action(1) = action(1) + turn(2)
-      action(2) = action(2) - turn(1)
-      action(5:6) = -action(1:2) - element%load(5:6)
-      action(1:2) = action(1:2) - element%load(1:2)
-      action(3:4) = element%turn(1)*difference + element%couple(1)*upper(3:4) + element%couple(2)*lower(3:4) - element%load(3:4)
-      action(3) = action(3) - couple(2)
-      action(4) = action(4) + couple(1)
-      action(7:8) = element%turn(2)*difference + element%couple(2)*upper(3:4) + element%couple(3)*lower(3:4) - element%load(7:8)
-      action(7) = action(7) + couple(2)
-      action(8) = action(8) - couple(1)
+      force = element%shear*difference + element%turn(1)*upper(3:4) + element%turn(2)*lower(3:4)
+      force(1) = force(1) + turn(2)
+      force(2) = force(2) - turn(1)
+      action(1:2) = action(1:2) + (force - element%load(1:2))
+      action(5:6) = -force - element%load(5:6)
+      force = element%turn(1)*difference + element%couple(1)*upper(3:4) + element%couple(2)*lower(3:4) - element%load(3:4)
+      force(1) = force(1) - couple(2)
+      force(2) = force(2) + couple(1)
+      action(3:4) = action(3:4) + force
+      force = element%turn(2)*difference + element%couple(2)*upper(3:4) + element%couple(3)*lower(3:4) - element%load(7:8)
+      force(1) = force(1) + couple(2)
+      force(2) = force(2) - couple(1)
+      action(7:8) = force
       do p = 1, contact_places
-         offset = contact_value(1, p)*upper(1:2) + contact_value(3, p)*lower(1:2) &
-                  + element%length*(contact_value(2, p)*upper(3:4) + contact_value(4, p)*lower(3:4))
+         far = contact_value(2, p)*upper(3:4) + contact_value(4, p)*lower(3:4)
+         offset = contact_value(1, p)*upper(1:2) + contact_value(3, p)*lower(1:2) + element%length*far
          square = offset(1)**2 + offset(2)**2
-         if (square > element%law%clearance**2) then
-            call push_at(element%law, offset, square, push(p))
-            call add_push(element, p, push(p), action)
-         else
-            push(p)%force = 0.0_wp
-         end if
+         push(p)%force = 0.0_wp
+         if (.not. square > element%law%clearance**2) cycle
+         call push_at(element%law, offset, square, push(p))
+         call add_push(element, p, push(p), action)
       end do
    end subroutine element_action
 
@@ -198,26 +200,44 @@ contains
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: shape(4), slopes(4)         !< shape functions there, of an element of unit length
       real(wp), intent(inout) :: matrix(2, 5, 8)
-      real(wp) :: force(2, 2), couple(2, 2), rows(2, 8), second, fourth
-      integer :: i
-      call find_stiffness(push, element%around, force, couple)
-      force = (element%length/contact_places)*force
-      couple = (element%lever/contact_places)*couple
+      real(wp) :: stiffness(2, 2), rows(2, 2, 4), second, fourth, lever
+      stiffness = stiffness_of(push, element%length/contact_places)
       second = element%length*shape(2)
       fourth = element%length*shape(4)
-      do i = 1, 2
-         rows(:, i) = shape(1)*force(:, i) + slopes(1)*couple(:, i)
-         rows(:, i + 2) = second*force(:, i) + (element%length*slopes(2))*couple(:, i)
-         rows(:, i + 4) = shape(3)*force(:, i) + slopes(3)*couple(:, i)
-         rows(:, i + 6) = fourth*force(:, i) + (element%length*slopes(4))*couple(:, i)
-      end do
-      do i = 1, 8
-         matrix(:, 1, i) = matrix(:, 1, i) + shape(1)*rows(:, i)
-         matrix(:, 2, i) = matrix(:, 2, i) + second*rows(:, i)
-         matrix(:, 3, i) = matrix(:, 3, i) + shape(3)*rows(:, i)
-         matrix(:, 4, i) = matrix(:, 4, i) + fourth*rows(:, i)
-      end do
+      lever = element%lever*element%per_length
+      rows(:, :, 1) = (shape(1) + lever*slopes(1))*stiffness
+      rows(:, :, 2) = (second + element%lever*slopes(2))*stiffness
+      rows(:, :, 3) = (shape(3) + lever*slopes(3))*stiffness
+      rows(:, :, 4) = (fourth + element%lever*slopes(4))*stiffness
+      if (abs(element%around) > 0.0_wp) then
+         call add_turned(element%around*shape(1), stiffness, rows(:, :, 1))
+         call add_turned(element%around*second, stiffness, rows(:, :, 2))
+         call add_turned(element%around*shape(3), stiffness, rows(:, :, 3))
+         call add_turned(element%around*fourth, stiffness, rows(:, :, 4))
+      end if
+      call add_rows([shape(1), second, shape(3), fourth], rows, matrix)
    end subroutine add_wall
+
+   !> A column of four factors times a row of pairs, added to a matrix.
+   pure subroutine add_rows(factor, rows, matrix)
+      real(wp), intent(in) :: factor(4), rows(2, 8)
+      real(wp), intent(inout) :: matrix(2, 5, 8)
+      integer :: i
+      do i = 1, 8
+         matrix(:, 1, i) = matrix(:, 1, i) + factor(1)*rows(:, i)
+         matrix(:, 2, i) = matrix(:, 2, i) + factor(2)*rows(:, i)
+         matrix(:, 3, i) = matrix(:, 3, i) + factor(3)*rows(:, i)
+         matrix(:, 4, i) = matrix(:, 4, i) + factor(4)*rows(:, i)
+      end do
+   end subroutine add_rows
+
+   !> Adds what friction around the hole brings: a part of a stiffness, turned by a right angle.
+   pure subroutine add_turned(part, stiffness, rows)
+      real(wp), intent(in) :: part, stiffness(2, 2)
+      real(wp), intent(inout) :: rows(2, 2)
+      rows(:, 1) = rows(:, 1) - part*stiffness(:, 2)
+      rows(:, 2) = rows(:, 2) + part*stiffness(:, 1)
+   end subroutine add_turned
 
    !> How the wall presses where the string touches, by the law of dg_gap_state. A law for a metre of wall gives it per metre.
    pure subroutine push_at(law, offset, square, push)
@@ -255,41 +275,58 @@ contains
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
       real(wp), intent(inout) :: matrix(:, :)    !< at least (2,4)
-      real(wp) :: by_force(2, 2), by_couple(2, 2)
-      call find_stiffness(push, around, by_force, by_couple)
-      matrix(1:2, 1:2) = matrix(1:2, 1:2) + by_force
-      matrix(1:2, 3:4) = matrix(1:2, 3:4) + lever*by_couple
+      real(wp) :: stiffness(2, 2)
+      stiffness = stiffness_of(push, 1.0_wp)
+      matrix(1:2, 3:4) = matrix(1:2, 3:4) + lever*stiffness
+      matrix(1:2, 1:2) = matrix(1:2, 1:2) + stiffness
+      call add_turned(around, stiffness, matrix(1:2, 1:2))
    end subroutine add_stiffness
 
-   !> Derivatives by the offset, row by row, of the wall's force R (n + m t x n) and of R n.
-   pure subroutine find_stiffness(push, around, force, plain)
+   !> Derivatives of R n by the offset, times a factor.
+   pure function stiffness_of(push, factor) result(stiffness)
       type(wall_push_type), intent(in) :: push
-      real(wp), intent(in) :: around      !< m [-]
-      real(wp), intent(out) :: force(2, 2), plain(2, 2)
-      real(wp) :: steep
-      steep = push%stiffness - push%turning
-      plain(1, 1) = push%turning + steep*push%n(1)*push%n(1)
-      plain(2, 1) = steep*push%n(1)*push%n(2)
-      plain(1, 2) = plain(2, 1)
-      plain(2, 2) = push%turning + steep*push%n(2)*push%n(2)
-      force(:, 1) = plain(:, 1) - around*plain(:, 2)
-      force(:, 2) = plain(:, 2) + around*plain(:, 1)
-   end subroutine find_stiffness
+      real(wp), intent(in) :: factor
+      real(wp) :: stiffness(2, 2)
+      real(wp) :: turning, steep
+      turning = factor*push%turning
+      steep = factor*push%stiffness - turning
+      stiffness(1, 1) = turning + steep*push%n(1)*push%n(1)
+      stiffness(2, 1) = steep*push%n(1)*push%n(2)
+      stiffness(1, 2) = stiffness(2, 1)
+      stiffness(2, 2) = turning + steep*push%n(2)*push%n(2)
+   end function stiffness_of
 
-   !> Bending moments EI (k + y'' - b) by the shape of an element at its upper (first column) and its lower end, or their changes by
-   !> the changes of a shape [N.m].
-   pure subroutine moments_of_shape(element, upper, lower, change, moments)
+   !> Bending moments EI (k + y'' - b) by the shape of an element at its upper (first column) and its lower end [N.m].
+   pure subroutine moments_of_shape(element, upper, lower, moments)
       type(beam_element_type), intent(in) :: element
-      real(wp), intent(in) :: upper(4), lower(4)   !< offsets and slopes of its nodes, or changes of these [m, -]
-      logical, intent(in) :: change                !< changes are meant
+      real(wp), intent(in) :: upper(4), lower(4)   !< offsets and slopes of its nodes [m, -]
+      real(wp), intent(out) :: moments(2, 2)
+      call moments_of_change(element, upper, lower, moments)
+      moments(:, 1) = moments(:, 1) + element%ei*element%bent
+      moments(:, 2) = moments(:, 2) + element%ei*element%bent
+   end subroutine moments_of_shape
+
+   !> EI y'', by which these moments change as offsets and slopes do.
+   pure subroutine moments_of_change(element, upper, lower, moments)
+      type(beam_element_type), intent(in) :: element
+      real(wp), intent(in) :: upper(4), lower(4)
       real(wp), intent(out) :: moments(2, 2)
       real(wp) :: chord(2), stiffness
       stiffness = 2.0_wp*element%ei*element%per_length
       chord = (3.0_wp*element%per_length)*(lower(1:2) - upper(1:2))
       moments(:, 1) = stiffness*(chord - 2.0_wp*upper(3:4) - lower(3:4))
       moments(:, 2) = stiffness*(2.0_wp*lower(3:4) + upper(3:4) - chord)
-      if (change) return
-      moments(:, 1) = moments(:, 1) + element%ei*element%bent
-      moments(:, 2) = moments(:, 2) + element%ei*element%bent
-   end subroutine moments_of_shape
+   end subroutine moments_of_change
+
+   !> Raises two numbers to the squares of an element's moments and of their changes, where these are larger [N2.m2].
+   pure subroutine raise_moments(element, upper, lower, change_above, change_below, most, changed)
+      type(beam_element_type), intent(in) :: element
+      real(wp), intent(in), dimension(4) :: upper, lower, change_above, change_below
+      real(wp), intent(inout) :: most, changed
+      real(wp) :: moments(2, 2), change(2, 2)
+      call moments_of_shape(element, upper, lower, moments)
+      call moments_of_change(element, change_above, change_below, change)
+      most = max(most, moments(1, 1)**2 + moments(2, 1)**2, moments(1, 2)**2 + moments(2, 2)**2)
+      changed = max(changed, change(1, 1)**2 + change(2, 1)**2, change(1, 2)**2 + change(2, 2)**2)
+   end subroutine raise_moments
 end module dg_bending_element

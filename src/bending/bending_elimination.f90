@@ -3,7 +3,7 @@
 !> Blocks of 4 x 4 are solved by their quarters, without exchange of rows. Under tension the matrix is positive definite but for
 !> friction and torque, whose part is small. An inexact step does no harm: dg_bending_solution judges it by the residual that it
 !> leaves. No matrix is kept: what an element adds to its lower node is all that goes on to the next one. The processor takes two
-!> numbers at once where gfortran leaves a loop over the numbers of a row a loop (unroll 1).
+!> numbers at once where gfortran leaves the loop over the numbers of a row a loop (unroll 1).
 module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, b => node_unknowns
@@ -60,9 +60,8 @@ contains
          if (n < nodes) then
             if (fixed(n + 1) > 0) call keep(fixed(n + 1), b, equations)
          end if
-         call solve(equations, indefinite, rows(:, :, n), solved)
+         call eliminate(equations, indefinite, rows(:, :, n), solved)
          if (.not. solved) return
-         if (n < nodes) call take_off(rows(:, :, n), equations)
       end do
       step(:, nodes) = -rows(behind - 1, :, nodes)
       do n = nodes - 1, 1, -1
@@ -96,9 +95,10 @@ contains
       end do
    end subroutine keep
 
-   !> Solves the equations of the upper node for its unknowns: first for the offsets, then for the slopes.
-   pure subroutine solve(equations, indefinite, rows, solved)
-      real(wp), intent(in) :: equations(wide, 2*b)
+   !> Solves the equations of the upper node for its unknowns, first for the offsets, then for the slopes, and takes these unknowns
+   !> out of the equations of the lower node.
+   pure subroutine eliminate(equations, indefinite, rows, solved)
+      real(wp), intent(inout) :: equations(wide, 2*b)
       logical, intent(in) :: indefinite     !< pivots may be negative
       real(wp), intent(out) :: rows(behind, b)
       logical, intent(out) :: solved
@@ -124,8 +124,12 @@ contains
          rows(j, 4) = second(1, 2)*lower(1) + second(2, 2)*lower(2)
          rows(j, 1) = upper(1) - (share(1, 1)*rows(j, 3) + share(2, 1)*rows(j, 4))
          rows(j, 2) = upper(2) - (share(1, 2)*rows(j, 3) + share(2, 2)*rows(j, 4))
+         do i = b + 1, 2*b
+            equations(b + j, i) = equations(b + j, i) - (equations(1, i)*rows(j, 1) + equations(2, i)*rows(j, 2) &
+                                                         + equations(3, i)*rows(j, 3) + equations(4, i)*rows(j, 4))
+         end do
       end do
-   end subroutine solve
+   end subroutine eliminate
 
    !> Inverse of a quarter, unless a pivot vanishes, or is negative.
    pure subroutine invert(a, indefinite, inverse, solved)
@@ -144,20 +148,4 @@ contains
       inverse(1, 2) = -a(1, 2)*share
       inverse(2, 1) = -a(2, 1)*share
    end subroutine invert
-
-   !> Takes the unknowns of the upper node out of the equations of the lower one.
-   pure subroutine take_off(rows, equations)
-      real(wp), intent(in) :: rows(behind, b)
-      real(wp), intent(inout) :: equations(wide, 2*b)
-      integer :: i, j
-      do i = b + 1, 2*b
-         associate (left => equations(:b, i))
-            !GCC$ unroll 1
-            do j = 1, behind
-               equations(b + j, i) = equations(b + j, i) &
-                                     - (left(1)*rows(j, 1) + left(2)*rows(j, 2) + left(3)*rows(j, 3) + left(4)*rows(j, 4))
-            end do
-         end associate
-      end do
-   end subroutine take_off
 end module dg_bending_elimination

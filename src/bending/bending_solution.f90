@@ -9,7 +9,7 @@
 module dg_bending_solution
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
-   use dg_bending_element, only: add_action, contact_places, element_action, moments_of_shape, wall_push_type
+   use dg_bending_element, only: add_action, contact_places, element_action, raise_moments, wall_push_type
    use dg_bending_elimination, only: newton_step
    implicit none
    private
@@ -57,7 +57,7 @@ contains
          upper = 1.0_wp
          share = 1.0_wp
          do try = 1, most_trials
-            trial = y + share*step
+            call move(size(step), share, step, y, trial)
             call find_residual(beam, fixed, trial, anchor, push, points, residual)
             work_trial = product_of(size(step), residual, step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
@@ -76,7 +76,7 @@ contains
          if (share >= 1.0_wp) found = is_small(beam, y, step, settled)
          if (found) exit
       end do
-      if (present(pressed)) pressed = spread(beam%element%length/contact_places, 1, contact_places)*push%force
+      if (present(pressed)) call find_pressed(beam, push, pressed)
    end subroutine solve_bending
 
    !> Residual at a shape, and how the wall presses there.
@@ -88,13 +88,10 @@ contains
       type(wall_push_type), intent(inout) :: push(:, :)      !< at the places of the elements
       type(wall_push_type), intent(inout) :: points(:)       !< of tool joints
       real(wp), contiguous, intent(out) :: residual(:, :)    !< [N, N.m]
-      real(wp) :: action(2*node_unknowns)
       integer :: e, n, p
       residual(:, 1) = 0.0_wp
       do e = 1, size(push, 2)
-         call element_action(beam%element(e), shape(:, e), shape(:, e + 1), push(:, e), action)
-         residual(:, e) = residual(:, e) + action(:node_unknowns)
-         residual(:, e + 1) = action(node_unknowns + 1:)
+         call element_action(beam%element(e), shape(:, e), shape(:, e + 1), push(:, e), residual(:, e:e + 1))
       end do
       call press_points(beam, shape, points)
       do p = 1, size(points)
@@ -104,13 +101,24 @@ contains
       end do
       if (present(anchor)) then
          do n = 1, size(shape, 2)
-            residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
+            if (beam%viscous(n) > 0.0_wp) residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
          end do
       end if
       do n = 1, size(shape, 2)
          if (fixed(n) > 0) residual(:fixed(n), n) = 0.0_wp
       end do
    end subroutine find_residual
+
+   !> Contact forces at the places of the elements [N].
+   pure subroutine find_pressed(beam, push, pressed)
+      type(bending_beam_type), intent(in) :: beam
+      type(wall_push_type), intent(in) :: push(:, :)
+      real(wp), intent(out) :: pressed(:, :)
+      integer :: e
+      do e = 1, size(push, 2)
+         pressed(:, e) = push(:, e)%force*(beam%element(e)%length/contact_places)
+      end do
+   end subroutine find_pressed
 
    !> Largest load across the hole on a node [N].
    pure function largest_load(beam) result(load)
@@ -139,6 +147,14 @@ contains
       end do
    end function largest
 
+   !> The shape that a part of a step leads to.
+   pure subroutine move(n, share, step, from, to)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: share, step(n), from(n)
+      real(wp), intent(out) :: to(n)
+      to = from + share*step
+   end subroutine move
+
    !> Sum of products.
    pure function product_of(n, a, b) result(product)
       integer, intent(in) :: n
@@ -159,15 +175,12 @@ contains
       real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step
       real(wp), intent(in) :: part     !< [-]
       logical :: small
-      real(wp) :: most, changed, change(2, 2), bend(2, 2)
+      real(wp) :: most, changed      ! squares
       integer :: e
       most = 0.0_wp
       changed = 0.0_wp
       do e = 1, size(beam%ei)
-         call moments_of_shape(beam%element(e), step(:, e), step(:, e + 1), .true., change)
-         call moments_of_shape(beam%element(e), y(:, e), y(:, e + 1), .false., bend)
-         changed = max(changed, change(1, 1)**2 + change(2, 1)**2, change(1, 2)**2 + change(2, 2)**2)      ! squares
-         most = max(most, bend(1, 1)**2 + bend(2, 1)**2, bend(1, 2)**2 + bend(2, 2)**2)
+         call raise_moments(beam%element(e), y(:, e), y(:, e + 1), step(:, e), step(:, e + 1), most, changed)
       end do
       small = changed <= part**2*most
    end function is_small

@@ -315,7 +315,7 @@ contains
       allocate (moments(size(y, 2)), differences(size(y, 2)), source=0.0_wp)
       above = 0.0_wp
       do n = 1, size(y, 2)
-         if (n < size(y, 2)) call moments_of_shape(beam%element(n), y(:, n), y(:, n + 1), .false., bend)
+         if (n < size(y, 2)) call moments_of_shape(beam%element(n), y(:, n), y(:, n + 1), bend)
          if (.not. beam%held(n)) then
             moments(n) = length_of(bent%forces(3:4, n))
             if (n > 1 .and. n < size(y, 2)) &
