@@ -13,7 +13,7 @@ module dg_bending_solution
    use dg_bending_elimination, only: newton_step
    implicit none
    private
-   public :: solve_bending
+   public :: solve_bending, least_moment
 
    !> Largest residual at equilibrium, over the largest nodal load [-]: moments are then right to a hundred-thousandth.
    real(wp), parameter :: tolerance = 1.0e-6_wp
@@ -37,11 +37,12 @@ contains
       real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
       type(wall_push_type) :: push(contact_places, size(beam%ei)), points(size(beam%point))
       real(wp), dimension(node_unknowns, size(y, 2)) :: residual, step, trial
-      real(wp) :: scale, work, share, lower, upper, work_lower, work_trial
+      real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
       integer :: fixed(size(y, 2)), iteration, try
       fixed = merge(node_unknowns, merge(2, 0, beam%centred), beam%held)
       scale = largest_load(beam)
+      least = least_moment(beam)
       found = .false.
       call find_residual(beam, fixed, y, anchor, push, points, residual)
       do iteration = 0, most_iterations
@@ -73,7 +74,7 @@ contains
                                                  min(share, lower - work_lower*(upper - lower)/(work_trial - work_lower)))
          end do
          y = trial
-         if (share >= 1.0_wp) found = is_small(beam, y, step, settled)
+         if (share >= 1.0_wp) found = is_small(beam, y, step, settled, least)
          if (found) exit
       end do
       if (present(pressed)) call find_pressed(beam, push, pressed)
@@ -119,6 +120,14 @@ contains
          pressed(:, e) = push(:, e)%force*(beam%element(e)%length/contact_places)
       end do
    end subroutine find_pressed
+
+   !> What the tolerance of the residual leaves of moments [N.m]: smaller ones are none. A string that rests on a straight wall has none,
+   !> and what is small or large against round-off says nothing.
+   pure function least_moment(beam) result(moment)
+      type(bending_beam_type), intent(in) :: beam      !< with its elements set
+      real(wp) :: moment
+      moment = tolerance*largest_load(beam)*maxval(beam%element%length)
+   end function least_moment
 
    !> Largest load across the hole on a node [N].
    pure function largest_load(beam) result(load)
@@ -170,10 +179,11 @@ contains
    end function product_of
 
    !> Whether a step changed moments at the ends of the elements by less than a part of the largest one there after it.
-   pure function is_small(beam, y, step, part) result(small)
+   pure function is_small(beam, y, step, part, least) result(small)
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step
       real(wp), intent(in) :: part     !< [-]
+      real(wp), intent(in) :: least    !< of least_moment [N.m]
       logical :: small
       real(wp) :: most, changed      ! squares
       integer :: e
@@ -182,6 +192,6 @@ contains
       do e = 1, size(beam%ei)
          call raise_moments(beam%element(e), y(:, e), y(:, e + 1), step(:, e), step(:, e + 1), most, changed)
       end do
-      small = changed <= part**2*most
+      small = changed <= part**2*max(most, least**2)
    end function is_small
 end module dg_bending_solution

@@ -17,7 +17,7 @@ module dg_bending_profile
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, near_bit, new_beam, wants_bit
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: clock_in_hole, contact_scale, merge_rows
-   use dg_bending_solution, only: solve_bending
+   use dg_bending_solution, only: least_moment, solve_bending
    use dg_case_result, only: case_result_type
    use dg_contact_edges, only: moments_of_misplacing
    use dg_contact_list, only: list_contacts
@@ -140,7 +140,7 @@ contains
       call recover_moments(beam, y, bent, moments, differences)
       do pass = 1, most_passes
          do round = 1, most_rounds
-            marked = to_be_halved(beam%md, moments, differences, share_of_rough(beam, bit))
+            marked = to_be_halved(beam%md, moments, differences, share_of_rough(beam, bit), largest_of(beam, moments))
             if (.not. any(marked)) exit
             call halve(model, mesh, gaps, work, lying, marked, beam, y)
             call recover_moments(beam, y, bent, moments, differences)
@@ -152,7 +152,7 @@ contains
          call recover_moments(beam, y, bent, moments, differences)
       end do
       if (departure(mesh, lying%y, beam%md, y) > farthest) return
-      error = maxval(differences)/max(maxval(moments), tiny(1.0_wp))
+      error = maxval(differences)/largest_of(beam, moments)
       if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
    end subroutine bend_again
 
@@ -204,7 +204,7 @@ contains
          if (.not. found) return
          call move_alloc(moments, before)
          call recover_moments(beam, y, bent, moments, differences)
-         error = maxval(abs(moments(kept) - before))/max(maxval(moments), tiny(1.0_wp))
+         error = maxval(abs(moments(kept) - before))/largest_of(beam, moments)
          if (error <= proven) return
       end do
    end subroutine prove
@@ -285,17 +285,24 @@ contains
       if (beam%centred(n)) where (beam%md(n) - beam%md < near_bit) share = bit_share
    end function share_of_rough
 
+   !> The largest moment, or what counts as none where all are smaller [N.m]; never 0.
+   pure function largest_of(beam, moments) result(largest)
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: moments(:)
+      real(wp) :: largest
+      largest = max(maxval(moments), least_moment(beam), tiny(1.0_wp))
+   end function largest_of
+
    !> Marks elements that are too long: two recoveries of the moment differ at one of their ends.
-   pure function to_be_halved(nodes, moments, differences, share) result(marked)
+   pure function to_be_halved(nodes, moments, differences, share, largest) result(marked)
       real(wp), intent(in) :: nodes(:)                 !< [m]
       real(wp), intent(in) :: moments(:)               !< at the nodes [N.m]
       real(wp), intent(in) :: differences(:)           !< of two recoveries, at the nodes [N.m]
       real(wp), intent(in) :: share(:)                 !< of `rough` and `rough_peak` that counts, at the nodes [-]
+      real(wp), intent(in) :: largest                  !< of largest_of [N.m]
       logical :: marked(size(nodes) - 1)
-      real(wp) :: largest
       logical :: bad(size(nodes))
       integer :: n
-      largest = maxval(moments)
       bad = differences > share*merge(rough_peak, rough, moments > (1.0_wp - 2.0_wp*rough)*largest)*largest
       do n = 1, size(marked)
          marked(n) = any(bad(n:n + 1)) .and. nodes(n + 1) - nodes(n) > 2.0_wp*shortest
