@@ -1,13 +1,13 @@
 !> Straight inclined holes, string free at both ends: everything is known in closed form.
 module dg_test_straight_holes
-   use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
    use dg_load_case, only: operation_backream, operation_ream, operation_rotary_drilling, operation_sliding_drilling, &
                            operation_static, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
-   use dg_numerics, only: gap_at_nodes
+   use dg_numerics, only: gap_at_nodes, settings_of
    use dg_profile, only: state_free
    use dg_test_wells, only: new_well, note, pipe, solve
    implicit none
@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('gaps_at_nodes', test_gaps_at_nodes))
       call suite%addTest(TestMethod('uneven_mesh', test_uneven_mesh))
       call suite%addTest(TestMethod('straight_up', test_straight_up))
+      call suite%addTest(TestMethod('short_string', test_short_string))
    end function straight_holes_suite
 
    subroutine build(model, theta)
@@ -162,4 +163,20 @@ contains
       call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'straight up')
       call assertRelativelyEqual(-50.0_wp*w, result%hookload, 1.0e-2_wp, message='hook load')
    end subroutine test_straight_up
+
+   !> A string of 5 m at rest in a straight hole lies on its wall without any moment. Its moments are round-off, and no
+   !> reason to halve elements: judged against themselves they made 132 rows of 3 elements, or no equilibrium.
+   subroutine test_short_string()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: short = 5.0_wp, theta = 50.0_wp
+      call new_well(model, [0.0_wp, short], [theta, theta], [30.0_wp, 30.0_wp], 0.2159_wp, mu, pipe(w, 0.127_wp, 0.1086_wp))
+      model%numerics = settings_of('auto')
+      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'short string')
+      call assertEqual(w*short*cos(theta*degree), result%hookload, tolerance*w*short, message='hook load')
+      call note('largest moment over weight times length', maxval(result%profile%bending)/(w*short**2))
+      call assertLessThan(maxval(result%profile%bending), 1.0e-6_wp*w*short**2, message='moment')
+      call assertLessThan(size(result%profile%md), 3*result%elements, message='rows')
+      call assertEqual('', result%message, message='nothing is to be said')
+   end subroutine test_short_string
 end module dg_test_straight_holes
