@@ -14,8 +14,7 @@
 !> active set: Hintermueller, Ito & Kunisch 2002, SIAM J. Optim. 13, 865).
 module dg_contact_problem
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, block_size, copy_matrix
-   use dg_block_solver, only: block_positive_definite
+   use dg_block_matrix, only: block_matrix_type, block_size
    use dg_element_rows, only: add_dyad, add_rows, multiply_rows
    use dg_equations, only: equations_type
    use dg_gap_action, only: find_contact_rows, load_type
@@ -24,8 +23,9 @@ module dg_contact_problem
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
    use dg_plane_assembly, only: find_rows_in_plane
+   use dg_positive_definite, only: block_positive_definite
    use dg_tuning, only: tuning_type
-   use dg_viscosity, only: raise_viscosity
+   use dg_viscosity, only: viscosity_most
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -101,41 +101,30 @@ contains
       stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
    end function in_series
 
-   !> The energy's tangent with the closed gaps' stiffness.
-   pure subroutine add_closed(energy, problem, matrix)
-      type(block_matrix_type), intent(in) :: energy
-      type(contact_problem_type), intent(in) :: problem
-      type(block_matrix_type), intent(inout) :: matrix
-      integer :: e
-      call copy_matrix(energy, matrix)
-      do e = 1, size(problem%closed)
-         if (problem%closed(e)) call add_dyad(problem%penalty(e), problem%by(:, e), problem%by(:, e), e, matrix)
-      end do
-   end subroutine add_closed
-
-   !> Whether that tangent, with so much viscosity, is positive definite.
-   pure subroutine is_definite(energy, lump, problem, viscosity, matrix, definite)
+   !> Whether the energy's tangent with the closed gaps' stiffness and so much viscosity is positive definite.
+   pure subroutine is_definite(energy, lump, problem, viscosity, definite)
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)              !< what a unit of viscosity adds to the diagonal
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(in) :: viscosity               !< [-]
-      type(block_matrix_type), intent(inout) :: matrix
       logical, intent(out) :: definite
-      call add_closed(energy, problem, matrix)
-      call block_positive_definite(matrix, viscosity, lump, definite)
+      call block_positive_definite(energy, viscosity, lump, definite, merge(problem%penalty, 0.0_wp, problem%closed), problem%by)
    end subroutine is_definite
 
    !> Raises viscosity until that tangent is positive definite with it, or with the margin.
-   pure subroutine hold_by_viscosity(tuning, energy, lump, problem, margin, matrix, viscosity)
+   pure subroutine hold_by_viscosity(tuning, energy, lump, problem, margin, viscosity)
       type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: margin
-      type(block_matrix_type), intent(inout) :: matrix
+      real(wp), intent(in) :: margin                  !< as that of viscosity [-]
       real(wp), intent(inout) :: viscosity
-      call add_closed(energy, problem, matrix)
-      call raise_viscosity(tuning, matrix, lump, margin, viscosity)
+      logical :: definite
+      do
+         call is_definite(energy, lump, problem, max(viscosity, margin), definite)
+         if (definite .or. viscosity > viscosity_most) return
+         viscosity = tuning%until_definite*max(viscosity, tuning%viscosity_start)
+      end do
    end subroutine hold_by_viscosity
 
    !> Solves the linear problem for equations%step, the forces wanted and the gaps closed. equations%matrix is that without closed

@@ -122,7 +122,7 @@ contains
          there = is_within(it, equations, it%tolerance)
          if (there .and. it%watched) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
          if (there) then
-            call judge_stability(it, equations, mesh, gaps, work, stable)
+            call judge_stability(it, mesh, gaps, work, stable)
             if (.not. stable) exit
          end if
          if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) then
@@ -183,9 +183,8 @@ contains
    end function is_within
 
    !> Whether the equilibrium is stable, as far as that is watched.
-   subroutine judge_stability(it, equations, mesh, gaps, work, stable)
+   subroutine judge_stability(it, mesh, gaps, work, stable)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(inout) :: work
@@ -194,7 +193,7 @@ contains
       if (.not. it%watched) return
       call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
-      call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), equations%matrix, stable)
+      call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), stable)
    end subroutine judge_stability
 
    !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.

@@ -4,12 +4,12 @@ module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
    use dg_beam_element, only: beam_stress_tangent
-   use dg_block_matrix, only: add_multiple, block_matrix_type, copy_matrix, new_block_matrix
-   use dg_block_solver, only: block_positive_definite
+   use dg_block_matrix, only: block_matrix_type, new_block_matrix, sum_of_symmetric
    use dg_director, only: director_curvature
    use dg_equations, only: equations_type
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
+   use dg_positive_definite, only: block_positive_definite
    use dg_scatter, only: element_type, clear_top, scatter_more
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
@@ -46,8 +46,7 @@ contains
       high = 1.0_wp
       margin = high
       do i = 0, margin_halvings
-         call copy_matrix(tangent, equations%matrix)
-         call add_multiple(margin, compression, equations%matrix)
+         call sum_of_symmetric(tangent, margin, compression, equations%matrix)
          call block_positive_definite(equations%matrix, 0.0_wp, equations%step, definite)
          if (definite) then
             low = margin

@@ -80,7 +80,7 @@ contains
          if (it%before < tuning%near*equations%force_scale) margin = margin_of(it, mesh)
          live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
          do hold = 0, tuning%most_holds
-            call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, equations%matrix, it%viscosity)
+            call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, it%viscosity)
             do
                call copy_matrix(it%energy, equations%matrix)
                if (live) call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)

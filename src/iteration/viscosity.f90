@@ -5,13 +5,12 @@
 module dg_viscosity
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
-   use dg_block_solver, only: block_positive_definite
    use dg_mesh, only: mesh_type
    use dg_tuning, only: tuning_type
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: weigh_string, add_viscosity, ease_viscosity, raise_viscosity
+   public :: weigh_string, add_viscosity, ease_viscosity
    public :: viscosity_most
 
    !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
@@ -64,19 +63,4 @@ contains
       real(wp), intent(inout) :: viscosity
       viscosity = viscosity*merge(tuning%after_success, tuning%after_refusal, first_try)
    end subroutine ease_viscosity
-
-   !> Raises viscosity until a tangent of the energy is positive definite with it, or with the margin.
-   pure subroutine raise_viscosity(tuning, energy, lump, margin, viscosity)
-      type(tuning_type), intent(in) :: tuning
-      type(block_matrix_type), intent(in) :: energy
-      real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to its diagonal
-      real(wp), intent(in) :: margin                !< as that of viscosity [-]
-      real(wp), intent(inout) :: viscosity
-      logical :: definite
-      do
-         call block_positive_definite(energy, max(viscosity, margin), lump, definite)
-         if (definite .or. viscosity > viscosity_most) return
-         viscosity = tuning%until_definite*max(viscosity, tuning%viscosity_start)
-      end do
-   end subroutine raise_viscosity
 end module dg_viscosity

@@ -7,13 +7,13 @@
 !>
 !> A seventh of the time of a band LU, at a price: no row is exchanged between nodes, so that a nearly singular block may let
 !> numbers grow. The caller checks the solution against the matrix itself, refines it where that asks for it, and takes the band
-!> solver where that does not help. For a symmetric matrix the signs of the pivots tell whether it is positive definite.
+!> solver where that does not help.
 module dg_block_solver
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
    implicit none
    private
-   public :: block_solver_type, new_block_solver, block_solve, block_positive_definite
+   public :: block_solver_type, new_block_solver, block_solve
 
    !> Nodes that go together: one of the upper half, its mate of the lower half.
    integer, parameter :: pair = 2
@@ -152,49 +152,6 @@ contains
       call solve_sides(pivot, side)
       x = side(1, :, load)
    end subroutine solve_middle
-
-   !> Whether a symmetric matrix, with `factor` times `added`(6,nodes) on its diagonal, is positive definite: all pivots of an
-   !> elimination without exchange of rows are positive. The upper blocks are not read: lower = transpose(upper).
-   pure subroutine block_positive_definite(matrix, factor, added, definite)
-      type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: factor
-      real(wp), intent(in) :: added(:, :)
-      logical, intent(out) :: definite
-      ! columns of the node's pivot block and of the coupling below, eliminated, and the same over their pivot
-      real(wp), dimension(2*block_size, block_size) :: column, scaled
-      integer :: n, i, j, k
-      definite = .false.
-      scaled = 0.0_wp
-      column = 0.0_wp
-      do n = 1, size(matrix%diagonal, 3)
-         column(:block_size, :) = matrix%diagonal(:, :, n) - product_of_transposed(scaled, column)
-         do i = 1, block_size
-            column(i, i) = column(i, i) + factor*added(i, n)
-         end do
-         if (n < size(matrix%diagonal, 3)) column(block_size + 1:, :) = matrix%lower(:, :, n)
-         do k = 1, block_size
-            if (.not. (column(k, k) > 0.0_wp .and. column(k, k) <= huge(column))) return
-            scaled(:, k) = column(:, k)*(1.0_wp/column(k, k))
-            do j = k + 1, block_size
-               column(:, j) = column(:, j) - scaled(:, k)*column(j, k)
-            end do
-         end do
-      end do
-      definite = .true.
-   end subroutine block_positive_definite
-
-   !> A B^T of the lower halves.
-   pure function product_of_transposed(a, b) result(c)
-      real(wp), intent(in), dimension(2*block_size, block_size) :: a, b
-      real(wp) :: c(block_size, block_size)
-      integer :: i, j
-      do j = 1, block_size
-         do i = 1, block_size
-            c(i, j) = a(i + 6, 1)*b(j + 6, 1) + a(i + 6, 2)*b(j + 6, 2) + a(i + 6, 3)*b(j + 6, 3) + a(i + 6, 4)*b(j + 6, 4) &
-                      + a(i + 6, 5)*b(j + 6, 5) + a(i + 6, 6)*b(j + 6, 6)
-         end do
-      end do
-   end function product_of_transposed
 
    !> c <- c - a b, so many columns of b and c.
    pure subroutine subtract_product(columns, a, b, c)

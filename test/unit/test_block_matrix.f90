@@ -3,12 +3,13 @@ module dg_test_block_matrix
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, new_block_matrix
-   use dg_block_solver, only: block_positive_definite, block_solve, block_solver_type, new_block_solver
+   use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_kinds, only: wp
    use dg_sparse_matrix, only: set_sparse_matrix, sparse_matrix_type
    use dg_sparse_solver, only: sparse_condition, sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_banded, solver_block, solver_count, &
                                solver_sparse
+   use dg_positive_definite, only: block_positive_definite
    implicit none
    private
    public :: block_matrix_suite
@@ -30,6 +31,7 @@ contains
       call suite%addTest(TestMethod('one_node', test_one_node))
       call suite%addTest(TestMethod('singular', test_singular))
       call suite%addTest(TestMethod('definiteness', test_definiteness))
+      call suite%addTest(TestMethod('definiteness_of_any_chain', test_definiteness_of_any_chain))
       call suite%addTest(TestMethod('sparse_columns', test_sparse_columns))
       call suite%addTest(TestMethod('sparse_solution', test_sparse_solution))
       call suite%addTest(TestMethod('sparse_singular', test_sparse_singular))
@@ -358,4 +360,75 @@ contains
          call block_positive_definite(matrix, factor, ones, definite)
       end function definite
    end subroutine test_definiteness
+
+   !> Chains of one to six nodes, any symmetric matrix on ever stiffer ground, with rows of elements and without: as by the matrix
+   !> written out in full.
+   subroutine test_definiteness_of_any_chain()
+      type(block_matrix_type) :: matrix
+      integer, parameter :: longest = 6, grounds = 40
+      real(wp) :: ones(6, longest), rows(12, longest), stiffness(longest), dense(6*longest, 6*longest)
+      integer :: chain, ground, ties, e, i, k, positive(0:1)
+      logical :: definite
+      ones = 1.0_wp
+      positive = 0
+      do chain = 1, longest
+         matrix = new_block_matrix(chain)
+         matrix%diagonal = reshape([(sin(1.7_wp*k*k), k=1, 36*chain)], [6, 6, chain])
+         do i = 1, chain
+            matrix%diagonal(:, :, i) = matrix%diagonal(:, :, i) + transpose(matrix%diagonal(:, :, i))
+         end do
+         matrix%lower = reshape([(cos(2.3_wp*k*k), k=1, 36*(chain - 1))], [6, 6, chain - 1])
+         matrix%upper = huge(1.0_wp)         ! is not read
+         rows = reshape([(sin(0.9_wp*k*k + chain), k=1, 12*longest)], [12, longest])
+         stiffness = [(merge(0.0_wp, 0.7_wp*e, modulo(e + chain, 3) == 0), e=1, longest)]
+         do ground = 1, grounds
+            do ties = 0, 1
+               dense = 0.0_wp
+               do i = 1, chain
+                  k = 6*(i - 1)
+                  dense(k + 1:k + 6, k + 1:k + 6) = matrix%diagonal(:, :, i)
+                  if (i < chain) dense(k + 7:k + 12, k + 1:k + 6) = matrix%lower(:, :, i)
+                  if (i < chain) dense(k + 1:k + 6, k + 7:k + 12) = transpose(matrix%lower(:, :, i))
+               end do
+               do i = 1, 6*chain
+                  dense(i, i) = dense(i, i) + 0.3_wp*ground
+               end do
+               if (ties == 0) then
+                  call block_positive_definite(matrix, 0.3_wp*ground, ones(:, :chain), definite)
+               else
+                  do e = 1, chain - 1
+                     k = 6*(e - 1)
+                     dense(k + 1:k + 12, k + 1:k + 12) = dense(k + 1:k + 12, k + 1:k + 12) &
+                                                         + stiffness(e)*spread(rows(:, e), 2, 12)*spread(rows(:, e), 1, 12)
+                  end do
+                  call block_positive_definite(matrix, 0.3_wp*ground, ones(:, :chain), definite, stiffness(:chain - 1), &
+                                               rows(:, :chain - 1))
+               end if
+               call assertTrue(definite .eqv. all_pivots_positive(dense(:6*chain, :6*chain)), message='definite')
+               if (definite) positive(ties) = positive(ties) + 1
+            end do
+         end do
+      end do
+      call assertGreaterThan(positive(0), longest*grounds/4, message='many are')
+      call assertGreaterThan(longest*grounds*3/4, positive(1), message='many are not')
+      call assertGreaterThan(positive(1), positive(0), message='rows stiffen')
+
+   contains
+
+      pure function all_pivots_positive(full) result(all_are)
+         real(wp), intent(in) :: full(:, :)
+         logical :: all_are
+         real(wp) :: a(size(full, 1), size(full, 1))
+         integer :: p, j
+         a = full
+         all_are = .false.
+         do p = 1, size(a, 1)
+            if (.not. a(p, p) > 0.0_wp) return
+            do j = p + 1, size(a, 1)
+               a(p + 1:, j) = a(p + 1:, j) - a(p + 1:, p)*(a(p, j)/a(p, p))
+            end do
+         end do
+         all_are = .true.
+      end function all_pivots_positive
+   end subroutine test_definiteness_of_any_chain
 end module dg_test_block_matrix

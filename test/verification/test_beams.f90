@@ -6,7 +6,6 @@ module dg_test_beams
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_beam_element, only: beam_section_type, beam_tangent
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
-   use dg_block_solver, only: block_positive_definite
    use dg_component, only: axial_stiffness, torsional_stiffness
    use dg_constants, only: pi
    use dg_director, only: director, director_curvature, director_gradient
@@ -17,6 +16,7 @@ module dg_test_beams
    use dg_load_case, only: operation_static
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_model, only: model_type
+   use dg_positive_definite, only: block_positive_definite
    use dg_test_wells, only: new_well, note, pipe
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
