@@ -154,36 +154,62 @@ contains
       if (size(residual, 1) == plane_block_size) then
          call small_block_remainder(matrix, residual, step, largest)
       else
-         call remainder(matrix, residual, step, largest)
+         call remainder(size(step, 2), matrix, residual, step, largest)
       end if
-      good = largest <= refine_above*maxval(abs(residual))
+      good = largest <= refine_above*largest_of(size(residual), residual)
    end subroutine check
 
-   !> Largest entry of residual + matrix step, six unknowns a node.
-   pure subroutine remainder(matrix, residual, step, largest)
-      type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: residual(:, :), step(:, :)
-      real(wp), intent(out) :: largest
-      integer :: n, j, before
-      real(wp) :: r(block_size)
+   !> Largest size of plain numbers.
+   pure function largest_of(n, a) result(largest)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: a(n)
+      real(wp) :: largest
+      integer :: i
       largest = 0.0_wp
-      do n = 1, size(step, 2)
-         r = residual(:, n)
-         do j = 1, block_size
-            r = r + matrix%diagonal(:, j, n)*step(j, n)
-         end do
-         before = n - 1
-         if (before >= 1) then
-            do j = 1, block_size
-               r = r + matrix%lower(:, j, before)*step(j, before)
-            end do
-         end if
-         if (n < size(step, 2)) then
-            do j = 1, block_size
-               r = r + matrix%upper(:, j, n)*step(j, n + 1)
-            end do
-         end if
-         largest = max(largest, maxval(abs(r)))
+      do i = 1, n
+         largest = max(largest, abs(a(i)))
       end do
+   end function largest_of
+
+   !> Largest entry of residual + matrix step, six unknowns a node.
+   pure subroutine remainder(nodes, matrix, residual, step, largest)
+      integer, intent(in) :: nodes
+      type(block_matrix_type), intent(in) :: matrix
+      real(wp), intent(in) :: residual(block_size, nodes), step(block_size, nodes)
+      real(wp), intent(out) :: largest
+      real(wp), parameter :: nothing(block_size, block_size) = 0.0_wp
+      integer :: n, before, after
+      largest = 0.0_wp
+      if (nodes == 1) then
+         call look_at_row(residual(:, 1), matrix%diagonal(:, :, 1), step(:, 1), nothing, step(:, 1), nothing, step(:, 1), largest)
+         return
+      end if
+      after = 2
+      call look_at_row(residual(:, 1), matrix%diagonal(:, :, 1), step(:, 1), nothing, step(:, 1), matrix%upper(:, :, 1), &
+                       step(:, after), largest)
+      do n = 2, nodes - 1
+         before = n - 1
+         after = n + 1
+         call look_at_row(residual(:, n), matrix%diagonal(:, :, n), step(:, n), matrix%lower(:, :, before), step(:, before), &
+                          matrix%upper(:, :, n), step(:, after), largest)
+      end do
+      before = nodes - 1
+      call look_at_row(residual(:, nodes), matrix%diagonal(:, :, nodes), step(:, nodes), matrix%lower(:, :, before), &
+                       step(:, before), nothing, step(:, nodes), largest)
    end subroutine remainder
+
+   !> One node's rows of it.
+   pure subroutine look_at_row(residual, diagonal, x, lower, before, upper, after, largest)
+      real(wp), intent(in), dimension(block_size) :: residual, x, before, after
+      real(wp), intent(in), dimension(block_size, block_size) :: diagonal, lower, upper
+      real(wp), intent(inout) :: largest
+      real(wp) :: r(block_size)
+      r = residual + diagonal(:, 1)*x(1) + diagonal(:, 2)*x(2) + diagonal(:, 3)*x(3) + diagonal(:, 4)*x(4) &
+          + diagonal(:, 5)*x(5) + diagonal(:, 6)*x(6) &
+          + lower(:, 1)*before(1) + lower(:, 2)*before(2) + lower(:, 3)*before(3) + lower(:, 4)*before(4) &
+          + lower(:, 5)*before(5) + lower(:, 6)*before(6) &
+          + upper(:, 1)*after(1) + upper(:, 2)*after(2) + upper(:, 3)*after(3) + upper(:, 4)*after(4) &
+          + upper(:, 5)*after(5) + upper(:, 6)*after(6)
+      largest = max(largest, abs(r(1)), abs(r(2)), abs(r(3)), abs(r(4)), abs(r(5)), abs(r(6)))
+   end subroutine look_at_row
 end module dg_linear_solver
