@@ -162,6 +162,7 @@ contains
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
+      if (.not. (part > 0.0_wp .or. pulling > most_pulled*force_scale)) return      ! a text costs more than a hundred elements
       stiff = left_by_walls(gaps, force_scale) > numerics%tolerance
       left = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))//' out of balance'
       if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
