@@ -128,22 +128,36 @@ contains
          end do
       end function turning_point
 
-      !> Where the limit is reached, between a place where it is not and one where it is.
+      !> Where the limit is reached, between a place where it is not and one where it is: by Newton's steps, and halves where one
+      !> leads out of the interval or is no shorter than half the one before.
       pure function root_between(below, above) result(f)
          real(wp), intent(in) :: below, above
-         real(wp) :: f, low, high
+         real(wp) :: f, low, high, presses(3), pressed, excess, slope, next, step
          integer :: i
          low = below
          high = above
+         f = above
+         step = high - low
          do i = 1, halvings
-            f = 0.5_wp*(low + high)
-            if (reached(f)) then
+            presses = across - f*curvature
+            pressed = sqrt(presses(1)**2 + presses(2)**2 + presses(3)**2)
+            excess = share*f**2 - pressed
+            if (excess >= 0.0_wp) then
                high = f
             else
                low = f
             end if
+            slope = 2.0_wp*share*f
+            if (pressed > 0.0_wp) slope = slope + (squares(2) - f*squares(3))/pressed
+            if (abs(excess) <= 2.0_wp*epsilon(f)*f*abs(slope)) exit
+            next = 0.5_wp*(low + high)
+            if (abs(excess) < 0.5_wp*step*abs(slope)) then
+               if (f - excess/slope > low .and. f - excess/slope < high) next = f - excess/slope
+            end if
+            step = abs(next - f)
+            f = next
+            if (step <= epsilon(f)*f) exit
          end do
-         f = high
       end function root_between
    end function curved_limit
 
