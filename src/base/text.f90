@@ -312,10 +312,9 @@ contains
       real(wp), intent(in) :: number
       integer, intent(in) :: digits
       character(:), allocatable, intent(out) :: text
-      character(40) :: buffer, longest
+      character(40) :: buffer
       character(:), allocatable :: mantissa, sign
-      real(wp) :: wanted, found
-      integer :: n, most, exponent, point
+      integer :: n, exponent, point
       ! plain notation for 0.0001 up to ten million less one
       integer, parameter :: least_plain = -4, most_plain = 6
 
@@ -326,22 +325,15 @@ contains
          text = '0'
          return
       end if
-      most = max(1, min(digits, safe_digits))
-      call write_digits(number, most, longest)
-      read (longest, *) wanted
-      do n = 1, most
-         call write_digits(number, n, buffer)
-         read (buffer, *) found
-         if (abs(found - wanted) <= 0.0_wp) exit
-      end do
+      call write_digits(number, max(1, min(digits, safe_digits)), buffer)
       sign = ''
       if (number < 0.0_wp) sign = '-'
       buffer = adjustl(buffer)
       if (buffer(1:1) == '-') buffer = buffer(2:)
       point = index(buffer, 'E')
       read (buffer(point + 1:), *) exponent
-      mantissa = buffer(1:1)//buffer(3:point - 1)          ! digits without the point
-      n = min(n, most)
+      mantissa = buffer(1:1)//buffer(3:point - 1)          ! digits without the point, and without noughts at their end
+      n = max(1, verify(mantissa, '0', back=.true.))
       mantissa = mantissa(:n)
       if (exponent < least_plain .or. exponent > most_plain) then
          text = sign//mantissa(1:1)

@@ -8,7 +8,7 @@ module dg_recovery
    use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
    use dg_profile, only: new_profile, profile_type
-   use dg_trajectory, only: azimuth_of, clock_angle, inclination_of, position_at, trajectory_type
+   use dg_trajectory, only: azimuth_of, clock_angle, inclination_of, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: workspace_type
    implicit none
@@ -111,41 +111,47 @@ contains
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
    !> friction and its moments, bit loads, reactions, what holds a bend. Zero but for round-off and the residual's tolerance.
-   pure subroutine check_equilibrium(trajectory, mesh, gaps, work, force, moment)
-      type(trajectory_type), intent(in) :: trajectory
+   pure subroutine check_equilibrium(mesh, gaps, work, force, moment)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: force, moment
-      real(wp) :: forces(3), moments(3), lever(3), weight(4), drag(3, 2), origin(3), start(3), tangent(3)
-      real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      real(wp) :: forces(3), moments(3), lever(3), lower(3), chord(3), weight(4), drag(3, 2), start(3)
       integer :: e
       forces = work%reaction
-      call position_at(trajectory, mesh%md(1), origin, tangent)
-      moments = cross(work%shift(:, 1), work%reaction) + work%top_moment
       start = 0.0_wp                          ! node on the axis, from the top
+      lower = work%shift(:, 1)                ! node where it is
+      moments = cross(lower, work%reaction) + work%top_moment
       do e = 1, mesh%elements
-         weight = mesh%weight(e)*hermite_line_load(mesh%length(e))
-         forces = forces + (weight(1) + weight(3))*down
-         moments = moments + cross(start + work%shift(:, e), weight(1)*down) + cross(work%d(:, e), weight(2)*down)
-         drag = 0.5_wp*mesh%drag(e)*mesh%frame(:, 1, e:e + 1)
-         forces = forces + drag(:, 1) + drag(:, 2)
-         moments = moments + cross(start + work%shift(:, e), drag(:, 1)) + &
-                   cross(start + mesh%chord(:, e) + work%shift(:, e + 1), drag(:, 2))
-         lever = start + point_on_string(mesh, work, e, gaps%xi(e))
-         forces = forces + work%contact_force(:, e)
-         moments = moments + cross(lever, work%contact_force(:, e)) + work%contact_moment(:, e)
-         if (allocated(mesh%bend)) then
-            if (any(abs(mesh%bend(:, e)) > 0.0_wp)) moments = moments &
-               + holding_moment(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), &
-                                mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e)), work%d(:, e), work%d(:, e + 1))
+         lever = lower
+         lower = start + mesh%chord(:, e) + work%shift(:, e + 1)
+         weight = mesh%weight(e)*hermite_line_load(mesh%length(e))       ! downwards, on places and directors
+         forces(3) = forces(3) + weight(1) + weight(3)
+         moments(1) = moments(1) + weight(1)*lever(2) + weight(2)*work%d(2, e) + weight(3)*lower(2) + weight(4)*work%d(2, e + 1)
+         moments(2) = moments(2) - weight(1)*lever(1) - weight(2)*work%d(1, e) - weight(3)*lower(1) - weight(4)*work%d(1, e + 1)
+         if (abs(mesh%drag(e)) > 0.0_wp) then
+            drag = 0.5_wp*mesh%drag(e)*mesh%frame(:, 1, e:e + 1)
+            forces = forces + drag(:, 1) + drag(:, 2)
+            moments = moments + cross(lever, drag(:, 1)) + cross(lower, drag(:, 2))
          end if
+         if (allocated(mesh%bend)) then
+            if (any(abs(mesh%bend(:, e)) > 0.0_wp)) then
+               chord = lower - lever
+               moments = moments + holding_moment(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), &
+                                                  mesh%bend(:, e), chord, work%d(:, e), work%d(:, e + 1))
+            end if
+         end if
+         if (any(abs(work%contact_force(:, e)) > 0.0_wp)) then
+            lever = start + point_on_string(mesh, work, e, gaps%xi(e))
+            forces = forces + work%contact_force(:, e)
+            moments = moments + cross(lever, work%contact_force(:, e))
+         end if
+         moments = moments + work%contact_moment(:, e)
          start = start + mesh%chord(:, e)
-         moments = moments + cross(start + work%shift(:, e + 1), weight(3)*down) + cross(work%d(:, e + 1), weight(4)*down)
       end do
-      lever = start + work%shift(:, mesh%nodes)
-      forces = forces + work%bit_reaction + work%bit_load
-      moments = moments + cross(lever, work%bit_reaction + work%bit_load) + work%bit_moment
+      lever = work%bit_reaction + work%bit_load
+      forces = forces + lever
+      moments = moments + cross(lower, lever) + work%bit_moment
       force = norm2(forces)
       moment = norm2(moments)
    end subroutine check_equilibrium

@@ -31,6 +31,7 @@ module dg_static_analysis
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, start_type
+   use dg_recovery, only: recover_profile
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
@@ -92,25 +93,26 @@ contains
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< .true.: no moments on shorter elements, which cost time
+      logical, intent(in), optional :: totals_only   !< .true.: no profile, nor moments on shorter elements, which cost time
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: start, finish
       integer :: most, given_up
-      logical :: moments
+      logical :: moments, profile
       real(wp) :: length
       call system_clock(start)
       most = model%numerics%max_iterations
-      moments = model%numerics%moments
-      if (present(totals_only)) moments = moments .and. .not. totals_only
+      profile = .true.
+      if (present(totals_only)) profile = .not. totals_only
+      moments = model%numerics%moments .and. profile
       allocate (history(0))
-      call solve_on_mesh(model, case_index, model%numerics%element_length, most, moments, history, result)
+      call solve_on_mesh(model, case_index, model%numerics%element_length, most, moments, profile, history, result)
       length = model%numerics%tuning%finer*min(model%numerics%element_length, result%element_lengths(2))
       if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
           .not. work_is_done(result) .and. .not. is_interrupted()) then
          given_up = result%iterations
          history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
          most = min(most, given_up + model%numerics%tuning%attempt(1)%longest)
-         call solve_on_mesh(model, case_index, length, most, moments, history, result)
+         call solve_on_mesh(model, case_index, length, most, moments, profile, history, result)
          if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
             trim(in_units(model%units, unit_length, length, shown))//': longer ones found no equilibrium in '// &
             to_text(given_up)//' iterations')
@@ -135,7 +137,7 @@ contains
       lying%numerics%tuning%start_buckled = .false.
       lying%numerics%tuning%most_attempts = 1
       call solve_on_mesh(lying, case_index, result%element_lengths(2), lying%numerics%tuning%attempt(1)%longest, .false., &
-                         [iteration_type ::], other)
+                         .false., [iteration_type ::], other)
       if (other%status /= result_converged) then
          call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria; from '// &
                           'the low side of the hole none was found in '//to_text(other%iterations)//' iterations, so the '// &
@@ -157,12 +159,12 @@ contains
    end function work_is_done
 
    !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, allowed, moments, history, result)
+   subroutine solve_on_mesh(model, case_index, element_length, allowed, moments, profile, history, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
       integer, intent(in) :: allowed               !< iterations, those in `history` included
-      logical, intent(in) :: moments               !< whether moments are found on elements short enough for them
+      logical, intent(in) :: moments, profile      !< whether moments are found on elements short enough for them; the profile
       type(iteration_type), intent(in) :: history(:)
       type(case_result_type), intent(out) :: result
       type(string_type) :: string
@@ -170,8 +172,7 @@ contains
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
       logical :: found
-      integer :: i, outcome, in_plane
-      integer :: most, tried       ! iterations at most, attempts on a mesh before
+      integer :: i, outcome, in_plane, most, tried    ! the last: iterations at most, attempts on a mesh before
       associate (equations => string%equations, mesh => string%mesh)
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -214,6 +215,7 @@ contains
          if (.not. equations%planar) &
             call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
          call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
+         if (profile) call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
          result%stability_margin = margin
          result%coils_slide = string%compressed > coiled .and. any(abs(mesh%axial) > 0.0_wp)
          result%way = string%way
@@ -260,9 +262,8 @@ contains
                           trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
                           '; a smaller element_length makes them better')
       else if (result%moment_error > doubtful) then
-         call add_message(result, 'moments along the string may be off by '// &
-                          to_text(100.0_wp*result%moment_error, shown)//' % of the largest one'// &
-                          trim(merge('                                          ', &
+         call add_message(result, 'moments along the string may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
+                          ' % of the largest one'//trim(merge('                                          ', &
                                      '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
       end if
    end subroutine find_moments
@@ -334,10 +335,9 @@ contains
       type(equilibrium_type), intent(out) :: it
       associate (equations => string%equations)
          if (equations%planar) call flatten(equations%plane, string%state)
-         call new_equilibrium(string%mesh, string%loads, numerics, &
-                              tolerance_at(numerics, string%mesh, string%gaps, equations%force_scale), &
-                              string%pressing, string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, &
-                              equations%unknowns, it)
+         call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
+                              equations%force_scale), string%pressing, string%compressed > numerics%tuning%watch_share .and. &
+                              .not. equations%planar, equations%unknowns, it)
       end associate
    end subroutine new_iteration
 

@@ -12,7 +12,7 @@ module dg_static_result
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type
    use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
-   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps, recover_profile
+   use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
@@ -48,7 +48,7 @@ module dg_static_result
 
 contains
 
-   !> The result of the last state, converged or not.
+   !> The result of the last state, converged or not; its profile is recover_profile's.
    subroutine fill_result(model, case_index, mesh, gaps, equations, loads, outcome, work, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -115,9 +115,7 @@ contains
       result%states = count_states(gaps)
       result%flips = sum(gaps%flips)
       result%moves = sum(gaps%moves)
-      call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-      call check_equilibrium(model%trajectory, mesh, gaps, work, result%equilibrium_force, &
-                             result%equilibrium_moment)
+      call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
       if (outcome == outcome_converged) call judge_balance(model%units, model%numerics, gaps, equations%force_scale, work%normal, &
          whirls, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
@@ -158,18 +156,16 @@ contains
       type(case_result_type), intent(inout) :: result
       character(:), allocatable :: left
       real(wp) :: pulling, part
-      logical :: stiff
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
-      if (.not. (part > 0.0_wp .or. pulling > most_pulled*force_scale)) return      ! a text costs more than a hundred elements
-      stiff = left_by_walls(gaps, force_scale) > numerics%tolerance
+      if (.not. (part > rough_balance .or. pulling > max(most_pulled, part)*force_scale)) return
       left = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))//' out of balance'
       if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
          result%status = result_not_converged
          if (part <= most_out_of_balance) left = 'walls pull the string with '// &
             trim(in_units(units, unit_force, pulling, shown))//' in all'
-         if (stiff) then
+         if (left_by_walls(gaps, force_scale) > numerics%tolerance) then
             result%message = left//': a wall this stiff presses with the round-off of places; give a smaller wall_stiffness, '// &
                              'gk_contact and gk_max (the wall of '// &
                              trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' is as good as rigid)'
@@ -178,7 +174,7 @@ contains
          else
             result%message = left//': gaps open where they pull with more than r_n0; give a smaller one'
          end if
-      else if (part > rough_balance) then
+      else
          call add_message(result, left//', as the wall is too stiff for more: contact force may be off by a percent')
       end if
    end subroutine judge_balance
