@@ -118,10 +118,27 @@ contains
       it%residual = equations%residual
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call add_pushes(gaps, it%residual, it%problem, it%problem%load)
-      it%row%residual_force = maxval(abs(it%problem%load(:equations%forces, :)))
-      it%row%residual_moment = maxval(abs(it%problem%load(equations%forces + 1:, :)))
+      call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
       largest = max(it%row%residual_force, it%row%residual_moment)
    end subroutine measure
+
+   !> Largest force and moment of a right-hand side.
+   pure subroutine find_largest(load, forces, force, moment)
+      real(wp), contiguous, intent(in) :: load(:, :)
+      integer, intent(in) :: forces            !< rows of forces, before those of moments
+      real(wp), intent(out) :: force, moment
+      integer :: n, i
+      force = 0.0_wp
+      moment = 0.0_wp
+      do n = 1, size(load, 2)
+         do i = 1, forces
+            force = max(force, abs(load(i, n)))
+         end do
+         do i = forces + 1, size(load, 1)
+            moment = max(moment, abs(load(i, n)))
+         end do
+      end do
+   end subroutine find_largest
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
    !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched, and
@@ -160,10 +177,17 @@ contains
    !> from the contact forces by statics, with nothing to be held back.
    pure function energy_slope(equations, load) result(slope)
       type(equations_type), intent(in) :: equations
-      real(wp), intent(in) :: load(:, :)
+      real(wp), contiguous, intent(in) :: load(:, :)
       real(wp) :: slope
+      integer :: n, i
+      slope = 0.0_wp
       associate (v => equations%laterals, b => equations%slopes)
-         slope = sum(equations%step(v(1):v(2), :)*load(v(1):v(2), :)) + sum(equations%step(b(1):b(2), :)*load(b(1):b(2), :))
+         do i = v(1), b(2)
+            if (i > v(2) .and. i < b(1)) cycle
+            do n = 1, size(load, 2)
+               slope = slope + equations%step(i, n)*load(i, n)
+            end do
+         end do
       end associate
    end function energy_slope
 

@@ -25,7 +25,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp) :: moved(mesh%elements), part
       integer :: search, e
@@ -37,7 +37,7 @@ contains
       do e = 1, mesh%elements
          moved(e) = change_of_gap(it%problem, equations%step, e)/it%share
       end do
-      it%slope = slope_at_start(it, equations, work%normal)
+      it%slope = slope_at_start(it, equations, work%normal, moved)
       call find_lengths(mesh, work, state, it%move, it%length, it%longer)
       associate (tuning => it%numerics%tuning)
          do search = 0, tuning%most_searches
@@ -61,18 +61,17 @@ contains
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
    !> positive.
-   pure function slope_at_start(it, equations, force) result(slope)
+   pure function slope_at_start(it, equations, force, moved) result(slope)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
-      real(wp), intent(in) :: force(:)
+      real(wp), intent(in) :: force(:), moved(:)   !< contact forces [N]; change of |f| by the whole step [m]
       real(wp) :: slope, push
-      integer :: e, u
-      u = it%problem%unknowns
+      integer :: e
       slope = energy_slope(equations, it%residual)
       do e = 1, size(force)
          if (.not. (it%problem%closed(e) .or. it%kept%state(e) /= state_free)) cycle
          push = max(0.0_wp, force(e) + it%problem%penalty(e)*it%problem%deep(e)) - force(e)
-         slope = slope + push*change_of_gap(it%problem, equations%step, e)
+         slope = slope + push*it%share*moved(e)
       end do
    end function slope_at_start
 
@@ -85,7 +84,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: moved(:)       !< change of |f| by the whole step [m]
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp) :: soft, deep, linear
       integer :: e
@@ -120,9 +119,9 @@ contains
       real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: slide, chord(3), tangent(3, mesh%nodes), curvature(3, mesh%nodes)
       integer :: e
-      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share*it%across, state)
-      state(dof_twist, :) = state(dof_twist, :) + it%move(dof_twist, :)
+      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share, it%across, state)
       do e = 1, mesh%nodes
+         state(dof_twist, e) = state(dof_twist, e) + it%move(dof_twist, e)
          call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e), tangent(:, e), curvature(:, e))
       end do
       call place_nodes(mesh, state, work)

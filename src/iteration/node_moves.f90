@@ -55,33 +55,32 @@ contains
    !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
    !> lines a string on a round wall could only creep. A tool joint's both ends turn: a joint between an
    !> end on an arc and one on a straight line is bent by the micrometres by which these differ.
-   pure subroutine move_across(beyond, turning, mesh, offset, across, state)
+   pure subroutine move_across(beyond, turning, mesh, offset, share, across, state)
       real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over the lesser clearance next to them [-]
       logical, intent(in) :: turning
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: offset(:, :)       !< of the nodes at `state` (2,nodes) [m]
-      real(wp), intent(in) :: across(:, :)
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(in) :: offset(:, :)   !< of the nodes at `state` (2,nodes) [m]
+      real(wp), intent(in) :: share                      !< of `across` that is taken [-]
+      real(wp), contiguous, intent(in) :: across(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: move(2), slope(2), square, along, turn
+      logical :: turns
       integer :: n
-      if (.not. turning) then
-         do n = 1, mesh%nodes
-            state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + across(1:2, n)
-            state(dof_slope_1:dof_slope_2, n) = state(dof_slope_1:dof_slope_2, n) + across(3:4, n)
-         end do
-         return
-      end if
       do n = 1, mesh%nodes
-         move = across(1:2, n)
+         move = share*across(1:2, n)
          slope = state(dof_slope_1:dof_slope_2, n)
-         square = sum(offset(:, n)**2)
-         if (square > (beyond*minval(mesh%clearance(max(1, n - 1):min(n, mesh%elements))))**2) then
+         turns = .false.
+         if (turning) then
+            square = offset(1, n)**2 + offset(2, n)**2
+            turns = square > (beyond*minval(mesh%clearance(max(1, n - 1):min(n, mesh%elements))))**2
+         end if
+         if (turns) then
             turn = (offset(1, n)*move(2) - offset(2, n)*move(1))/square
-            along = dot_product(move, offset(:, n))/square
+            along = (offset(1, n)*move(1) + offset(2, n)*move(2))/square
             move = turned((1.0_wp + along)*offset(:, n), turn) - offset(:, n)
-            slope = turned(slope + across(3:4, n) - turn*[-slope(2), slope(1)], turn)
+            slope = turned(slope + share*across(3:4, n) - turn*[-slope(2), slope(1)], turn)
          else
-            slope = slope + across(3:4, n)
+            slope = slope + share*across(3:4, n)
          end if
          state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + move
          state(dof_slope_1:dof_slope_2, n) = slope
