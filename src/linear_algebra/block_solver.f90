@@ -40,7 +40,8 @@ contains
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(inout) :: x(:, :)
       integer, intent(out) :: info
-      real(wp), dimension(pair, block_size, block_size) :: pivot, beside
+      real(wp) :: pivot(pair, block_size, sides)   ! pivot blocks and, last, loads
+      real(wp) :: beside(pair, block_size, block_size)
       real(wp), dimension(pair, block_size) :: y, next
       logical :: regular
       integer :: n, i, mate, middle
@@ -48,10 +49,8 @@ contains
       info = 0
       do n = 1, middle - 1
          call take_pair(matrix, x, n, 2*middle - n, pivot, beside, solver%solved(:, :, :, n))
-         if (n > 1) then
-            call subtract_product(block_size, beside, solver%solved(:, :, :, n - 1), pivot)
-            call subtract_product(1, beside, solver%solved(:, :, load, n - 1), solver%solved(:, :, load, n))
-         end if
+         if (n > 1) call subtract_product(beside, solver%solved(:, :, :, n - 1), pivot)
+         solver%solved(:, :, load, n) = pivot(:, :, load)
          call factor_pair(pivot, solver%solved(:, :, :, n), regular)
          if (.not. regular) then
             info = n
@@ -80,13 +79,13 @@ contains
       end do
    end subroutine block_solve
 
-   !> The blocks of a node and its mate side by side: on the diagonal, towards the ends (`beside`), and towards the middle with the
-   !> load. In a chain of an even number the first node's mate is one beyond the last: a unit block, coupled with none.
+   !> The blocks of a node and its mate side by side: on the diagonal with the load, towards the ends (`beside`), and towards the
+   !> middle. In a chain of an even number the first node's mate is one beyond the last: a unit block, coupled with none.
    pure subroutine take_pair(matrix, x, n, mate, pivot, beside, side)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: x(:, :)
       integer, intent(in) :: n, mate
-      real(wp), intent(out), dimension(pair, block_size, block_size) :: pivot, beside
+      real(wp), intent(out) :: pivot(pair, block_size, sides), beside(pair, block_size, block_size)
       real(wp), intent(out) :: side(pair, block_size, sides)
       real(wp), parameter :: nothing(block_size, block_size) = 0.0_wp
       integer :: i
@@ -96,14 +95,14 @@ contains
          do i = 1, block_size
             pivot(2, i, i) = 1.0_wp
          end do
-         side(1, :, load) = x(:, n)
-         side(2, :, load) = 0.0_wp
+         pivot(1, :, load) = x(:, n)
+         pivot(2, :, load) = 0.0_wp
          return
       end if
       call put_side_by_side(matrix%diagonal(:, :, n), matrix%diagonal(:, :, mate), pivot)
       call put_side_by_side(matrix%upper(:, :, n), matrix%lower(:, :, mate - 1), side)
-      side(1, :, load) = x(:, n)
-      side(2, :, load) = x(:, mate)
+      pivot(1, :, load) = x(:, n)
+      pivot(2, :, load) = x(:, mate)
       if (n == 1) return
       if (mate < size(x, 2)) then
          call put_side_by_side(matrix%lower(:, :, n - 1), matrix%upper(:, :, mate), beside)
@@ -137,7 +136,7 @@ contains
          beside = 0.0_wp
          beside(1, :, :) = matrix%lower(:, :, middle - 1)
          if (middle < size(matrix%diagonal, 3)) beside(2, :, :) = matrix%upper(:, :, middle)
-         call subtract_product(sides, beside, solver%solved(:, :, :, middle - 1), side)
+         call subtract_product(beside, solver%solved(:, :, :, middle - 1), side)
       end if
       pivot(1, :, :) = matrix%diagonal(:, :, middle) + side(1, :, :block_size) + side(2, :, :block_size)
       x = x + side(1, :, load) + side(2, :, load)
@@ -153,13 +152,12 @@ contains
       x = side(1, :, load)
    end subroutine solve_middle
 
-   !> c <- c - a b, so many columns of b and c.
-   pure subroutine subtract_product(columns, a, b, c)
-      integer, intent(in) :: columns
-      real(wp), intent(in) :: a(pair, block_size, block_size), b(pair, block_size, columns)
-      real(wp), intent(inout) :: c(pair, block_size, columns)
+   !> c <- c - a b.
+   pure subroutine subtract_product(a, b, c)
+      real(wp), intent(in) :: a(pair, block_size, block_size), b(pair, block_size, sides)
+      real(wp), intent(inout) :: c(pair, block_size, sides)
       integer :: i, j
-      do j = 1, columns
+      do j = 1, sides
          do i = 1, block_size
             c(:, i, j) = c(:, i, j) - a(:, i, 1)*b(:, 1, j) - a(:, i, 2)*b(:, 2, j) - a(:, i, 3)*b(:, 3, j) &
                          - a(:, i, 4)*b(:, 4, j) - a(:, i, 5)*b(:, 5, j) - a(:, i, 6)*b(:, 6, j)
@@ -168,12 +166,15 @@ contains
    end subroutine subtract_product
 
    !> LU factors of a pair of blocks in place, column by column, with row exchange, in the right-hand sides too; the diagonal of U
-   !> is stored inverted. Written out, so that the compiler keeps sums in registers: a third of the time of loops.
+   !> is stored inverted. Not regular where a pivot is zero or out of range. Written out, so that the compiler keeps sums in
+   !> registers: a third of the time of loops.
    pure subroutine factor_pair(a, side, regular)
       real(wp), intent(inout) :: a(pair, block_size, block_size), side(pair, block_size, sides)
       logical, intent(out) :: regular
-      call choose_rows(1, a, side, regular)
-      if (.not. regular) return
+      real(wp), dimension(pair) :: largest, lag, smallest, total
+      largest = max(abs(a(:, 1, 1)), abs(a(:, 2, 1)), abs(a(:, 3, 1)), abs(a(:, 4, 1)), abs(a(:, 5, 1)), abs(a(:, 6, 1)))
+      lag = largest - abs(a(:, 1, 1))
+      if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(1, largest, a, side)
       a(:, 1, 1) = 1.0_wp/a(:, 1, 1)
       a(:, 2, 1) = a(:, 2, 1)*a(:, 1, 1)
       a(:, 3, 1) = a(:, 3, 1)*a(:, 1, 1)
@@ -185,8 +186,9 @@ contains
       a(:, 4, 2) = a(:, 4, 2) - a(:, 4, 1)*a(:, 1, 2)
       a(:, 5, 2) = a(:, 5, 2) - a(:, 5, 1)*a(:, 1, 2)
       a(:, 6, 2) = a(:, 6, 2) - a(:, 6, 1)*a(:, 1, 2)
-      call choose_rows(2, a, side, regular)
-      if (.not. regular) return
+      largest = max(abs(a(:, 2, 2)), abs(a(:, 3, 2)), abs(a(:, 4, 2)), abs(a(:, 5, 2)), abs(a(:, 6, 2)))
+      lag = largest - abs(a(:, 2, 2))
+      if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(2, largest, a, side)
       a(:, 2, 2) = 1.0_wp/a(:, 2, 2)
       a(:, 3, 2) = a(:, 3, 2)*a(:, 2, 2)
       a(:, 4, 2) = a(:, 4, 2)*a(:, 2, 2)
@@ -197,8 +199,9 @@ contains
       a(:, 4, 3) = a(:, 4, 3) - a(:, 4, 1)*a(:, 1, 3) - a(:, 4, 2)*a(:, 2, 3)
       a(:, 5, 3) = a(:, 5, 3) - a(:, 5, 1)*a(:, 1, 3) - a(:, 5, 2)*a(:, 2, 3)
       a(:, 6, 3) = a(:, 6, 3) - a(:, 6, 1)*a(:, 1, 3) - a(:, 6, 2)*a(:, 2, 3)
-      call choose_rows(3, a, side, regular)
-      if (.not. regular) return
+      largest = max(abs(a(:, 3, 3)), abs(a(:, 4, 3)), abs(a(:, 5, 3)), abs(a(:, 6, 3)))
+      lag = largest - abs(a(:, 3, 3))
+      if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(3, largest, a, side)
       a(:, 3, 3) = 1.0_wp/a(:, 3, 3)
       a(:, 4, 3) = a(:, 4, 3)*a(:, 3, 3)
       a(:, 5, 3) = a(:, 5, 3)*a(:, 3, 3)
@@ -208,8 +211,9 @@ contains
       a(:, 4, 4) = a(:, 4, 4) - a(:, 4, 1)*a(:, 1, 4) - a(:, 4, 2)*a(:, 2, 4) - a(:, 4, 3)*a(:, 3, 4)
       a(:, 5, 4) = a(:, 5, 4) - a(:, 5, 1)*a(:, 1, 4) - a(:, 5, 2)*a(:, 2, 4) - a(:, 5, 3)*a(:, 3, 4)
       a(:, 6, 4) = a(:, 6, 4) - a(:, 6, 1)*a(:, 1, 4) - a(:, 6, 2)*a(:, 2, 4) - a(:, 6, 3)*a(:, 3, 4)
-      call choose_rows(4, a, side, regular)
-      if (.not. regular) return
+      largest = max(abs(a(:, 4, 4)), abs(a(:, 5, 4)), abs(a(:, 6, 4)))
+      lag = largest - abs(a(:, 4, 4))
+      if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(4, largest, a, side)
       a(:, 4, 4) = 1.0_wp/a(:, 4, 4)
       a(:, 5, 4) = a(:, 5, 4)*a(:, 4, 4)
       a(:, 6, 4) = a(:, 6, 4)*a(:, 4, 4)
@@ -220,8 +224,9 @@ contains
                      - a(:, 5, 4)*a(:, 4, 5)
       a(:, 6, 5) = a(:, 6, 5) - a(:, 6, 1)*a(:, 1, 5) - a(:, 6, 2)*a(:, 2, 5) - a(:, 6, 3)*a(:, 3, 5) &
                      - a(:, 6, 4)*a(:, 4, 5)
-      call choose_rows(5, a, side, regular)
-      if (.not. regular) return
+      largest = max(abs(a(:, 5, 5)), abs(a(:, 6, 5)))
+      lag = largest - abs(a(:, 5, 5))
+      if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(5, largest, a, side)
       a(:, 5, 5) = 1.0_wp/a(:, 5, 5)
       a(:, 6, 5) = a(:, 6, 5)*a(:, 5, 5)
       a(:, 2, 6) = a(:, 2, 6) - a(:, 2, 1)*a(:, 1, 6)
@@ -231,33 +236,25 @@ contains
                      - a(:, 5, 4)*a(:, 4, 6)
       a(:, 6, 6) = a(:, 6, 6) - a(:, 6, 1)*a(:, 1, 6) - a(:, 6, 2)*a(:, 2, 6) - a(:, 6, 3)*a(:, 3, 6) &
                      - a(:, 6, 4)*a(:, 4, 6) - a(:, 6, 5)*a(:, 5, 6)
-      call choose_rows(6, a, side, regular)
-      if (.not. regular) return
       a(:, 6, 6) = 1.0_wp/a(:, 6, 6)
+      smallest = min(abs(a(:, 1, 1)), abs(a(:, 2, 2)), abs(a(:, 3, 3)), abs(a(:, 4, 4)), abs(a(:, 5, 5)), abs(a(:, 6, 6)))
+      total = abs(a(:, 1, 1)) + abs(a(:, 2, 2)) + abs(a(:, 3, 3)) + abs(a(:, 4, 4)) + abs(a(:, 5, 5)) + abs(a(:, 6, 6))
+      regular = smallest(1) > 0.0_wp .and. smallest(2) > 0.0_wp .and. total(1) <= huge(total) .and. total(2) <= huge(total)
    end subroutine factor_pair
 
-   !> Puts the largest of column k, from the diagonal down, on the diagonal of either block; not regular where it is zero or out of
-   !> range.
-   pure subroutine choose_rows(k, a, side, regular)
+   !> Puts the largest of column k, from the diagonal down, on the diagonal of either block where it is not there.
+   pure subroutine exchange_rows(k, largest, a, side)
       integer, intent(in) :: k
+      real(wp), intent(in) :: largest(pair)
       real(wp), intent(inout) :: a(pair, block_size, block_size), side(pair, block_size, sides)
-      logical, intent(out) :: regular
-      real(wp) :: top(pair), largest(pair)
-      integer :: i, row, lane
-      top = abs(a(:, k, k))
-      largest = top
-      do i = k + 1, block_size
-         largest = max(largest, abs(a(:, i, k)))
-      end do
-      regular = all(largest > 0.0_wp .and. largest <= huge(largest))
-      if (.not. regular) return
+      integer :: row, lane
       do lane = 1, pair
-         if (top(lane) >= largest(lane)) cycle
+         if (abs(a(lane, k, k)) >= largest(lane)) cycle
          row = k - 1 + maxloc(abs(a(lane, k:, k)), dim=1)
          call exchange(a(lane, k, :), a(lane, row, :))
          call exchange(side(lane, k, :), side(lane, row, :))
       end do
-   end subroutine choose_rows
+   end subroutine exchange_rows
 
    pure subroutine exchange(a, b)
       real(wp), intent(inout) :: a(:), b(:)

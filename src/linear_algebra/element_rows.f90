@@ -12,7 +12,7 @@ contains
    !> matrix <- matrix + factor a b^T of the rows a and b of element e.
    pure subroutine add_dyad(factor, a, b, e, matrix)
       real(wp), intent(in) :: factor
-      real(wp), intent(in) :: a(:), b(:)
+      real(wp), intent(in), contiguous :: a(:), b(:)
       integer, intent(in) :: e
       type(block_matrix_type), intent(inout) :: matrix
       if (size(a) == 2*block_size) then
@@ -29,16 +29,24 @@ contains
       real(wp), intent(in) :: factor, a(u, 2), b(u, 2)
       real(wp), intent(inout), dimension(u, u) :: above, upper, lower, below
       real(wp) :: i(u), j(u)
-      integer :: c
       i = factor*a(:, 1)
       j = factor*a(:, 2)
-      do c = 1, u
-         above(:, c) = above(:, c) + i*b(c, 1)
-         lower(:, c) = lower(:, c) + j*b(c, 1)
-         upper(:, c) = upper(:, c) + i*b(c, 2)
-         below(:, c) = below(:, c) + j*b(c, 2)
-      end do
+      call add_product(i, b(:, 1), above)
+      call add_product(j, b(:, 1), lower)
+      call add_product(i, b(:, 2), upper)
+      call add_product(j, b(:, 2), below)
    end subroutine dyad_of_six
+
+   !> block <- block + a b^T.
+   pure subroutine add_product(a, b, block)
+      integer, parameter :: u = block_size
+      real(wp), intent(in) :: a(u), b(u)
+      real(wp), intent(inout) :: block(u, u)
+      integer :: c
+      do c = 1, u
+         block(:, c) = block(:, c) + a*b(c)
+      end do
+   end subroutine add_product
 
    pure subroutine dyad_of_three(factor, a, b, above, upper, lower, below)
       integer, parameter :: u = plane_block_size

@@ -1,9 +1,9 @@
 !> Whether a symmetric matrix of a chain of nodes, six unknowns each, is positive definite: whether all pivots of an elimination
 !> without exchange of rows are positive.
 !>
-!> As in dg_block_solver both ends are eliminated at once towards the middle, a node and its mate side by side. Only halves of blocks
-!> that are symmetric are worked on. What else stands on the diagonal is added on the way, and so is the square of an element's row,
-!> as one more column that has been eliminated before: nothing is copied.
+!> As in dg_block_solver both ends are eliminated at once towards the middle, a node and its mate side by side. Only halves of
+!> blocks that are symmetric are worked on. What else stands on the diagonal is added on the way, and so is the square of an
+!> element's row, as one more column that has been eliminated before: nothing is copied.
 module dg_positive_definite
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, b => block_size
