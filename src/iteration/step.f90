@@ -53,6 +53,7 @@ contains
       it%row%viscosity = it%viscosity
       it%row%lateral_step = maxval(abs(it%across(1:2, :)))
       it%share = 1.0_wp/max(1.0_wp, reach)
+      if (.not. it%share < 1.0_wp) return
       equations%step = it%share*equations%step
       it%move = it%share*it%move
    end subroutine find_step

@@ -247,25 +247,26 @@ contains
       integer, intent(in) :: k
       real(wp), intent(in) :: largest(pair)
       real(wp), intent(inout) :: a(pair, block_size, block_size), side(pair, block_size, sides)
-      integer :: row, lane
+      real(wp) :: kept
+      integer :: row, lane, j
       do lane = 1, pair
-         if (abs(a(lane, k, k)) >= largest(lane)) cycle
-         row = k - 1 + maxloc(abs(a(lane, k:, k)), dim=1)
-         call exchange(a(lane, k, :), a(lane, row, :))
-         call exchange(side(lane, k, :), side(lane, row, :))
+         row = k
+         do while (abs(a(lane, row, k)) < largest(lane))
+            row = row + 1
+         end do
+         if (row == k) cycle
+         do j = 1, block_size
+            kept = a(lane, k, j)
+            a(lane, k, j) = a(lane, row, j)
+            a(lane, row, j) = kept
+         end do
+         do j = 1, sides
+            kept = side(lane, k, j)
+            side(lane, k, j) = side(lane, row, j)
+            side(lane, row, j) = kept
+         end do
       end do
    end subroutine exchange_rows
-
-   pure subroutine exchange(a, b)
-      real(wp), intent(inout) :: a(:), b(:)
-      real(wp) :: c
-      integer :: i
-      do i = 1, size(a)
-         c = a(i)
-         a(i) = b(i)
-         b(i) = c
-      end do
-   end subroutine exchange
 
    !> side <- a^-1 side, a as of factor_pair.
    pure subroutine solve_sides(a, side)
