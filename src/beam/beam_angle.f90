@@ -9,7 +9,7 @@ module dg_beam_angle
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
    real(wp), parameter :: series_limit = 0.02_wp
    integer, parameter :: series_terms = 8
-   !> Below this u a few terms leave (u/2)**5 < 1e-20.
+   !> Below this u a few terms leave (u/2)**5 < 1e-20: an angle of 1 deg.
    real(wp), parameter :: small = 2.0e-4_wp
    !> Least square of the sine, of an element that a wild step has folded back on itself: such a state is never kept, but its
    !> numbers must stay in range. What depends on it grows by no more than its fifth power of the root.
@@ -28,7 +28,11 @@ contains
       real(wp) :: u, sine_square
       integer :: n
       u = 1.0_wp - cosine
-      if (u < series_limit) then
+      if (u < small) then
+         g = c(0) + u*(c(1) + u*(c(2) + u*(c(3) + u*c(4))))
+         dg = -(c(1) + u*(2.0_wp*c(2) + u*(3.0_wp*c(3) + u*(4.0_wp*c(4) + u*(5.0_wp*c(5))))))
+         ddg = 2.0_wp*c(2) + u*(6.0_wp*c(3) + u*(12.0_wp*c(4) + u*(20.0_wp*c(5) + u*(30.0_wp*c(6)))))
+      else if (u < series_limit) then
          g = c(series_terms)
          dg = 0.0_wp
          ddg = 0.0_wp

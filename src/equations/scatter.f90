@@ -5,7 +5,6 @@ module dg_scatter
    use dg_block_matrix, only: block_matrix_type
    use dg_gap_element, only: gap_derivative_type
    use dg_mesh, only: mesh_type
-   use dg_vector, only: cross
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
@@ -111,7 +110,9 @@ contains
          b = merge(block_ii, block_jj, p == 1)
          blocks(4, 5, b) = blocks(4, 5, b) - sum(twist*gradient(:, 1, p))
          blocks(4, 6, b) = blocks(4, 6, b) - sum(twist*gradient(:, 2, p))
-         folded = sum(twist*cross(gradient(:, 1, p), gradient(:, 2, p)))
+         ! twist.(g_1 x g_2), g_1 x g_2 = s**3 d
+         folded = (d(1, p)*frame(1, 1, p) + d(2, p)*frame(2, 1, p) + d(3, p)*frame(3, 1, p))**3 &
+                  *(twist(1)*d(1, p) + twist(2)*d(2, p) + twist(3)*d(3, p))
          blocks(5, 6, b) = blocks(5, 6, b) + folded
          blocks(6, 5, b) = blocks(6, 5, b) - folded
       end do
