@@ -14,7 +14,7 @@ module dg_gap_action
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, contact_type, find_contact, contact_action_at, find_contact_rows
+   public :: load_type, contact_type, find_contact, contact_action_at, find_contact_rows, near
 
    !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
    real(wp), parameter :: near = 0.3_wp

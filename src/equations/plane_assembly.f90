@@ -8,6 +8,7 @@ module dg_plane_assembly
    use dg_beam_element, only: beam_section_type
    use dg_block_matrix, only: block_matrix_type
    use dg_end_supports, only: end_action
+   use dg_gap_action, only: near
    use dg_gap_state, only: contact_force, state_free
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
@@ -19,9 +20,6 @@ module dg_plane_assembly
    implicit none
    private
    public :: assemble_in_plane, find_rows_in_plane
-
-   !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
-   real(wp), parameter :: near = 0.3_wp
 
 contains
 
