@@ -14,8 +14,8 @@ module dg_bench_phases
 
 contains
 
-   !> One line a mesh, times per element in microseconds, and what they are together over LAPACK's band solver; the exponents are those
-   !> from the first mesh to the last.
+   !> One line a mesh: times per element in microseconds, and what they are together over LAPACK's band solver. The exponents are
+   !> those from the first mesh to the last.
    subroutine print_phases(model, case_index, lengths, runs)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

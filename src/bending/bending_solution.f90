@@ -121,8 +121,8 @@ contains
       end do
    end subroutine find_pressed
 
-   !> What the tolerance of the residual leaves of moments [N.m]: smaller ones are none. A string that rests on a straight wall has none,
-   !> and what is small or large against round-off says nothing.
+   !> What the tolerance of the residual leaves of moments [N.m]: smaller ones are none. A string that rests on a straight wall has
+   !> none, and to be small or large against round-off says nothing.
    pure function least_moment(beam) result(moment)
       type(bending_beam_type), intent(in) :: beam      !< with its elements set
       real(wp) :: moment

@@ -33,9 +33,8 @@ module dg_assembly
       real(wp) :: force(12)             !< on (x_i, d_i, x_j, d_j), in space axes [N, N.m]
       real(wp) :: twisting(2)           !< torque on both nodes [N.m]
       real(wp) :: blocks(6, 6, 4)       !< its tangent in the nodes' unknowns
-      logical :: bends                  !< it has more tangent, in space axes: of a bent housing, or of friction's torque on a string
-                                        !< that whirls
-      type(element_type) :: element     !< which is that
+      logical :: bends                  !< it has a further tangent, in space axes: of a bent housing, or of a string that whirls
+      type(element_type) :: element     !< that tangent
    end type action_type
 
 contains
@@ -319,8 +318,8 @@ contains
       work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
    end subroutine add_end_torques
 
-   !> Axial friction's couple on the string at a gap: takes its force off `force`, and returns its derivatives together with those of
-   !> the contact force itself.
+   !> Axial friction's couple on the string at a gap: takes its force off `force`. `by` gets its derivatives, together with those
+   !> of the contact force itself.
    pure subroutine add_couple(mesh, e, contact, tangent, force_tangent, work, force, by)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
