@@ -26,8 +26,8 @@ module dg_bending_element
    type :: beam_element_type
       ! set by who makes the beam
       type(gap_law_type) :: law          !< of a metre of wall (stiffnesses in N/m2)
-      real(wp) :: lever = 0.0_wp         !< r a: radius of contact times friction coefficient along the hole [m]
-      real(wp) :: around = 0.0_wp        !< m: friction coefficient around the hole [-]
+      real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
+      real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
       ! set by set_element
       real(wp) :: length = 0.0_wp        !< [m]
       real(wp) :: per_length = 0.0_wp    !< one over it [1/m]

@@ -133,7 +133,7 @@ contains
 
    !> Inverse of a quarter, unless a pivot vanishes, or is negative.
    pure subroutine invert(a, indefinite, inverse, solved)
-      real(wp), intent(in) :: a(2, 2)
+      real(wp), intent(in) :: a(:, :)          !< (2,2), part of a larger one: assumed shape copies nothing
       logical, intent(in) :: indefinite
       real(wp), intent(out) :: inverse(2, 2)
       logical, intent(out) :: solved

@@ -11,6 +11,7 @@ module dg_bending_solution
    use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
    use dg_bending_element, only: add_action, contact_places, element_action, raise_moments, wall_push_type
    use dg_bending_elimination, only: newton_step
+   use dg_largest, only: largest_of
    implicit none
    private
    public :: solve_bending, least_moment
@@ -46,7 +47,7 @@ contains
       found = .false.
       call find_residual(beam, fixed, y, anchor, push, points, residual)
       do iteration = 0, most_iterations
-         found = largest(size(residual), residual) <= tolerance*scale
+         found = largest_of(size(residual), residual) <= tolerance*scale
          if (found) exit
          call newton_step(beam, push, points, fixed, merge(1, 0, present(anchor)), .false., residual, step, solved)
          if (.not. solved) &
@@ -143,18 +144,6 @@ contains
       end do
       load = max(load, maxval(abs(above)))
    end function largest_load
-
-   !> Largest of some numbers, whatever their signs.
-   pure function largest(n, numbers) result(most)
-      integer, intent(in) :: n
-      real(wp), intent(in) :: numbers(n)
-      real(wp) :: most
-      integer :: i
-      most = 0.0_wp
-      do i = 1, n
-         most = max(most, abs(numbers(i)))
-      end do
-   end function largest
 
    !> The shape that a part of a step leads to.
    pure subroutine move(n, share, step, from, to)

@@ -47,7 +47,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical :: ended
       work%separate = .true.
@@ -78,7 +78,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical :: last
       last = .not. it%watched .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
@@ -112,7 +112,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: ended
       type(outside_type) :: outside
@@ -167,6 +167,7 @@ contains
          it%growth = rigid
          call place_and_survey(trajectory, mesh, gaps, state, work)
          call judge_gaps(it, trajectory, mesh, .false., gaps, work)
+         it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
          call measure_here(it, equations, trajectory, mesh, gaps, state, work)
       end if
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
@@ -203,7 +204,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical :: taken
       associate (tuning => it%numerics%tuning)

@@ -9,6 +9,7 @@ module dg_iteration_state
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
+   use dg_largest, only: largest_of
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_trajectory, only: trajectory_type
@@ -108,7 +109,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: forces_only     !< without the tangent
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: largest
@@ -127,16 +128,12 @@ contains
       real(wp), contiguous, intent(in) :: load(:, :)
       integer, intent(in) :: forces            !< rows of forces, before those of moments
       real(wp), intent(out) :: force, moment
-      integer :: n, i
+      integer :: n
       force = 0.0_wp
       moment = 0.0_wp
       do n = 1, size(load, 2)
-         do i = 1, forces
-            force = max(force, abs(load(i, n)))
-         end do
-         do i = forces + 1, size(load, 1)
-            moment = max(moment, abs(load(i, n)))
-         end do
+         force = max(force, largest_of(forces, load(:forces, n)))
+         moment = max(moment, largest_of(size(load, 1) - forces, load(forces + 1:, n)))
       end do
    end subroutine find_largest
 
@@ -145,7 +142,7 @@ contains
    !> it stays the same: if the farthest node were chosen each time, two equally far nodes would alternate. The spring stands in the
    !> tangent only. What would turn the string, some newtons of torque's work on the ends, is taken off the residual there.
    pure subroutine hold_turn(state, node, matrix, residual)
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       integer, intent(inout) :: node           !< that is held; 0: none yet
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(inout) :: residual(:, :)
@@ -196,7 +193,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       call place_nodes(mesh, state, work)
       call survey_gaps(trajectory, mesh, gaps, work)
@@ -208,7 +205,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       state = it%old
       work%normal = it%old_force

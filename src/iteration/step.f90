@@ -28,7 +28,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp) :: reach
       integer :: fault
@@ -67,7 +67,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: reach           !< of the step
       real(wp) :: margin

@@ -5,6 +5,7 @@ module dg_linear_solver
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
    use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
+   use dg_largest, only: largest_of
    use dg_small_block_solver, only: new_small_block_solver, small_block_back, small_block_factor, small_block_remainder, &
                                     small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
@@ -159,18 +160,6 @@ contains
       good = largest <= refine_above*largest_of(size(residual), residual)
    end subroutine check
 
-   !> Largest size of plain numbers.
-   pure function largest_of(n, a) result(largest)
-      integer, intent(in) :: n
-      real(wp), intent(in) :: a(n)
-      real(wp) :: largest
-      integer :: i
-      largest = 0.0_wp
-      do i = 1, n
-         largest = max(largest, abs(a(i)))
-      end do
-   end function largest_of
-
    !> Largest entry of residual + matrix step, six unknowns a node.
    pure subroutine remainder(nodes, matrix, residual, step, largest)
       integer, intent(in) :: nodes
@@ -210,6 +199,6 @@ contains
           + lower(:, 5)*before(5) + lower(:, 6)*before(6) &
           + upper(:, 1)*after(1) + upper(:, 2)*after(2) + upper(:, 3)*after(3) + upper(:, 4)*after(4) &
           + upper(:, 5)*after(5) + upper(:, 6)*after(6)
-      largest = max(largest, abs(r(1)), abs(r(2)), abs(r(3)), abs(r(4)), abs(r(5)), abs(r(6)))
+      largest = max(largest, largest_of(block_size, r))
    end subroutine look_at_row
 end module dg_linear_solver
