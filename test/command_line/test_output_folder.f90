@@ -247,7 +247,7 @@ contains
    !> A deck of one short case and one that takes minutes.
    function long_deck() result(deck)
       character(:), allocatable :: deck
-      deck = replaced(replaced(good_deck(), "'soft'", "'mcge'"), 'element_length = 10.0', 'element_length = 0.1')
+      deck = replaced(replaced(good_deck(), "'soft'", "'mcge'"), 'element_length = 10.0', 'element_length = 0.05')
       deck = replaced(replaced(deck, "operation = 'up'", "operation = 'static'"), '  bit_depth = 900.0', '  bit_depth = 105.0')
       deck = deck//sweep//newline
    end function long_deck
