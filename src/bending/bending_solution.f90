@@ -34,18 +34,24 @@ contains
                                            !< the largest one [-]
       logical, intent(out) :: found        !< equilibrium
       !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
-      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      real(wp), intent(in), optional :: anchor(:, :)
       real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
       type(wall_push_type) :: push(contact_places, size(beam%ei)), points(size(beam%point))
       real(wp), dimension(node_unknowns, size(y, 2)) :: residual, step, trial
       real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
+      real(wp), allocatable :: springs(:, :)      ! the anchor, or nothing
       integer :: fixed(size(y, 2)), iteration, try
       fixed = merge(node_unknowns, merge(2, 0, beam%centred), beam%held)
       scale = largest_load(beam)
       least = least_moment(beam)
       found = .false.
-      call find_residual(beam, fixed, y, anchor, push, points, residual)
+      if (present(anchor)) then
+         allocate (springs, source=anchor)
+      else
+         allocate (springs(node_unknowns, 0))
+      end if
+      call find_residual(beam, fixed, y, springs, push, points, residual)
       do iteration = 0, most_iterations
          found = largest_of(size(residual), residual) <= tolerance*scale
          if (found) exit
@@ -60,7 +66,7 @@ contains
          share = 1.0_wp
          do try = 1, most_trials
             call move(size(step), share, step, y, trial)
-            call find_residual(beam, fixed, trial, anchor, push, points, residual)
+            call find_residual(beam, fixed, trial, springs, push, points, residual)
             work_trial = product_of(size(step), residual, step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
@@ -86,7 +92,7 @@ contains
       type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: fixed(:)                        !< how many of a node's unknowns stay as they are, from the first on
       real(wp), contiguous, intent(in) :: shape(:, :)
-      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      real(wp), contiguous, intent(in) :: anchor(:, :)       !< without columns: none
       type(wall_push_type), intent(inout) :: push(:, :)      !< at the places of the elements
       type(wall_push_type), intent(inout) :: points(:)       !< of tool joints
       real(wp), contiguous, intent(out) :: residual(:, :)    !< [N, N.m]
@@ -101,7 +107,7 @@ contains
          e = min(n, size(push, 2))
          if (points(p)%force > 0.0_wp) call add_action(points(p), beam%element(e)%lever, beam%element(e)%around, residual(:, n))
       end do
-      if (present(anchor)) then
+      if (size(anchor, 2) > 0) then
          do n = 1, size(shape, 2)
             if (beam%viscous(n) > 0.0_wp) residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
          end do
