@@ -278,8 +278,8 @@ contains
       real(wp) :: stiffness(2, 2)
       stiffness = stiffness_of(push, 1.0_wp)
       matrix(1:2, 3:4) = matrix(1:2, 3:4) + lever*stiffness
-      matrix(1:2, 1:2) = matrix(1:2, 1:2) + stiffness
-      call add_turned(around, stiffness, matrix(1:2, 1:2))
+      matrix(1:2, 1) = matrix(1:2, 1) + stiffness(:, 1) - around*stiffness(:, 2)
+      matrix(1:2, 2) = matrix(1:2, 2) + stiffness(:, 2) + around*stiffness(:, 1)
    end subroutine add_stiffness
 
    !> Derivatives of R n by the offset, times a factor.

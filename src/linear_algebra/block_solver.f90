@@ -171,8 +171,10 @@ contains
    pure subroutine factor_pair(a, side, regular)
       real(wp), intent(inout) :: a(pair, block_size, block_size), side(pair, block_size, sides)
       logical, intent(out) :: regular
-      real(wp), dimension(pair) :: largest, lag, smallest, total
+      real(wp), dimension(pair) :: largest, lag
       largest = max(abs(a(:, 1, 1)), abs(a(:, 2, 1)), abs(a(:, 3, 1)), abs(a(:, 4, 1)), abs(a(:, 5, 1)), abs(a(:, 6, 1)))
+      call look_at_pivots(largest, regular)
+      if (.not. regular) return
       lag = largest - abs(a(:, 1, 1))
       if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(1, largest, a, side)
       a(:, 1, 1) = 1.0_wp/a(:, 1, 1)
@@ -187,6 +189,8 @@ contains
       a(:, 5, 2) = a(:, 5, 2) - a(:, 5, 1)*a(:, 1, 2)
       a(:, 6, 2) = a(:, 6, 2) - a(:, 6, 1)*a(:, 1, 2)
       largest = max(abs(a(:, 2, 2)), abs(a(:, 3, 2)), abs(a(:, 4, 2)), abs(a(:, 5, 2)), abs(a(:, 6, 2)))
+      call look_at_pivots(largest, regular)
+      if (.not. regular) return
       lag = largest - abs(a(:, 2, 2))
       if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(2, largest, a, side)
       a(:, 2, 2) = 1.0_wp/a(:, 2, 2)
@@ -200,6 +204,8 @@ contains
       a(:, 5, 3) = a(:, 5, 3) - a(:, 5, 1)*a(:, 1, 3) - a(:, 5, 2)*a(:, 2, 3)
       a(:, 6, 3) = a(:, 6, 3) - a(:, 6, 1)*a(:, 1, 3) - a(:, 6, 2)*a(:, 2, 3)
       largest = max(abs(a(:, 3, 3)), abs(a(:, 4, 3)), abs(a(:, 5, 3)), abs(a(:, 6, 3)))
+      call look_at_pivots(largest, regular)
+      if (.not. regular) return
       lag = largest - abs(a(:, 3, 3))
       if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(3, largest, a, side)
       a(:, 3, 3) = 1.0_wp/a(:, 3, 3)
@@ -212,6 +218,8 @@ contains
       a(:, 5, 4) = a(:, 5, 4) - a(:, 5, 1)*a(:, 1, 4) - a(:, 5, 2)*a(:, 2, 4) - a(:, 5, 3)*a(:, 3, 4)
       a(:, 6, 4) = a(:, 6, 4) - a(:, 6, 1)*a(:, 1, 4) - a(:, 6, 2)*a(:, 2, 4) - a(:, 6, 3)*a(:, 3, 4)
       largest = max(abs(a(:, 4, 4)), abs(a(:, 5, 4)), abs(a(:, 6, 4)))
+      call look_at_pivots(largest, regular)
+      if (.not. regular) return
       lag = largest - abs(a(:, 4, 4))
       if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(4, largest, a, side)
       a(:, 4, 4) = 1.0_wp/a(:, 4, 4)
@@ -225,6 +233,8 @@ contains
       a(:, 6, 5) = a(:, 6, 5) - a(:, 6, 1)*a(:, 1, 5) - a(:, 6, 2)*a(:, 2, 5) - a(:, 6, 3)*a(:, 3, 5) &
                      - a(:, 6, 4)*a(:, 4, 5)
       largest = max(abs(a(:, 5, 5)), abs(a(:, 6, 5)))
+      call look_at_pivots(largest, regular)
+      if (.not. regular) return
       lag = largest - abs(a(:, 5, 5))
       if (lag(1) + lag(2) > 0.0_wp) call exchange_rows(5, largest, a, side)
       a(:, 5, 5) = 1.0_wp/a(:, 5, 5)
@@ -236,11 +246,17 @@ contains
                      - a(:, 5, 4)*a(:, 4, 6)
       a(:, 6, 6) = a(:, 6, 6) - a(:, 6, 1)*a(:, 1, 6) - a(:, 6, 2)*a(:, 2, 6) - a(:, 6, 3)*a(:, 3, 6) &
                      - a(:, 6, 4)*a(:, 4, 6) - a(:, 6, 5)*a(:, 5, 6)
+      call look_at_pivots(abs(a(:, 6, 6)), regular)
+      if (.not. regular) return
       a(:, 6, 6) = 1.0_wp/a(:, 6, 6)
-      smallest = min(abs(a(:, 1, 1)), abs(a(:, 2, 2)), abs(a(:, 3, 3)), abs(a(:, 4, 4)), abs(a(:, 5, 5)), abs(a(:, 6, 6)))
-      total = abs(a(:, 1, 1)) + abs(a(:, 2, 2)) + abs(a(:, 3, 3)) + abs(a(:, 4, 4)) + abs(a(:, 5, 5)) + abs(a(:, 6, 6))
-      regular = smallest(1) > 0.0_wp .and. smallest(2) > 0.0_wp .and. total(1) <= huge(total) .and. total(2) <= huge(total)
    end subroutine factor_pair
+
+   !> Whether the pivots of a pair may divide: neither is zero, infinite or none.
+   pure subroutine look_at_pivots(largest, regular)
+      real(wp), intent(in) :: largest(pair)     !< sizes
+      logical, intent(out) :: regular
+      regular = largest(1) > 0.0_wp .and. largest(2) > 0.0_wp .and. largest(1) <= huge(largest) .and. largest(2) <= huge(largest)
+   end subroutine look_at_pivots
 
    !> Puts the largest of column k, from the diagonal down, on the diagonal of either block where it is not there.
    pure subroutine exchange_rows(k, largest, a, side)
