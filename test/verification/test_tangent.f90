@@ -318,7 +318,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: conservative
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
