@@ -159,7 +159,7 @@ contains
       to = from + share*step
    end subroutine move
 
-   !> Sum of products.
+   !> Sum of products, of an even number n: a node has four unknowns.
    pure function product_of(n, a, b) result(product)
       integer, intent(in) :: n
       real(wp), intent(in) :: a(n), b(n)
