@@ -63,14 +63,15 @@ contains
       real(wp), intent(in) :: compressed        !< largest compression of the soft string over its coiling load [-]
       real(wp), intent(out) :: climb(:)
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
-      logical :: vertical(mesh%nodes)
+      logical :: vertical(mesh%nodes), straight_down
       integer :: e
       climb = 1.0_wp
       vertical = mesh%frame(3, 1, :) > upright
+      straight_down = all(vertical)
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
-         if (.not. (mesh%rotary(e) > 0.0_wp .or. abs(mesh%axial(e)) > 0.0_wp .or. all(vertical))) cycle
+         if (.not. (mesh%rotary(e) > 0.0_wp .or. abs(mesh%axial(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
