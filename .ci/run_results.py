@@ -10,8 +10,6 @@ import re
 import xml.etree.ElementTree
 
 BALANCE = 1.0e-6             # force out of balance over the largest force: residuals are iterated to 1e-9 of the weight
-# Round-off of places presses with a stiff wall: so much of the force for each kN/m2, at most what the program allows.
-ROUND_OFF, STIFF_BALANCE = 1.0e-13, 5.0e-3
 AGREEMENT = 2.0e-2           # hook load against the uppermost axial force, which stands half an element lower
 WEIGHT = 1.0e-5              # weight against that of the echo, which has seven digits, over the weight in air
 SIDE_FORCES = 1.0e-4         # sum of side forces against normal_force
@@ -154,9 +152,6 @@ def faults_of_results(out, status, deck, echo_text=None, order=True):
                 found.append(f"{name}: {len(rows)} rows, {echo.points[name[len('sweep_'):-len('.csv')]]} points")
     asked = re.findall(r"(?i)\btolerance\s*=\s*([-+.\de]+)", deck)          # a loose one leaves as much out of balance
     balance = max([BALANCE] + [100.0 * float(a) for a in asked if re.fullmatch(r"(?i)[-+]?\d*\.?\d+(e[-+]?\d+)?", a)])
-    walls = [float(a) for a in re.findall(r"(?i)\b(?:wall_stiffness|gk_contact|gk_max)\s*=\s*([\d.]+(?:e[-+]?\d+)?)\b", deck)]
-    stiffest = max(walls, default=0.0) * (48.0 if re.search(r"(?i)'field'", deck) else 1.0)      # kN/m2 in klbf/ft2
-    balance = max(balance, min(STIFF_BALANCE, ROUND_OFF * stiffest))
     summary = tables.get("summary.csv", [])
     if "summary.csv" not in tables and (echo is None or echo.cases):
         found.append("no summary.csv")

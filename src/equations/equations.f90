@@ -75,7 +75,8 @@ contains
    end subroutine find_tangent
 
    !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside, in
-   !> space wherever the string was solved: contact forces are those that belong to the depths in the wall (Eqs. 7 and 8).
+   !> space wherever the string was solved. Contact forces are the iteration's own: those of Eq. 4 at the depths in the wall, found
+   !> from places, would bring in the round-off of places times the wall's stiffness.
    pure subroutine end_iterations(equations, trajectory, mesh, loads, gaps, state, work, largest_residual)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory

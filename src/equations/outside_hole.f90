@@ -13,7 +13,7 @@ module dg_outside_hole
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: outside_type, measure_outside, measure_rows, outside_message, outside_place, as_good_as_rigid
+   public :: outside_type, measure_outside, measure_rows, outside_message, outside_place
 
    !> How far a converged string may stand outside before that is told, over the clearance [-]: rock yields and elements sag.
    real(wp), parameter :: tell_outside = 0.2_wp

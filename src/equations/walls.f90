@@ -7,7 +7,7 @@ module dg_walls
    use dg_numerics, only: gap_at_nodes, numerics_type
    implicit none
    private
-   public :: softness, lay_out_gaps, left_by_walls, tolerance_at
+   public :: softness, lay_out_gaps, tolerance_at
 
    !> Places are known to the last digit of some metres [m]; times the wall's stiffness that is the least residual force that there
    !> can be. It rules above the tolerance from walls of 1e9 N/m2 on, and where stations are kilometres apart: places count from

@@ -67,7 +67,6 @@ contains
          if (it%viscosity > viscosity_most .or. .not. it%before < huge(it%before)) exit
       end do
       call enter_row(it, equations, gaps, work)
-      work%separate = .false.
    end subroutine find_equilibrium
 
    !> Measures the state for good. Where the step before began next to an equilibrium forces are measured alone at first: most such

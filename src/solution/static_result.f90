@@ -11,16 +11,15 @@ module dg_static_result
    use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type
-   use dg_outside_hole, only: as_good_as_rigid, measure_outside, outside_message, outside_place, outside_type
+   use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
-   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_wall
+   use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_units, only: unit_system_type
-   use dg_walls, only: left_by_walls
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
@@ -35,10 +34,8 @@ module dg_static_result
    !> found it for five: another length of elements for four, load steps for two, the other place of the gaps for two.
    real(wp), parameter :: other_length = 5.0_wp     ! [m]
    character(*), parameter :: other_ways = '), gap_location or load_steps: one of these finds it for some such strings'
-   !> Forces out of balance over the weight [-]. Above the first number a result gets a warning. Above the second it is not a
-   !> solution. Sound results have 1e-12 to 1e-6. With walls of 1e12 kN/m2, 1e-3 to 3e-3 are left, and contact forces are a percent
-   !> off. With walls ten times as stiff it is 1e-2, and they are 6 % off.
-   real(wp), parameter :: rough_balance = 1.0e-4_wp, most_out_of_balance = 5.0e-3_wp
+   !> Forces out of balance over the weight from which on a result is none [-]. Sound results have 1e-12 to 1e-6, at any wall.
+   real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
@@ -116,8 +113,8 @@ contains
       result%flips = sum(gaps%flips)
       result%moves = sum(gaps%moves)
       call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
-      if (outcome == outcome_converged) call judge_balance(model%units, model%numerics, gaps, equations%force_scale, work%normal, &
-         whirls, result)
+      if (outcome == outcome_converged) &
+         call judge_balance(model%units, model%numerics, equations%force_scale, work%normal, whirls, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
       if (model%boundary%bit_centred) then
@@ -146,36 +143,25 @@ contains
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.
-   pure subroutine judge_balance(units, numerics, gaps, force_scale, normal, whirls, result)
+   pure subroutine judge_balance(units, numerics, force_scale, normal, whirls, result)
       type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
-      type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale       !< weight and bit load [N]
       real(wp), intent(in) :: normal(:)         !< contact forces; below 0: the wall pulls [N]
       logical, intent(in) :: whirls
       type(case_result_type), intent(inout) :: result
-      character(:), allocatable :: left
       real(wp) :: pulling, part
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
       if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
-      if (.not. (part > rough_balance .or. pulling > max(most_pulled, part)*force_scale)) return
-      left = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))//' out of balance'
-      if (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale) then
-         result%status = result_not_converged
-         if (part <= most_out_of_balance) left = 'walls pull the string with '// &
-            trim(in_units(units, unit_force, pulling, shown))//' in all'
-         if (left_by_walls(gaps, force_scale) > numerics%tolerance) then
-            result%message = left//': a wall this stiff presses with the round-off of places; give a smaller wall_stiffness, '// &
-                             'gk_contact and gk_max (the wall of '// &
-                             trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' is as good as rigid)'
-         else if (part > most_out_of_balance) then
-            result%message = left//': residuals add up; give a smaller tolerance'
-         else
-            result%message = left//': gaps open where they pull with more than r_n0; give a smaller one'
-         end if
+      if (.not. (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale)) return
+      result%status = result_not_converged
+      if (part > most_out_of_balance) then
+         result%message = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
+                          ' out of balance: residuals add up; give a smaller tolerance'
       else
-         call add_message(result, left//', as the wall is too stiff for more: contact force may be off by a percent')
+         result%message = 'walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
+                          ' in all: gaps open where they pull with more than r_n0; give a smaller one'
       end if
    end subroutine judge_balance
 
