@@ -53,7 +53,7 @@ contains
             it%slope = part*it%slope
          end do
          call take_step(it, trajectory, mesh, gaps, work)
-         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%before < tuning%calm*equations%force_scale) &
+         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%trial < tuning%calm*equations%force_scale) &
             it%growth = it%growth*tuning%growth
          if (it%growth >= tuning%stiff) it%growth = rigid
       end associate
