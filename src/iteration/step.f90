@@ -21,7 +21,8 @@ module dg_step
 contains
 
    !> The step and the forces at its end. A string that is watched has viscosity raised as far as it must be; one that is not has
-   !> the whole tangent ready in equations%matrix, and is watched from where it moves too far or up the energy's slope.
+   !> the whole tangent ready in equations%matrix, and is watched from where it moves too far or up the energy's slope. Next to an
+   !> equilibrium that slope says nothing: friction and round-off decide its sign.
    subroutine find_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -31,6 +32,7 @@ contains
       real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp) :: reach
+      logical :: uphill
       integer :: fault
       it%problem%closed = gaps%state /= state_free
       if (.not. it%watched) then
@@ -41,8 +43,9 @@ contains
             return
          end if
          call find_reach(it, equations, trajectory, mesh, work, reach)
-         if ((reach > it%numerics%step_limit .or. .not. energy_slope(equations, it%problem%load) < 0.0_wp) &
-             .and. .not. equations%planar) then
+         uphill = .not. (energy_slope(equations, it%problem%load) < 0.0_wp .or. &
+                         it%before < it%numerics%tuning%near*equations%force_scale)
+         if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, .true., .false., work)
             call swap_matrices(equations%matrix, it%energy)
