@@ -10,7 +10,7 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: push_needed, pushed_from
+   public :: is_pushed, push_needed
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
              contact_name
 
@@ -127,4 +127,14 @@ module dg_case_result
       type(contact_point_type), allocatable :: contacts(:)
       type(iteration_type), allocatable :: history(:)
    end type case_result_type
+
+contains
+
+   !> Whether a string would have to be pushed at surface, as `push_needed` says.
+   pure function is_pushed(hookload, axial) result(pushed)
+      real(wp), intent(in) :: hookload   !< [N]
+      real(wp), intent(in) :: axial(:)   !< along the string [N]
+      logical :: pushed
+      pushed = hookload < -pushed_from*maxval(abs(axial))
+   end function is_pushed
 end module dg_case_result

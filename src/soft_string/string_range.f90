@@ -2,7 +2,7 @@
 module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
-   use dg_case_result, only: push_needed, pushed_from
+   use dg_case_result, only: is_pushed, push_needed
    use dg_model, only: model_type
    use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
@@ -43,7 +43,7 @@ contains
       if (worst > 1.0_wp) warning = 'outside the range of this model: compression is '//to_text(worst, shown)// &
          ' times the helical buckling load at '//trim(in_units(model%units, unit_length, worst_md, shown))// &
          '; contact there is underrated, use mcge'
-      if (axial(1) < -pushed_from*maxval(abs(axial))) then
+      if (is_pushed(axial(1), axial)) then
          if (warning /= '') warning = warning//'; '
          warning = warning//push_needed
       end if

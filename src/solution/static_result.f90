@@ -2,7 +2,7 @@
 module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
-   use dg_case_result, only: case_result_type, iteration_type, push_needed, pushed_from, result_converged, result_locked_up, &
+   use dg_case_result, only: case_result_type, is_pushed, iteration_type, push_needed, result_converged, result_locked_up, &
                              result_not_converged
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
    use dg_gap_survey, only: node_offset
@@ -95,7 +95,7 @@ contains
       result%inclination = inclination_of(tangent)
       result%hookload = work%hookload
       ! a part of a string may be pushed by what is above it
-      if (outcome == outcome_converged .and. work%hookload < -pushed_from*maxval(abs(work%axial)) .and. &
+      if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
       if (outcome == outcome_converged .and. equations%gaps_taken_back) &
          call add_message(result, 'gaps that were moved to where the string lies deepest found no equilibrium there and stand '// &
