@@ -1,9 +1,9 @@
 !> Lays other programs' results beside ours: prints and writes the comparison.
 module dg_run_legacy
-   use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_case_result, only: case_result_type
    use dg_csv_table, only: begin_table, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy
    use dg_legacy_report, only: legacy_report
    use dg_legacy_rows, only: add_legacy_rows, legacy_columns
@@ -33,12 +33,8 @@ contains
          do i = 1, size(results)
             if (results(i)%case_index /= table%case_index .or. .not. allocated(results(i)%profile%md)) cycle
             call compare_with_legacy(table, results(i)%profile, model%trajectory, comparison)
-            if (results(i)%status /= result_converged) call print_and_keep(printed, [text_type(''), &
-               text_type('Case '//model%cases(table%case_index)%name//', model '//trim(model_name(results(i)%model))// &
-                         ', has no solution ('//trim(result_status_name(results(i)%status))// &
-                         '): do not use the comparison below.')])
-            lines = legacy_report(job%units, table, model%cases(table%case_index)%name, results(i)%model, comparison, &
-                                  results(i)%model == job%models(1))
+            lines = legacy_report(job%units, table, model%cases(table%case_index)%name, results(i)%model, results(i)%status, &
+                                  comparison, results(i)%model == job%models(1))
             call print_and_keep(printed, lines)
             call add_legacy_rows(rows, model%cases(table%case_index)%name, results(i)%model, comparison)
          end do

@@ -2,6 +2,7 @@
 !> the two part. Every line fits 120 columns.
 module dg_legacy_report
    use dg_kinds, only: wp
+   use dg_case_result, only: result_converged, result_status_name
    use dg_hole_interval, only: interval_at, interval_name
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type
@@ -26,16 +27,22 @@ module dg_legacy_report
 contains
 
    !> Words, and where asked for the tables, of one table beside one model.
-   pure function legacy_report(units, table, case_name, model, comparison, with_tables) result(lines)
+   pure function legacy_report(units, table, case_name, model, status, comparison, with_tables) result(lines)
       type(unit_system_type), intent(in) :: units
       type(legacy_table_type), intent(in) :: table
       character(*), intent(in) :: case_name
       integer, intent(in) :: model
+      integer, intent(in) :: status               !< of our result
       type(comparison_type), intent(in) :: comparison
       logical, intent(in) :: with_tables
       type(text_type), allocatable :: lines(:)
       integer :: k
       allocate (lines(0))
+      if (status /= result_converged) then
+         call append_text(lines, '')
+         call append_text(lines, 'Case '//case_name//', model '//trim(model_name(model))//', has no solution ('// &
+                          trim(result_status_name(status))//'): do not use the comparison below.')
+      end if
       call append_text(lines, '')
       call append_text(lines, 'Legacy '//table%label//' beside case '//case_name//', model '//trim(model_name(model)))
       if (comparison%outside > 0) call append_text(lines, to_text(comparison%outside)//' of its '//to_text(size(table%md))// &
