@@ -3,7 +3,7 @@
 module dg_legacy_report
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_status_name
-   use dg_hole_interval, only: interval_at, interval_name
+   use dg_hole_interval, only: interval_at, interval_name, interval_type
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
@@ -101,7 +101,6 @@ contains
       character(:), allocatable :: what
       real(wp) :: factor
       integer :: i, n
-      character(*), parameter :: straight = ' (no depth within: by straight line)'
       n = size(comparison%md)
       call unit_of(units, k, factor, unit)
       what = trim(quantity_words(k))
@@ -121,8 +120,7 @@ contains
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
                              depth(interval%md_bottom)//' up to '//depth(interval%md_top)//': '// &
-                             growth_text(parting%growth(i))//trim(merge(straight, '                                    ', &
-                             .not. any(comparison%md > interval%md_top .and. comparison%md < interval%md_bottom))))
+                             growth_text(parting%growth(i))//remark(interval))
          end associate
       end do
       if (parting%worst == 0) then
@@ -153,6 +151,15 @@ contains
             text = signed(growth/factor)//' '//unit%text
          end if
       end function growth_text
+
+      !> How the growth over an interval was found that holds no depth of the table.
+      pure function remark(interval) result(text)
+         type(interval_type), intent(in) :: interval
+         character(:), allocatable :: text
+         text = ''
+         if (.not. any(comparison%md > interval%md_top .and. comparison%md < interval%md_bottom)) &
+            text = ' (no depth within: by straight line)'
+      end function remark
    end subroutine append_words
 
    !> With its sign, also where that is plus.
