@@ -373,15 +373,22 @@ contains
       end do
    end subroutine test_assembly
 
+   !> A string in a hole that is vertical, builds to 40 deg and holds.
+   subroutine build_and_hold(model, operation)
+      type(model_type), intent(out) :: model
+      integer, intent(in) :: operation
+      call new_well(model, [0.0_wp, 300.0_wp, 700.0_wp, 1100.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], &
+                    spread(300.0_wp, 1, 4), 0.2159_wp, 0.25_wp, pipe(w, od, id))
+      model%boundary%top_centred = .true.
+      model%cases(1)%operation = operation
+   end subroutine build_and_hold
+
    !> Gaps at the nodes, load steps, the other linear solvers.
    subroutine test_settings()
       type(model_type) :: model
       integer :: i
       do i = 1, 4
-         call new_well(model, [0.0_wp, 300.0_wp, 700.0_wp, 1100.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], &
-                       spread(300.0_wp, 1, 4), 0.2159_wp, 0.25_wp, pipe(w, od, id))
-         model%boundary%top_centred = .true.
-         model%cases(1)%operation = operation_trip_out
+         call build_and_hold(model, operation_trip_out)
          if (i == 1) model%numerics%gap_location = gap_at_nodes
          if (i == 2) model%numerics%load_steps = 3
          if (i == 3) model%numerics%linear_solver = solver_banded
@@ -404,10 +411,7 @@ contains
    !> A mesh fine enough to be started from a coarse one, both in the plane.
    subroutine test_fine_mesh()
       type(model_type) :: model
-      call new_well(model, [0.0_wp, 300.0_wp, 700.0_wp, 1100.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], &
-                    spread(300.0_wp, 1, 4), 0.2159_wp, 0.25_wp, pipe(w, od, id))
-      model%boundary%top_centred = .true.
-      model%cases(1)%operation = operation_trip_in
+      call build_and_hold(model, operation_trip_in)
       model%numerics%element_length = 0.7_wp
       model%numerics%gap_location = gap_at_nodes   ! where those at their extremum come to stand depends on the way, by 1.5e-7
       call compare(model, 'fine')
