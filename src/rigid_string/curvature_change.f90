@@ -19,7 +19,7 @@ module dg_curvature_change
    use dg_string_piece, only: at_offset, breakpoints, layout_of, layout_type, piece_above, piece_type
    implicit none
    private
-   public :: change_type, curvature_changes, bending_at, reach
+   public :: change_type, curvature_changes, find_extents, bending_at
 
    type :: change_type
       real(wp) :: md = 0.0_wp                !< [m]
@@ -28,10 +28,14 @@ module dg_curvature_change
       real(wp) :: length = 0.0_wp            !< l of the description above [m]
       real(wp) :: stiffness = 0.0_wp         !< the greater E I of both sides [N.m2]
       logical :: forced = .false.            !< by the wall: l is that of the clearance
+      !> Of the first of a block: none of it is felt above the one depth or below the other [m] (find_extents).
+      real(wp) :: highest = -huge(1.0_wp), deepest = huge(1.0_wp)
    end type change_type
 
    !> Lengths l beyond which a change is forgotten [-]: exp(-20) is 2e-9.
    real(wp), parameter :: reach = 20.0_wp
+   !> Changes that are passed over together where none of them is felt.
+   integer, parameter :: block = 64
    !> Distance from a depth at which the pieces on its two sides are looked up [m]: twice what `breakpoints`
    !> takes for one depth.
    real(wp), parameter :: beside = 2.0e-6_wp
@@ -87,6 +91,18 @@ contains
       changes = found(:n)
    end subroutine curvature_changes
 
+   !> Notes where the changes of each block are felt. The few that are long spoil no more than their block.
+   pure subroutine find_extents(changes)
+      type(change_type), intent(inout) :: changes(:)
+      real(wp), parameter :: felt = reach + 1.0_wp     ! one length more than any change is felt, for round-off
+      integer :: first, last
+      do first = 1, size(changes), block
+         last = min(first + block - 1, size(changes))
+         changes(first)%highest = minval(changes(first:last)%md - felt*changes(first:last)%length)
+         changes(first)%deepest = maxval(changes(first:last)%md + felt*changes(first:last)%length)
+      end do
+   end subroutine find_extents
+
    !> Depths where anything may change, with those of all arcs: a spline has arcs between stations.
    pure subroutine places(model, case_index, md)
       type(model_type), intent(in) :: model
@@ -121,7 +137,8 @@ contains
       md(n) = depth
    end subroutine put
 
-   !> What the changes add to the hole's own curvature and moment at a depth, across the hole.
+   !> What the changes add to the hole's own curvature and moment at a depth, across the hole. Changes as `find_extents` leaves
+   !> them are found fast; without it every one is looked at.
    pure subroutine bending_at(changes, md, side, tangent, curvature, curvature_slope, moment, shear, shear_slope)
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md                    !< [m]
@@ -133,23 +150,26 @@ contains
       real(wp), intent(out) :: shear(3)             !< -d(E I k)/ds, jumps smoothed [N]
       real(wp), intent(out) :: shear_slope(3)       !< d/ds of it [N/m]
       real(wp) :: distance, decay, half, along
-      integer :: j
+      integer :: first, j
       curvature = 0.0_wp
       curvature_slope = 0.0_wp
       moment = 0.0_wp
       shear = 0.0_wp
       shear_slope = 0.0_wp
-      do j = 1, size(changes)
-         distance = abs(md - changes(j)%md)/changes(j)%length
-         if (distance > reach) cycle
-         decay = 0.5_wp*exp(-distance)
-         half = sign(decay, changes(j)%md - side)    ! positive above the change
-         along = decay/changes(j)%length
-         curvature = curvature + half*changes(j)%curvature
-         curvature_slope = curvature_slope + along*changes(j)%curvature
-         moment = moment + half*changes(j)%moment
-         shear = shear - along*changes(j)%moment
-         shear_slope = shear_slope - (half/changes(j)%length**2)*changes(j)%moment
+      do first = 1, size(changes), block
+         if (md < changes(first)%highest .or. md > changes(first)%deepest) cycle
+         do j = first, min(first + block - 1, size(changes))
+            distance = abs(md - changes(j)%md)/changes(j)%length
+            if (distance > reach) cycle
+            decay = 0.5_wp*exp(-distance)
+            half = sign(decay, changes(j)%md - side)    ! positive above the change
+            along = decay/changes(j)%length
+            curvature = curvature + half*changes(j)%curvature
+            curvature_slope = curvature_slope + along*changes(j)%curvature
+            moment = moment + half*changes(j)%moment
+            shear = shear - along*changes(j)%moment
+            shear_slope = shear_slope - (half/changes(j)%length**2)*changes(j)%moment
+         end do
       end do
       curvature = across_hole(curvature)
       curvature_slope = across_hole(curvature_slope)

@@ -13,7 +13,7 @@
 !> curvature, as if it went on. Without changes, so for E I = 0, this is the soft string.
 module dg_rigid_string_loads
    use dg_kinds, only: wp
-   use dg_curvature_change, only: bending_at, change_type
+   use dg_curvature_change, only: bending_at, change_type, find_extents
    use dg_model, only: model_type
    use dg_soft_string_loads, only: largest_angle, longest_step, runaway_force, soft_totals_type
    use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type
@@ -40,16 +40,17 @@ contains
 
    !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths; where they
    !> jump `contact` is the one just below.
-   pure subroutine rigid_string_at(model, case_index, changes, md, axial, torque, contact, across, totals)
+   pure subroutine rigid_string_at(model, case_index, stiff_at, md, axial, torque, contact, across, totals)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(change_type), intent(in) :: changes(:)  !< at which the string is stiff
+      type(change_type), intent(in) :: stiff_at(:) !< changes at which the string is stiff, from the top down
       real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
       real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
       real(wp), intent(out) :: across(:, :)        !< (2, :) resultant moment [N.m] and resultant shear force |V| [N]
       type(soft_totals_type), intent(out) :: totals
+      type(change_type), allocatable :: changes(:)
       type(layout_type) :: layout
       type(piece_type) :: piece
       real(wp) :: position, force, moment
@@ -59,6 +60,8 @@ contains
          force = -load_case%wob
          moment = load_case%tob
       end associate
+      allocate (changes, source=stiff_at)
+      call find_extents(changes)
       layout = layout_of(model, case_index)
       piece = piece_above(model, layout, position, 1.0_wp)
       do i = size(md), 1, -1
@@ -123,15 +126,41 @@ contains
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: target, position   !< [m]
       real(wp) :: step
-      real(wp) :: distance
-      integer :: j
+      real(wp) :: far
+      integer :: j, above
       step = position - target
       if (piece%arc%curvature > 0.0_wp) step = min(step, longest_step, largest_angle/piece%arc%curvature)
-      do j = 1, size(changes)
-         distance = position - changes(j)%md
-         step = min(step, length_share*changes(j)%length + distance_share*abs(distance))
+      ! from the nearest changes on, as far as distance alone does not leave the step as it is
+      above = changes_above(changes, position)
+      do j = above, 1, -1
+         far = distance_share*(position - changes(j)%md)
+         if (far >= step) exit
+         step = min(step, length_share*changes(j)%length + far)
+      end do
+      do j = above + 1, size(changes)
+         far = distance_share*(changes(j)%md - position)
+         if (far >= step) exit
+         step = min(step, length_share*changes(j)%length + far)
       end do
    end function step_from
+
+   !> Number of changes, which go down, at a depth and above it.
+   pure function changes_above(changes, md) result(number)
+      type(change_type), intent(in) :: changes(:)
+      real(wp), intent(in) :: md   !< [m]
+      integer :: number
+      integer :: below, middle
+      number = 0
+      below = size(changes) + 1
+      do while (below - number > 1)
+         middle = (number + below)/2
+         if (changes(middle)%md <= md) then
+            number = middle
+         else
+            below = middle
+         end if
+      end do
+   end function changes_above
 
    !> Contact force per metre, and what it and the shear add to the axial force per metre up the hole.
    pure subroutine rates(piece, changes, md, side, force, moment, normal, change)
