@@ -16,7 +16,10 @@ module dg_ten_digits
    integer, parameter :: most_exact = 22
    integer :: power_index
    real(wp), parameter :: power_of_ten(0:most_exact) = [(10.0_wp**power_index, power_index=0, most_exact)]
-   real(wp), parameter :: log10_of_2 = 0.30102999566398120_wp
+   !> In units of 2**-18: right to 3e-8, enough for the greatest exponent of a double.
+   integer, parameter :: log10_of_2 = 78913
+   character(2), parameter :: pair(0:99) = [(achar(iachar('0') + power_index/10)//achar(iachar('0') + modulo(power_index, 10)), &
+                                             power_index=0, 99)]
    !> Least and one more than the greatest integer of ten digits.
    integer(int64), parameter :: least = 1000000000_int64, too_many = 10*least
    !> So near a half the last digit is left to the run-time library. Scaling rounds at most three times, each by at most
@@ -33,7 +36,7 @@ contains
       real(wp), intent(in) :: value
       character(digits_wanted) :: letters
       integer(int64) :: whole
-      integer :: exponent
+      integer :: exponent, i
       logical :: certain
       call find_digits(abs(value), whole, exponent, certain)
       if (.not. certain) then
@@ -43,9 +46,13 @@ contains
       letters = decimal(whole)
       if (sign(1.0_wp, value) < 0.0_wp) call put_piece(text, filled, '-')
       if (exponent >= 0 .and. exponent < digits_wanted) then
-         call put_piece(text, filled, letters(:exponent + 1))
-         call put_piece(text, filled, '.')
-         call put_piece(text, filled, letters(exponent + 2:))
+         ! all digits one place further on, a copy of fixed length; those before the point back by one
+         text(filled + 2:filled + digits_wanted + 1) = letters
+         do i = 1, exponent + 1
+            text(filled + i:filled + i) = letters(i:i)
+         end do
+         text(filled + exponent + 2:filled + exponent + 2) = '.'
+         filled = filled + digits_wanted + 1
       else
          call put_piece(text, filled, '0.')
          call put_piece(text, filled, letters)
@@ -72,17 +79,20 @@ contains
       integer, intent(out) :: exponent_of_x
       logical, intent(out) :: certain         !< false: too near a half, or too large or small to be scaled so well
       real(wp) :: scaled, rest
+      integer(int64) :: bits
       integer :: power
       whole = 0
-      ! at most one too small; of an infinite number or a NaN it is enormous, so that no operation is done with those
-      exponent_of_x = floor((exponent(x) - 1)*log10_of_2)
-      power = digits_wanted - 1 - exponent_of_x
-      certain = abs(power) <= 2*most_exact
-      if (.not. certain) return
-      if (x <= 0.0_wp) then
+      ! by its bits; at most one too small; of an infinite number or a NaN it is enormous, so that no operation is done with those
+      bits = transfer(x, bits)
+      exponent_of_x = shifta(log10_of_2*(int(shiftr(bits, 52)) - 1023), 18)
+      certain = bits == 0
+      if (certain) then
          exponent_of_x = 0
          return
       end if
+      power = digits_wanted - 1 - exponent_of_x
+      certain = abs(power) <= 2*most_exact
+      if (.not. certain) return
       if (power > most_exact) then
          scaled = x*power_of_ten(most_exact)*power_of_ten(power - most_exact)
       else if (power >= 0) then
@@ -106,13 +116,13 @@ contains
    pure function decimal(whole) result(letters)
       integer(int64), intent(in) :: whole
       character(digits_wanted) :: letters
-      integer(int64) :: left, tenth
+      integer(int64) :: left, hundredth
       integer :: i
       left = whole
-      do i = digits_wanted, 1, -1
-         tenth = left/10
-         letters(i:i) = achar(iachar('0') + int(left - 10*tenth))
-         left = tenth
+      do i = digits_wanted - 1, 1, -2
+         hundredth = left/100
+         letters(i:i + 1) = pair(int(left - 100*hundredth))
+         left = hundredth
       end do
    end function decimal
 
