@@ -26,31 +26,33 @@ contains
       type(text_type), allocatable :: lines(:)
       real(wp), allocatable :: values(:, :)
       integer, allocatable :: codes(:, :)
-      character(10) :: names(0:2)    ! none longer than a number
+      character(10) :: names(0:2, size(profile_columns))    ! none longer than a number
+      real(wp) :: unit(size(profile_columns))
       character(size(profile_columns)*(longest_number + 1)) :: row
       integer :: i, j, n, filled
       n = 0
       if (allocated(result%profile%md)) n = size(result%profile%md)
       allocate (lines(0:n), values(n, size(profile_columns)), codes(n, size(profile_columns)))
       lines(0)%text = csv_header(profile_columns, job%units)
-      if (n > 0) then
-         do j = 1, size(profile_columns)
-            call profile_values(trim(profile_columns(j)%name), result%profile, along, values(:, j))
-            call profile_codes(trim(profile_columns(j)%name), result%profile, along, codes(:, j))
-         end do
-      end if
+      do j = 1, size(profile_columns)
+         unit(j) = unit_size(profile_columns(j)%quantity, job%units)
+         names(:, j) = code_names(trim(profile_columns(j)%name))
+         if (n == 0) cycle
+         call profile_values(trim(profile_columns(j)%name), result%profile, along, values(:, j))
+         call profile_codes(trim(profile_columns(j)%name), result%profile, along, codes(:, j))
+      end do
       do i = 1, n
          filled = 0
          do j = 1, size(profile_columns)
-            if (j > 1) call put_piece(row, filled, ',')
             if (profile_columns(j)%quantity == quantity_text) then
-               names = code_names(trim(profile_columns(j)%name))
-               call put_piece(row, filled, trim(names(codes(i, j))))
+               call put_piece(row, filled, trim(names(codes(i, j), j)))
             else
-               call put_csv_value(row, filled, values(i, j), unit_size(profile_columns(j)%quantity, job%units))
+               call put_csv_value(row, filled, values(i, j), unit(j))
             end if
+            filled = filled + 1
+            row(filled:filled) = ','
          end do
-         lines(i)%text = row(:filled)
+         lines(i)%text = row(:filled - 1)
       end do
       call write_text_file(path, lines, error)
    end subroutine write_profile
