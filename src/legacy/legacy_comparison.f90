@@ -85,7 +85,7 @@ contains
       logical, intent(in) :: summed
       type(parting_type), intent(out) :: parting
       integer :: at, i
-      real(wp) :: total, largest, total_there(size(md))
+      real(wp) :: total, largest, most, total_there(size(md))
       at = maxloc(abs(difference), 1)
       parting%present = .true.
       parting%scale = scale
@@ -116,8 +116,9 @@ contains
       if (total > 0.0_wp) parting%share = largest/total
       ! The lowest of the depths from which they are apart; the row below still agrees.
       parting%parting_md = md(1)
+      most = maxval(abs(total_there - total_there(size(md))))
       do i = size(md), 1, -1
-         if (abs(total_there(i) - total_there(size(md))) > parted*maxval(abs(total_there - total_there(size(md))))) then
+         if (abs(total_there(i) - total_there(size(md))) > parted*most) then
             parting%parting_md = md(min(i + 1, size(md)))
             exit
          end if
