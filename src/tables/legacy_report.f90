@@ -3,13 +3,14 @@
 module dg_legacy_report
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_status_name
+   use dg_column, only: quantity_force, quantity_line_load, quantity_moment, unit_size, unit_text
    use dg_hole_interval, only: interval_at, interval_name, interval_type
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type
    use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -22,6 +23,7 @@ module dg_legacy_report
    !> Digits of forces and depths in words.
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
+   integer, parameter :: quantity_of(quantity_count) = [quantity_force, quantity_moment, quantity_line_load]
    real(wp), parameter :: per_cent = 100.0_wp
 
 contains
@@ -62,10 +64,11 @@ contains
       integer, intent(in) :: k
       type(comparison_type), intent(in) :: comparison
       character(:), allocatable :: rule
-      type(text_type) :: unit
+      character(:), allocatable :: unit
       real(wp) :: factor, ours, theirs
       integer :: i, interval, n, row, rows
-      call unit_of(units, k, factor, unit)
+      factor = unit_size(quantity_of(k), units)
+      unit = unit_text(quantity_of(k), units)
       rule = repeat('-', 2*cell + hole_width + 3*cell)
       n = size(comparison%md)
       rows = min(n, most_rows)
@@ -74,7 +77,7 @@ contains
                        right_aligned('Ours', cell)//right_aligned('Legacy', cell)//right_aligned('Difference', cell)// &
                        right_aligned('%', cell - 2))
       call append_text(lines, right_aligned(trim(units%length_label), cell)//repeat(' ', hole_width + 2)// &
-                       right_aligned(unit%text, cell)//right_aligned(unit%text, cell)//right_aligned(unit%text, cell))
+                       right_aligned(unit, cell)//right_aligned(unit, cell)//right_aligned(unit, cell))
       call append_text(lines, rule)
       do row = 1, rows
          i = 1
@@ -97,16 +100,17 @@ contains
       integer, intent(in) :: k
       type(comparison_type), intent(in) :: comparison
       type(parting_type), intent(in) :: parting
-      type(text_type) :: unit
+      character(:), allocatable :: unit
       character(:), allocatable :: what
       real(wp) :: factor
       integer :: i, n
       n = size(comparison%md)
-      call unit_of(units, k, factor, unit)
+      factor = unit_size(quantity_of(k), units)
+      unit = unit_text(quantity_of(k), units)
       what = trim(quantity_words(k))
-      call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit%text//' ('// &
+      call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit//' ('// &
                        to_text(share_of(abs(parting%largest), parting%scale), 3)//' % of our largest) at '// &
-                       depth(parting%largest_md)//', mean '//to_text(parting%mean/factor, shown)//' '//unit%text//' over '// &
+                       depth(parting%largest_md)//', mean '//to_text(parting%mean/factor, shown)//' '//unit//' over '// &
                        to_text(size(comparison%md))//' depths')
       if (parting%agrees) then
          call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
@@ -148,7 +152,7 @@ contains
          if (k == quantity_side_force) then     ! an integral along the hole
             text = signed(growth/units%force)//' '//trim(units%force_label)
          else
-            text = signed(growth/factor)//' '//unit%text
+            text = signed(growth/factor)//' '//unit
          end if
       end function growth_text
 
@@ -176,24 +180,4 @@ contains
       share = 0.0_wp
       if (whole > 0.0_wp) share = per_cent*part/whole
    end function share_of
-
-   !> SI value and name of the unit of a quantity.
-   pure subroutine unit_of(units, k, factor, unit)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: k
-      real(wp), intent(out) :: factor
-      type(text_type), intent(out) :: unit
-      select case (k)
-      case (1)
-         factor = units%force
-         unit%text = trim(units%force_label)
-      case (2)
-         factor = units%moment
-         unit%text = unit_label(units, unit_moment)
-      case default
-         factor = units%force_per_length
-         unit%text = 'kN/m'
-         if (units%name == 'field') unit%text = 'klbf/ft'
-      end select
-   end subroutine unit_of
 end module dg_legacy_report
