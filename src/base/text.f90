@@ -3,6 +3,7 @@ module dg_text
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    use dg_kinds, only: wp
+   use dg_decimal_digits, only: find_digits, most_digits
    use dg_printable, only: printable
    implicit none
    private
@@ -17,6 +18,8 @@ module dg_text
 
    !> Digits that a double always keeps through text and back.
    integer, parameter :: safe_digits = 15
+   !> Letters of the longest real, -0.000123456789012345 or -1.23456789012345e-308.
+   integer, parameter :: longest_real = 22
    !> Longest piece of a user's text that a message repeats.
    integer, parameter :: quote_limit = 48
    !> Letters of a name that a suggestion repeats.
@@ -276,9 +279,8 @@ contains
       real(wp), intent(in) :: number
       integer, intent(in) :: digits
       integer :: length
-      character(:), allocatable :: whole
-      call write_real(number, digits, whole)
-      length = len(whole)
+      character(longest_real) :: whole
+      call write_real(number, digits, whole, length)
    end function real_length
 
    !> An integer as text.
@@ -293,9 +295,10 @@ contains
    pure function real_text(number) result(text)
       real(wp), intent(in) :: number
       character(real_length(number, safe_digits)) :: text
-      character(:), allocatable :: whole
-      call write_real(number, safe_digits, whole)
-      text = whole
+      character(longest_real) :: whole
+      integer :: length
+      call write_real(number, safe_digits, whole, length)
+      text = whole(:length)
    end function real_text
 
    !> The same to `digits` significant ones.
@@ -303,60 +306,78 @@ contains
       real(wp), intent(in) :: number
       integer, intent(in) :: digits
       character(real_length(number, digits)) :: text
-      character(:), allocatable :: whole
-      call write_real(number, digits, whole)
-      text = whole
+      character(longest_real) :: whole
+      integer :: length
+      call write_real(number, digits, whole, length)
+      text = whole(:length)
    end function rounded_text
 
-   pure subroutine write_real(number, digits, text)
+   pure subroutine write_real(number, digits, text, length)
       real(wp), intent(in) :: number
       integer, intent(in) :: digits
-      character(:), allocatable, intent(out) :: text
-      character(40) :: buffer
-      character(:), allocatable :: mantissa, sign
-      integer :: n, exponent, point
+      character(longest_real), intent(out) :: text
+      integer, intent(out) :: length
+      character(safe_digits) :: mantissa
+      integer :: n, exponent
       ! plain notation for 0.0001 up to ten million less one
       integer, parameter :: least_plain = -4, most_plain = 6
 
+      length = 0
       if (.not. ieee_is_finite(number)) then     ! of an iteration that ran away
-         text = 'beyond all numbers'
+         call put_piece(text, length, 'beyond all numbers')
          return
       else if (abs(number) <= 0.0_wp) then
-         text = '0'
+         call put_piece(text, length, '0')
          return
       end if
-      call write_digits(number, max(1, min(digits, safe_digits)), buffer)
-      sign = ''
-      if (number < 0.0_wp) sign = '-'
-      buffer = adjustl(buffer)
-      if (buffer(1:1) == '-') buffer = buffer(2:)
-      point = index(buffer, 'E')
-      read (buffer(point + 1:), *) exponent
-      mantissa = buffer(1:1)//buffer(3:point - 1)          ! digits without the point, and without noughts at their end
-      n = max(1, verify(mantissa, '0', back=.true.))
-      mantissa = mantissa(:n)
+      n = max(1, min(digits, safe_digits))
+      call take_digits(abs(number), n, mantissa, exponent)
+      do while (n > 1 .and. mantissa(n:n) == '0')     ! without noughts at their end
+         n = n - 1
+      end do
+      if (number < 0.0_wp) call put_piece(text, length, '-')
       if (exponent < least_plain .or. exponent > most_plain) then
-         text = sign//mantissa(1:1)
-         if (n > 1) text = text//'.'//mantissa(2:)
-         text = text//'e'//integer_text(exponent)
+         call put_piece(text, length, mantissa(1:1))
+         if (n > 1) call put_piece(text, length, '.'//mantissa(2:n))
+         call put_piece(text, length, 'e'//integer_text(exponent))
       else if (exponent < 0) then
-         text = sign//'0.'//repeat('0', -exponent - 1)//mantissa
+         call put_piece(text, length, '0.'//repeat('0', -exponent - 1))
+         call put_piece(text, length, mantissa(:n))
       else if (n <= exponent + 1) then
-         text = sign//mantissa//repeat('0', exponent + 1 - n)
+         call put_piece(text, length, mantissa(:n))
+         call put_piece(text, length, repeat('0', exponent + 1 - n))
       else
-         text = sign//mantissa(:exponent + 1)//'.'//mantissa(exponent + 2:)
+         call put_piece(text, length, mantissa(:exponent + 1))
+         call put_piece(text, length, '.')
+         call put_piece(text, length, mantissa(exponent + 2:n))
       end if
    end subroutine write_real
 
-   !> `number` in the form d.ddE+ddd with `digits` digits.
-   pure subroutine write_digits(number, digits, buffer)
-      real(wp), intent(in) :: number
-      integer, intent(in) :: digits
-      character(*), intent(out) :: buffer
+   !> The first n digits of x > 0, without the point, and the exponent of the first.
+   pure subroutine take_digits(x, n, mantissa, exponent)
+      real(wp), intent(in) :: x
+      integer, intent(in) :: n
+      character(safe_digits), intent(out) :: mantissa
+      integer, intent(out) :: exponent
+      character(most_digits) :: letters
+      character(40) :: buffer
       character(16) :: form
-      write (form, '(a,i0,a)') '(es30.', digits - 1, 'e3)'
-      write (buffer, form) number
-   end subroutine write_digits
+      integer :: point
+      logical :: certain
+      if (n <= most_digits) then
+         call find_digits(x, n, letters, exponent, certain)
+         if (certain) then
+            mantissa = letters(most_digits - n + 1:)
+            return
+         end if
+      end if
+      write (form, '(a,i0,a)') '(es30.', n - 1, 'e3)'
+      write (buffer, form) x
+      buffer = adjustl(buffer)
+      point = index(buffer, 'E')
+      read (buffer(point + 1:), *) exponent
+      mantissa = buffer(1:1)//buffer(3:point - 1)
+   end subroutine take_digits
 
    !> A text as C wants it: characters and a null.
    pure function c_text(text) result(chars)
