@@ -3,7 +3,7 @@ module dg_beam_angle
    use dg_kinds, only: wp
    implicit none
    private
-   public :: angle_ratio, angle_ratio_alone, angle_ratio_once, angle_square, signed_angle
+   public :: angle_ratios, angle_ratio_alone, angle_ratio_once, signed_angle
 
    !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
@@ -20,19 +20,33 @@ module dg_beam_angle
 
 contains
 
-   !> g = alpha/sin(alpha) with its first and second derivative by cosine = cos(alpha).
-   !> Regular at alpha = 0, also where round-off puts the cosine a little above one. alpha below 180 deg.
+   !> g = alpha/sin(alpha) with its first and second derivative by cosine = cos(alpha), of n angles below 180 deg.
+   !> Regular at alpha = 0, also where round-off puts the cosine a little above one.
+   pure subroutine angle_ratios(n, cosine, g, dg, ddg)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: cosine(n)
+      real(wp), intent(out) :: g(n), dg(n), ddg(n)
+      real(wp) :: u
+      integer :: k
+      do k = 1, n
+         u = 1.0_wp - cosine(k)
+         g(k) = c(0) + u*(c(1) + u*(c(2) + u*(c(3) + u*c(4))))
+         dg(k) = -(c(1) + u*(2.0_wp*c(2) + u*(3.0_wp*c(3) + u*(4.0_wp*c(4) + u*(5.0_wp*c(5))))))
+         ddg(k) = 2.0_wp*c(2) + u*(6.0_wp*c(3) + u*(12.0_wp*c(4) + u*(20.0_wp*c(5) + u*(30.0_wp*c(6)))))
+      end do
+      do k = 1, n
+         if (.not. 1.0_wp - cosine(k) < small) call angle_ratio(cosine(k), g(k), dg(k), ddg(k))
+      end do
+   end subroutine angle_ratios
+
+   !> The same of one angle that is not small.
    pure subroutine angle_ratio(cosine, g, dg, ddg)
       real(wp), intent(in) :: cosine
       real(wp), intent(out) :: g, dg, ddg
       real(wp) :: u, sine_square
       integer :: n
       u = 1.0_wp - cosine
-      if (u < small) then
-         g = c(0) + u*(c(1) + u*(c(2) + u*(c(3) + u*c(4))))
-         dg = -(c(1) + u*(2.0_wp*c(2) + u*(3.0_wp*c(3) + u*(4.0_wp*c(4) + u*(5.0_wp*c(5))))))
-         ddg = 2.0_wp*c(2) + u*(6.0_wp*c(3) + u*(12.0_wp*c(4) + u*(20.0_wp*c(5) + u*(30.0_wp*c(6)))))
-      else if (u < series_limit) then
+      if (u < series_limit) then
          g = c(series_terms)
          dg = 0.0_wp
          ddg = 0.0_wp
@@ -50,7 +64,7 @@ contains
       end if
    end subroutine angle_ratio
 
-   !> g of angle_ratio alone.
+   !> g of angle_ratios alone.
    pure function angle_ratio_alone(cosine) result(g)
       real(wp), intent(in) :: cosine
       real(wp) :: g
@@ -63,7 +77,7 @@ contains
       end if
    end function angle_ratio_alone
 
-   !> g of angle_ratio and its first derivative.
+   !> g of angle_ratios and its first derivative.
    pure subroutine angle_ratio_once(cosine, g, dg)
       real(wp), intent(in) :: cosine
       real(wp), intent(out) :: g, dg
@@ -94,11 +108,4 @@ contains
          angle = atan2(sine, cosine)
       end if
    end function signed_angle
-
-   !> alpha squared [rad2] from the cosine and g of angle_ratio: alpha**2 = g**2 sin(alpha)**2.
-   pure function angle_square(cosine, g) result(square)
-      real(wp), intent(in) :: cosine, g
-      real(wp) :: square
-      square = g*g*(1.0_wp - cosine)*(1.0_wp + cosine)
-   end function angle_square
 end module dg_beam_angle

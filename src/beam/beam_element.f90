@@ -23,13 +23,14 @@
 !> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes; dg_assembly turns them into the element's 12 dofs.
 module dg_beam_element
    use dg_kinds, only: wp
-   use dg_beam_angle, only: angle_ratio, angle_ratio_alone, angle_ratio_once, angle_square
+   use dg_beam_angle, only: angle_ratio_alone, angle_ratio_once
+   use dg_beam_energy, only: energy_hessians, energy_slopes, gradients, measure, measure_forces, measure_type, sections_type
+   use dg_lanes, only: lanes
    use dg_vector, only: cross, outer, skew
    implicit none
    private
    public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_step
-   public :: torque_force, torque_tangent, energy_weights
-   public :: measure_type, measure_force, energy_hessian
+   public :: torque_force, torque_tangent
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
@@ -41,17 +42,6 @@ module dg_beam_element
       real(wp) :: bending_stiffness = 0.0_wp   !< EI [N.m2]
       real(wp) :: torsional_stiffness = 0.0_wp !< GJ [N.m2]
    end type beam_section_type
-
-   !> The measures of one configuration and the derivatives of A, B and U by them.
-   type :: measure_type
-      real(wp) :: e(3), a_i(3), a_j(3)         ! chord direction, tangents less their part along it
-      real(wp) :: length                       ! l
-      real(wp) :: c_i, c_j
-      real(wp) :: g_i, dg_i, ddg_i, g_j, dg_j, ddg_j
-      real(wp) :: s                            ! p - c_i c_j, p = d_i.d_j
-      real(wp) :: bowing                       ! b
-      real(wp) :: a_ci, a_cj, b_ci, b_cj, b_p  ! first derivatives of A and B
-   end type measure_type
 
 contains
 
@@ -104,45 +94,6 @@ contains
       length = l*length
    end subroutine membrane_step
 
-   pure function measure(chord, d_i, d_j) result(m)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      type(measure_type) :: m
-      real(wp) :: product
-      m%length = sqrt(dot_product(chord, chord))
-      m%e = chord/m%length
-      m%c_i = dot_product(d_i, m%e)
-      m%c_j = dot_product(d_j, m%e)
-      m%a_i = d_i - m%c_i*m%e
-      m%a_j = d_j - m%c_j*m%e
-      call angle_ratio(m%c_i, m%g_i, m%dg_i, m%ddg_i)
-      call angle_ratio(m%c_j, m%g_j, m%dg_j, m%ddg_j)
-      m%s = dot_product(m%a_i, m%a_j)          ! = p - c_i c_j without its cancellation
-      product = m%g_i*m%g_j
-      m%bowing = (2.0_wp*(angle_square(m%c_i, m%g_i) + angle_square(m%c_j, m%g_j)) - product*m%s)*thirtieth
-      m%a_ci = -2.0_wp*m%g_i
-      m%a_cj = -2.0_wp*m%g_j
-      m%b_ci = m%dg_i*m%g_j*m%s - product*m%c_j
-      m%b_cj = m%g_i*m%dg_j*m%s - product*m%c_i
-      m%b_p = product
-   end function measure
-
-   !> Weights of A and B in the energy's derivative, and the axial force, from chord length and bowing: all that the element in a
-   !> plane (dg_plane_beam_element) has in common with the one in space, but the energy itself.
-   pure subroutine energy_weights(section, length, bowing, axial, weight_a, weight_b)
-      type(beam_section_type), intent(in) :: section
-      real(wp), intent(in) :: length     !< l [m]
-      real(wp), intent(in) :: bowing     !< b [-]
-      real(wp), intent(out) :: axial     !< N, tension > 0 [N]
-      real(wp), intent(out) :: weight_a, weight_b  !< dU/dA, dU/dB [N.m]
-      real(wp) :: bending, carried
-      axial = section%axial_stiffness*(length*(1.0_wp + bowing) - section%membrane_length)/section%membrane_length
-      bending = 2.0_wp*section%bending_stiffness/section%length
-      ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m
-      carried = thirtieth*axial*length
-      weight_a = bending + 2.0_wp*carried
-      weight_b = bending - carried
-   end subroutine energy_weights
-
    !> Internal force dU/dy(12) [N; N.m per unit director] of the element, Eq. 9 left-hand side, and its axial force.
    pure subroutine beam_force(section, chord, d_i, d_j, force, axial)
       type(beam_section_type), intent(in) :: section
@@ -151,37 +102,29 @@ contains
       real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j)
       real(wp), intent(out) :: axial         !< N, tension > 0 [N]
       type(measure_type) :: m
-      real(wp) :: first(4)
-      call measure_force(section, chord, d_i, d_j, m, first, force, axial)
+      real(wp) :: first(lanes, 4), forces(lanes, 12), axials(lanes), chords(lanes, 3), d(lanes + 1, 3)
+      call spread_one(chord, d_i, d_j, chords, d)
+      call measure_forces(sections_of(section), chords, d, m, first, forces, axials)
+      force = forces(1, :)
+      axial = axials(1)
    end subroutine beam_force
 
-   !> The same, with the measures of the configuration and the energy's first derivatives by them, of which the tangent is made.
-   pure subroutine measure_force(section, chord, d_i, d_j, m, first, force, axial)
-      type(beam_section_type), intent(in) :: section
+   !> One configuration in the first lane; what the others get is a chord and directors, too.
+   pure subroutine spread_one(chord, d_i, d_j, chords, d)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      type(measure_type), intent(out) :: m
-      real(wp), intent(out) :: first(4)        !< by (l, c_i, c_j, p) [N, N.m]
-      real(wp), intent(out) :: force(12), axial
-      real(wp) :: weight_a, weight_b
-      m = measure(chord, d_i, d_j)
-      call energy_weights(section, m%length, m%bowing, axial, weight_a, weight_b)
-      first = energy_slopes(m, axial, weight_a, weight_b)
-      call gradient(m, d_i, d_j, first, force)
-   end subroutine measure_force
+      real(wp), intent(out) :: chords(lanes, 3), d(lanes + 1, 3)
+      chords = spread(chord, 1, lanes)
+      d = spread(d_j, 1, lanes + 1)
+      d(1, :) = d_i
+   end subroutine spread_one
 
-   !> dU/dy(12) from the first derivatives by the scalar measures.
-   pure subroutine gradient(m, d_i, d_j, first, force)
-      type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: d_i(3), d_j(3), first(4)
-      real(wp), intent(out) :: force(12)
-      real(wp) :: by_i, by_j
-      by_i = first(2)/m%length
-      by_j = first(3)/m%length
-      force(7:9) = first(1)*m%e + by_i*m%a_i + by_j*m%a_j
-      force(1:3) = -force(7:9)
-      force(4:6) = first(2)*m%e + first(4)*d_j
-      force(10:12) = first(3)*m%e + first(4)*d_i
-   end subroutine gradient
+   pure function sections_of(section) result(sections)
+      type(beam_section_type), intent(in) :: section
+      type(sections_type) :: sections
+      sections%membrane_length = section%membrane_length
+      sections%stretching = section%axial_stiffness/section%membrane_length
+      sections%bending = 2.0_wp*section%bending_stiffness/section%length
+   end function sections_of
 
    !> Internal force and its consistent tangent d2U/dy2(12,12), symmetric: K0 + KN + Ksigma of Eq. 10.
    pure subroutine beam_tangent(section, chord, d_i, d_j, force, axial, stiffness)
@@ -190,12 +133,9 @@ contains
       real(wp), intent(out) :: force(12)
       real(wp), intent(out) :: axial
       real(wp), intent(out) :: stiffness(12, 12)
-      type(measure_type) :: m
-      real(wp) :: c(4, 4), first(4)
-      call measure_force(section, chord, d_i, d_j, m, first, force, axial)
-      call energy_hessian(m, section%axial_stiffness/section%membrane_length, axial, &
-                          2.0_wp*section%bending_stiffness/section%length, c)
-      call space_hessian(m, d_i, d_j, c, first, stiffness)
+      real(wp) :: ignored(12)
+      call beam_force(section, chord, d_i, d_j, force, axial)
+      call tangent_of(sections_of(section), axial, chord, d_i, d_j, ignored, stiffness)
    end subroutine beam_tangent
 
    !> The tangent in the paper's three parts, for study and test (the solution uses their sum, beam_tangent):
@@ -218,13 +158,7 @@ contains
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
       real(wp), intent(in) :: axial                      !< tension > 0 [N]
       real(wp), intent(out) :: force(12), ksigma(12, 12)
-      type(measure_type) :: m
-      real(wp) :: c(4, 4), first(4)
-      m = measure(chord, d_i, d_j)
-      first = energy_slopes(m, axial, 2.0_wp*thirtieth*axial*m%length, -thirtieth*axial*m%length)
-      call gradient(m, d_i, d_j, first, force)
-      call energy_hessian(m, 0.0_wp, axial, 0.0_wp, c)
-      call space_hessian(m, d_i, d_j, c, first, ksigma)
+      call tangent_of(sections_type(1.0_wp, 0.0_wp, 0.0_wp), axial, chord, d_i, d_j, force, ksigma)
    end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.
@@ -232,96 +166,65 @@ contains
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(out) :: stiffness(12, 12)
-      type(measure_type) :: m
-      real(wp) :: bending, c(4, 4)
-      m = measure(chord, d_i, d_j)
-      bending = 2.0_wp*section%bending_stiffness/section%length
-      call energy_hessian(m, section%axial_stiffness/section%membrane_length, 0.0_wp, bending, c)
-      call space_hessian(m, d_i, d_j, c, energy_slopes(m, 0.0_wp, bending, bending), stiffness)
+      real(wp) :: ignored(12)
+      call tangent_of(sections_of(section), 0.0_wp, chord, d_i, d_j, ignored, stiffness)
    end subroutine beam_material_tangent
 
-   !> Second derivatives c(4,4) of U by (l, c_i, c_j, p), symmetric. Those without the axial force come of axial = 0, those that the
-   !> axial force alone makes of stiffness = bending = 0.
-   pure subroutine energy_hessian(m, stiffness, axial, bending, c)
-      type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: stiffness   !< EA/L_m [N/m]
-      real(wp), intent(in) :: axial       !< N, tension > 0 [N]
-      real(wp), intent(in) :: bending     !< 2 EI/L [N.m]
-      real(wp), intent(out) :: c(4, 4)
-      real(wp) :: b_ci, b_cj, b_p, s_l, s_ci, s_cj, s_p, carried, weight_a, weight_b
-      ! derivatives of the bowing, and of the strain times L_m
-      b_ci = (2.0_wp*m%a_ci - m%b_ci)*thirtieth
-      b_cj = (2.0_wp*m%a_cj - m%b_cj)*thirtieth
-      b_p = -m%b_p*thirtieth
-      s_l = 1.0_wp + m%bowing
-      s_ci = m%length*b_ci
-      s_cj = m%length*b_cj
-      s_p = m%length*b_p
-      carried = thirtieth*axial*m%length
-      weight_a = bending + 2.0_wp*carried
-      weight_b = bending - carried
-      c(1, 1) = stiffness*s_l*s_l
-      c(2, 1) = stiffness*s_l*s_ci + axial*b_ci
-      c(3, 1) = stiffness*s_l*s_cj + axial*b_cj
-      c(4, 1) = stiffness*s_l*s_p + axial*b_p
-      c(2, 2) = stiffness*s_ci*s_ci - 2.0_wp*weight_a*m%dg_i + weight_b*(m%ddg_i*m%g_j*m%s - 2.0_wp*m%dg_i*m%g_j*m%c_j)
-      c(3, 2) = stiffness*s_ci*s_cj + weight_b*(m%dg_i*m%dg_j*m%s - m%dg_i*m%g_j*m%c_i - m%g_i*m%dg_j*m%c_j - m%g_i*m%g_j)
-      c(4, 2) = stiffness*s_ci*s_p + weight_b*(m%dg_i*m%g_j)
-      c(3, 3) = stiffness*s_cj*s_cj - 2.0_wp*weight_a*m%dg_j + weight_b*(m%g_i*m%ddg_j*m%s - 2.0_wp*m%g_i*m%dg_j*m%c_i)
-      c(4, 3) = stiffness*s_cj*s_p + weight_b*(m%g_i*m%dg_j)
-      c(4, 4) = stiffness*s_p*s_p
-      c(1, 2) = c(2, 1)
-      c(1, 3) = c(3, 1)
-      c(1, 4) = c(4, 1)
-      c(2, 3) = c(3, 2)
-      c(2, 4) = c(4, 2)
+   !> Force and tangent of a section under an axial force that is given.
+   pure subroutine tangent_of(sections, axial, chord, d_i, d_j, force, stiffness)
+      type(sections_type), intent(in) :: sections        !< the same in all lanes
+      real(wp), intent(in) :: axial, chord(3), d_i(3), d_j(3)
+      real(wp), intent(out) :: force(12), stiffness(12, 12)
+      type(measure_type) :: m
+      real(wp) :: chords(lanes, 3), d(lanes + 1, 3), axials(lanes), first(lanes, 4), forces(lanes, 12), second(lanes, 4, 4), c(4, 4)
+      call spread_one(chord, d_i, d_j, chords, d)
+      axials = axial
+      call measure(chords, d, m)
+      call energy_slopes(m, axials, sections%bending, first)
+      call gradients(m, d, first, forces)
+      call energy_hessians(m, sections, axials, second)
+      force = forces(1, :)
+      c = second(1, :, :)
+      c(1, 2:) = c(2:, 1)
+      c(2, 3:) = c(3:, 2)
       c(3, 4) = c(4, 3)
-   end subroutine energy_hessian
-
-   !> First derivatives of U by (l, c_i, c_j, p), by the weights of energy_weights.
-   pure function energy_slopes(m, axial, weight_a, weight_b) result(first)
-      type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: axial, weight_a, weight_b   !< N; dU/dA, dU/dB [N, N.m]
-      real(wp) :: first(4)
-      first(1) = axial*(1.0_wp + m%bowing)
-      first(2) = weight_a*m%a_ci + weight_b*m%b_ci
-      first(3) = weight_a*m%a_cj + weight_b*m%b_cj
-      first(4) = weight_b*m%b_p
-   end function energy_slopes
+      call space_hessian(m, d_i, d_j, c, first(1, :), stiffness)
+   end subroutine tangent_of
 
    !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
    pure subroutine space_hessian(m, d_i, d_j, c, first, k)
-      type(measure_type), intent(in) :: m
+      type(measure_type), intent(in) :: m        !< its first lane is meant
       real(wp), intent(in) :: d_i(3), d_j(3)
       real(wp), intent(in) :: c(4, 4), first(4)
       real(wp), intent(out) :: k(12, 12)
-      real(wp) :: v2(3), v3(3), reciprocal, along, across, q1(3), q2(3), q3(3), r(3), t(3)
+      real(wp) :: e(3), v2(3), v3(3), reciprocal, along, across, q1(3), q2(3), q3(3), r(3), t(3)
       real(wp) :: chord(3, 3), chord_i(3, 3), chord_j(3, 3)
       integer :: i, j
-      reciprocal = 1.0_wp/m%length
-      v2 = m%a_i*reciprocal
-      v3 = m%a_j*reciprocal
+      reciprocal = 1.0_wp/m%length(1)
+      e = m%e(1, :)
+      v2 = m%a(1, :, 1)*reciprocal
+      v3 = m%a(1, :, 2)*reciprocal
       ! chord-chord: columns q multiply e, v2, v3
-      q1 = c(1, 1)*m%e + c(1, 2)*v2 + c(1, 3)*v3
-      q2 = c(2, 1)*m%e + c(2, 2)*v2 + c(2, 3)*v3 - first(2)*reciprocal*m%e
-      q3 = c(3, 1)*m%e + c(3, 2)*v2 + c(3, 3)*v3 - first(3)*reciprocal*m%e
+      q1 = c(1, 1)*e + c(1, 2)*v2 + c(1, 3)*v3
+      q2 = c(2, 1)*e + c(2, 2)*v2 + c(2, 3)*v3 - first(2)*reciprocal*e
+      q3 = c(3, 1)*e + c(3, 2)*v2 + c(3, 3)*v3 - first(3)*reciprocal*e
       q1 = q1 - (first(2)*v2 + first(3)*v3)*reciprocal
-      across = first(1)*reciprocal - (first(2)*m%c_i + first(3)*m%c_j)*reciprocal**2
+      across = first(1)*reciprocal - (first(2)*m%c(1, 1) + first(3)*m%c(1, 2))*reciprocal**2
       along = -across
       do j = 1, 3
          do i = 1, 3
-            chord(i, j) = q1(i)*m%e(j) + q2(i)*v2(j) + q3(i)*v3(j) + along*m%e(i)*m%e(j)
+            chord(i, j) = q1(i)*e(j) + q2(i)*v2(j) + q3(i)*v3(j) + along*e(i)*e(j)
          end do
          chord(j, j) = chord(j, j) + across
       end do
       ! chord-director
-      q1 = c(1, 2)*m%e + c(2, 2)*v2 + c(3, 2)*v3 - first(2)*reciprocal*m%e
-      r = c(1, 4)*m%e + c(2, 4)*v2 + c(3, 4)*v3
-      q2 = c(1, 3)*m%e + c(2, 3)*v2 + c(3, 3)*v3 - first(3)*reciprocal*m%e
+      q1 = c(1, 2)*e + c(2, 2)*v2 + c(3, 2)*v3 - first(2)*reciprocal*e
+      r = c(1, 4)*e + c(2, 4)*v2 + c(3, 4)*v3
+      q2 = c(1, 3)*e + c(2, 3)*v2 + c(3, 3)*v3 - first(3)*reciprocal*e
       do j = 1, 3
          do i = 1, 3
-            chord_i(i, j) = q1(i)*m%e(j) + r(i)*d_j(j)
-            chord_j(i, j) = q2(i)*m%e(j) + r(i)*d_i(j)
+            chord_i(i, j) = q1(i)*e(j) + r(i)*d_j(j)
+            chord_j(i, j) = q2(i)*e(j) + r(i)*d_i(j)
          end do
          chord_i(j, j) = chord_i(j, j) + first(2)*reciprocal
          chord_j(j, j) = chord_j(j, j) + first(3)*reciprocal
@@ -335,15 +238,15 @@ contains
       k(7:9, 10:12) = chord_j
       k(1:3, 10:12) = -chord_j
       ! director-director
-      q1 = c(2, 2)*m%e + c(2, 4)*d_j
-      q2 = c(4, 2)*m%e + c(4, 4)*d_j
-      r = c(3, 3)*m%e + c(3, 4)*d_i
-      t = c(4, 3)*m%e + c(4, 4)*d_i
+      q1 = c(2, 2)*e + c(2, 4)*d_j
+      q2 = c(4, 2)*e + c(4, 4)*d_j
+      r = c(3, 3)*e + c(3, 4)*d_i
+      t = c(4, 3)*e + c(4, 4)*d_i
       do j = 1, 3
          do i = 1, 3
-            k(3 + i, 3 + j) = q1(i)*m%e(j) + q2(i)*d_j(j)
-            k(9 + i, 9 + j) = r(i)*m%e(j) + t(i)*d_i(j)
-            k(3 + i, 9 + j) = (c(2, 3)*m%e(i) + c(4, 3)*d_j(i))*m%e(j) + (c(2, 4)*m%e(i) + c(4, 4)*d_j(i))*d_i(j)
+            k(3 + i, 3 + j) = q1(i)*e(j) + q2(i)*d_j(j)
+            k(9 + i, 9 + j) = r(i)*e(j) + t(i)*d_i(j)
+            k(3 + i, 9 + j) = (c(2, 3)*e(i) + c(4, 3)*d_j(i))*e(j) + (c(2, 4)*e(i) + c(4, 4)*d_j(i))*d_i(j)
          end do
          k(3 + j, 9 + j) = k(3 + j, 9 + j) + first(4)
       end do

@@ -52,7 +52,7 @@ contains
       b_i = thirtieth*(4.0_wp*angle_i - angle_j)     ! derivatives of b = (2 A - B)/30
       b_j = thirtieth*(4.0_wp*angle_j - angle_i)
       bowing = 0.5_wp*(b_i*angle_i + b_j*angle_j)    ! homogeneous of second degree
-      ! energy_weights of dg_beam_element, written out
+      ! weights of A and B as in energy_slopes of dg_beam_energy
       stretched = section%axial_stiffness/section%membrane_length
       bending = 2.0_wp*section%bending_stiffness/section%length
       axial = stretched*(length*(1.0_wp + bowing) - section%membrane_length)

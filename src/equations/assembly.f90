@@ -6,18 +6,19 @@
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
-   use dg_beam_blocks, only: beam_blocks, part_all, part_energy, part_rest, torque_blocks
-   use dg_beam_element, only: beam_section_type, energy_hessian, measure_force, measure_type, torque_force
+   use dg_beam_blocks, only: add_torque, part_all, part_energy, part_rest, see_nodes
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_gradient
+   use dg_element_row, only: add_blocks, find_blocks, find_forces, gather_row, put_blocks, row_type
    use dg_end_supports, only: end_action
-   use dg_gap_action, only: contact_action_at, contact_type, find_contact, load_type
-   use dg_gap_contact, only: contact_action, couple_action, normal_force_type, sliding_couple
-   use dg_gap_element, only: couple_derivatives, gap_derivative_type, gap_derivatives, gap_nodal_force
-   use dg_gap_state, only: state_free
+   use dg_gap_action, only: contact_type, enter_touch, find_contact, load_type, no_touch
+   use dg_gap_contact, only: contact_action, couple_action, touch_type
+   use dg_gap_element, only: gap_nodal_force
    use dg_gap_table, only: gap_table_type
+   use dg_lanes, only: lanes
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: add_blocks, element_type, hold_top, put_blocks, scatter_more, take_contact
+   use dg_scatter, only: clear_element, element_type, hold_top, scatter_more
+   use dg_touch_blocks, only: take_touch
    use dg_trajectory, only: trajectory_type
    use dg_vector, only: cross
    use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment
@@ -25,17 +26,6 @@ module dg_assembly
    implicit none
    private
    public :: load_type, assemble, add_unsymmetric_part
-
-   !> What one element and its gap do, internal less external.
-   type :: action_type
-      integer :: part                   !< of the tangent
-      logical :: tangent                !< is wanted
-      real(wp) :: force(12)             !< on (x_i, d_i, x_j, d_j), in space axes [N, N.m]
-      real(wp) :: twisting(2)           !< torque on both nodes [N.m]
-      real(wp) :: blocks(6, 6, 4)       !< its tangent in the nodes' unknowns
-      logical :: bends                  !< it has a further tangent, in space axes: of a bent housing, or of a string that whirls
-      type(element_type) :: element     !< that tangent
-   end type action_type
 
 contains
 
@@ -56,53 +46,56 @@ contains
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: no
-      type(action_type) :: action
+      type(row_type) :: row
+      type(touch_type) :: touch
+      type(contact_type) :: contacts(lanes)
       real(wp) :: top_force(3), by_slopes(2, 2)
-      integer :: e, n
-      action%part = merge(part_energy, part_all, conservative)
-      action%tangent = .true.
-      if (present(forces_only)) action%tangent = .not. forces_only
+      integer :: first, n, e, l
+      row%part = merge(part_energy, part_all, conservative)
+      row%tangent = .true.
+      if (present(forces_only)) row%tangent = .not. forces_only
       work%node_force = 0.0_wp
       if (allocated(work%contact_force)) then
          work%contact_force = 0.0_wp
          work%contact_moment = 0.0_wp
       end if
       residual = 0.0_wp
-      if (action%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
-      do e = 1, mesh%elements
-         call add_beam(mesh, e, state(dof_twist, e + 1) - state(dof_twist, e), work, action)
-         call take_weight(mesh%weight(e), mesh%length(e), action%force)
-         if (abs(mesh%drag(e)) > 0.0_wp) then
-            action%force(1:3) = action%force(1:3) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e)
-            action%force(7:9) = action%force(7:9) - 0.5_wp*loads%friction_scale*mesh%drag(e)*mesh%frame(:, 1, e + 1)
+      if (row%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
+      do first = 1, mesh%elements, lanes
+         call gather_row(mesh, first, state, gaps, work, row)
+         call find_forces(row)
+         if (any(row%closed)) then
+            if (row%tangent) call no_touch(touch)
+            do l = 1, row%count
+               if (.not. row%closed(l)) cycle
+               e = first + l - 1
+               call find_contact(mesh, loads, gaps, e, work, contacts(l))
+               call take_gap_forces(mesh, gaps, l, contacts(l), work, row)
+               if (row%tangent) call enter_touch(mesh, gaps, e, work, contacts(l), row%part, l, touch)
+            end do
          end if
-         if (gaps%state(e) == state_free) then
-            work%normal(e) = 0.0_wp
-         else
-            call add_gap(mesh, loads, gaps, e, work, action)
+         if (row%tangent) then
+            call find_blocks(row)
+            if (any(row%closed)) call take_touch(row%frame, row%view, touch, row%blocks)
+            call put_blocks(row, matrix)
          end if
-         residual(dof_twist, e) = residual(dof_twist, e) + action%twisting(1)
-         residual(dof_twist, e + 1) = action%twisting(2)
-         if (allocated(work%end_force)) work%end_force(:, e) = action%force(1:6)
-         work%node_force(:, e) = work%node_force(:, e) + action%force(1:6)
-         work%node_force(:, e + 1) = action%force(7:12)
-         if (.not. action%tangent) cycle
-         call put_blocks(e, action%blocks, matrix)
-         if (action%bends) call scatter_more(mesh, e, work%d(:, e:e + 1), action%element, matrix)
+         do l = 1, row%count
+            call finish_element(mesh, loads, l, contacts(l), row, work, residual, matrix)
+         end do
       end do
       top_force = work%node_force(1:3, 1)
-      call add_supports(trajectory, mesh, loads, action%tangent, work, residual, matrix)
-      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, action%part, action%tangent, work, matrix)
+      call add_supports(trajectory, mesh, loads, row%tangent, work, residual, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, row%part, row%tangent, work, matrix)
       do n = 1, mesh%nodes
          call finish_node(mesh%frame(:, :, n), work%d(:, n), work%node_force(:, n), residual(:, n), by_slopes)
-         if (action%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
+         if (row%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
       work%reaction = top_force - work%node_force(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
       residual([dof_axial, dof_twist], 1) = 0.0_wp
-      if (action%tangent) call hold_top(matrix)
+      if (row%tangent) call hold_top(matrix)
    end subroutine assemble
 
    !> Takes an element's weight, down, off its forces: hermite_line_load, here so that it is inlined.
@@ -144,97 +137,110 @@ contains
       by_slopes(2, 1) = by_slopes(1, 2)
    end subroutine finish_node
 
-   !> Begins an element's action by the beam's forces, its torque T = GJ/L (phi_j - phi_i) and their tangent.
-   pure subroutine add_beam(mesh, e, twist, work, action)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: e
-      real(wp), intent(in) :: twist              !< phi_j - phi_i [rad]
-      type(workspace_type), intent(inout) :: work
-      type(action_type), intent(inout) :: action
-      type(beam_section_type) :: section
-      type(measure_type) :: m
-      real(wp) :: chord(3), first(4), c(4, 4), end_moment(3)
-      chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
-      call measure_force(section, chord, work%d(:, e), work%d(:, e + 1), m, first, action%force, work%axial(e))
-      work%torque(e) = section%torsional_stiffness/section%length*twist
-      action%twisting = [-work%torque(e), work%torque(e)]
-      if (abs(work%torque(e)) > 0.0_wp) then
-         end_moment = torque_force(work%torque(e), work%d(:, e), work%d(:, e + 1))
-         action%force(4:6) = action%force(4:6) + end_moment
-         action%force(10:12) = action%force(10:12) + end_moment
-      end if
-      action%bends = .false.
-      if (allocated(mesh%bend)) then
-         if (any(abs(mesh%bend(:, e)) > 0.0_wp)) then
-            call begin_rest(action)
-            call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, work%d(:, e), &
-                          work%d(:, e + 1), action%tangent, action%force, action%element%k)
-         end if
-      end if
-      if (.not. action%tangent) return
-      call energy_hessian(m, section%axial_stiffness/section%membrane_length, work%axial(e), &
-                          2.0_wp*section%bending_stiffness/section%length, c)
-      call beam_blocks(m, first, c, mesh%frame(:, :, e:e + 1), work%d(:, e:e + 1), work%torque(e), &
-                       section%torsional_stiffness/section%length, action%part, action%blocks)
-   end subroutine add_beam
-
-   !> Opens an element's matrix for what few elements have.
-   pure subroutine begin_rest(action)
-      type(action_type), intent(inout) :: action
-      if (action%bends) return
-      action%bends = .true.
-      action%element%k = 0.0_wp
-      action%element%twist_row = 0.0_wp
-      action%element%twist_column = 0.0_wp
-      action%element%twist_stiffness = 0.0_wp
-   end subroutine begin_rest
-
-   !> A closed gap's MCGE: takes its force and its tangent off the element's (Eqs. 4, 6, 11).
-   pure subroutine add_gap(mesh, loads, gaps, e, work, action)
+   !> Completes an element of a row by what is its own: weight, drag, a bend, friction of a string that whirls. Its forces go to its
+   !> nodes.
+   pure subroutine finish_element(mesh, loads, l, contact, row, work, residual, matrix)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      integer, intent(in) :: e
+      integer, intent(in) :: l                       !< its lane
+      type(contact_type), intent(in) :: contact      !< where its gap is closed
+      type(row_type), intent(in) :: row
       type(workspace_type), intent(inout) :: work
-      type(action_type), intent(inout) :: action
-      type(contact_type) :: contact
-      type(gap_derivative_type) :: by
-      real(wp) :: force(3), moment(3), by_point(3, 3), moment_by_point(3, 3), nodal(12), twisting(2)
-      call find_contact(mesh, loads, gaps, e, work, contact)
-      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal%force, contact%axial, contact%rotary, &
-                          contact%climbing, contact%radius, force, moment)
-      if (allocated(work%contact_force)) then
-         work%contact_force(:, e) = force
-         work%contact_moment(:, e) = moment
+      real(wp), intent(inout) :: residual(:, :)
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: force(12), twisting(2), drag
+      integer :: e
+      e = row%first + l - 1
+      force = row%force(l, :)
+      twisting = row%twisting(l, :)
+      work%axial(e) = row%axial(l)
+      work%torque(e) = row%torque(l)
+      call take_weight(mesh%weight(e), mesh%length(e), force)
+      if (abs(mesh%drag(e)) > 0.0_wp) then
+         drag = 0.5_wp*loads%friction_scale*mesh%drag(e)
+         force(1:3) = force(1:3) - drag*mesh%frame(:, 1, e)
+         force(7:9) = force(7:9) - drag*mesh%frame(:, 1, e + 1)
       end if
+      if (.not. row%closed(l)) work%normal(e) = 0.0_wp
+      if (allocated(mesh%bend)) call add_own_bend(mesh, l, row, work, force, matrix)
+      if (row%closed(l)) call add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
+      residual(dof_twist, e) = residual(dof_twist, e) + twisting(1)
+      residual(dof_twist, e + 1) = twisting(2)
+      if (allocated(work%end_force)) work%end_force(:, e) = force(1:6)
+      work%node_force(:, e) = work%node_force(:, e) + force(1:6)
+      work%node_force(:, e + 1) = force(7:12)
+   end subroutine finish_element
+
+   !> Adds the bend of an element that has one.
+   pure subroutine add_own_bend(mesh, l, row, work, force, matrix)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: l
+      type(row_type), intent(in) :: row
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(inout) :: force(12)
+      type(block_matrix_type), intent(inout) :: matrix
+      type(element_type) :: element
+      integer :: e
+      e = row%first + l - 1
+      if (.not. any(abs(mesh%bend(:, e)) > 0.0_wp)) return
+      call clear_element(element)
+      call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), row%chord(l, :), &
+                    work%d(:, e), work%d(:, e + 1), row%tangent, force, element%k)
+      if (row%tangent) call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
+   end subroutine add_own_bend
+
+   !> Adds friction's torque where the string whirls.
+   pure subroutine add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: l
+      type(contact_type), intent(in) :: contact
+      type(row_type), intent(in) :: row
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(inout) :: force(12), twisting(2)
+      type(block_matrix_type), intent(inout) :: matrix
+      type(element_type) :: element
+      integer :: e
+      if (.not. contact%turning%lever > 0.0_wp) return
+      e = row%first + l - 1
+      call clear_element(element)
+      call add_turning(contact%turning, work%d(:, e:e + 1), row%part, row%tangent, twisting, force, element)
+      if (row%tangent) call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
+   end subroutine add_whirl
+
+   !> A closed gap's MCGE: takes its force off its element's (Eqs. 4 and 6).
+   pure subroutine take_gap_forces(mesh, gaps, l, contact, work, row)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: l                   !< its lane
+      type(contact_type), intent(in) :: contact
+      type(workspace_type), intent(inout) :: work
+      type(row_type), intent(inout) :: row
+      real(wp) :: force(3), moment(3), nodal(12), twisting(2), push(3), bend(3)
+      integer :: e, a
+      e = row%first + l - 1
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal, contact%axial, contact%rotary, &
+                          contact%climbing, contact%radius, force, moment)
       call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
                            moment, nodal, twisting)
-      action%force = action%force - nodal
-      action%twisting = action%twisting - twisting
-      if (action%tangent) then
-         if (action%part == part_energy .and. (abs(contact%axial) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)) then
-            call contact_action_at(contact, contact%normal, normal_force_type(), e, work, force, moment, by_point, moment_by_point)
-         else
-            call contact_action_at(contact, contact%normal, contact%pressing, e, work, force, moment, by_point, moment_by_point)
-         end if
-      end if
       if (contact%sliding) then
-         if (action%part == part_energy) contact%pressing%stiffness = 0.0_wp
-         call add_couple(mesh, e, contact, action%tangent, by_point, work, action%force, by)
-      else if (action%tangent) then
-         call gap_derivatives(gaps%xi(e), contact%shape, contact%slope, work%d(:, e:e + 1), contact%direction, moment, by_point, &
-                              moment_by_point, by)
+         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
+                            contact%axial*mesh%radius(e)*contact%normal, push, bend)
+         do a = 1, 4
+            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) + contact%shape(a)*push + contact%slope(a)*bend
+         end do
       end if
-      if (action%tangent) call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), &
-                                            work%d(:, e:e + 1), action%blocks)
-      if (.not. contact%turning%lever > 0.0_wp) return
-      call begin_rest(action)
-      call add_turning(contact%turning, work%d(:, e:e + 1), action%part, action%tangent, action%twisting, action%force, &
-                       action%element)
-      if (allocated(work%contact_moment)) work%contact_moment(:, e) = work%contact_moment(:, e) &
+      row%force(l, :) = row%force(l, :) - nodal
+      row%twisting(l, :) = row%twisting(l, :) - twisting
+      if (.not. allocated(work%contact_force)) return
+      work%contact_force(:, e) = force
+      work%contact_moment(:, e) = moment
+      if (contact%sliding) then
+         work%contact_force(:, e) = force + push
+         work%contact_moment(:, e) = moment + cross(contact%direction, bend)
+      end if
+      if (contact%turning%lever > 0.0_wp) work%contact_moment(:, e) = work%contact_moment(:, e) &
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
-   end subroutine add_gap
+   end subroutine take_gap_forces
 
    !> Adds to the symmetric tangent of the energy at `state` the unsymmetric part, which friction and torque make: the sum is the
    !> whole tangent. Elements without either are left out.
@@ -245,44 +251,39 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work    !< placed and surveyed at `state`
       type(block_matrix_type), intent(inout) :: matrix
-      type(action_type) :: action
-      type(contact_type) :: contact
-      type(gap_derivative_type) :: by
-      real(wp), dimension(3, 3) :: by_point, moment_by_point, push_by_point, push_by_direction, bend_by_point, bend_by_direction
-      real(wp), parameter :: none(3, 3) = 0.0_wp
-      real(wp) :: ignored(12), unused(2), force(3), moment(3)
-      logical :: rubs, twisted
-      integer :: e
+      type(row_type) :: row
+      type(touch_type) :: touch
+      type(contact_type) :: contacts(lanes)
+      real(wp) :: ignored(12), unused(2)
+      integer :: first, e, l
       ignored = 0.0_wp
       unused = 0.0_wp
-      do e = 1, mesh%elements
-         twisted = abs(work%torque(e)) > 0.0_wp
-         rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
-         if (.not. (rubs .or. twisted)) cycle
-         action%bends = .false.
-         call torque_blocks(mesh%frame(:, :, e:e + 1), work%d(:, e:e + 1), work%torque(e), mesh%gj(e)/mesh%length(e), action%blocks)
-         if (rubs) then
-            call find_contact(mesh, loads, gaps, e, work, contact)
-            call contact_action_at(contact, normal_force_type(), contact%pressing, e, work, force, moment, by_point, &
-                                   moment_by_point)
-            if (contact%sliding) then
-               call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, 0.0_wp, &
-                                   contact%axial*mesh%radius(e)*contact%pressing%stiffness, force, moment, push_by_point, &
-                                   push_by_direction, bend_by_point, bend_by_direction)
-               call couple_derivatives(contact%shape, contact%slope, by_point + push_by_point, none, bend_by_point, none, by)
-            else
-               call gap_derivatives(gaps%xi(e), contact%shape, contact%slope, work%d(:, e:e + 1), contact%direction, moment, &
-                                    by_point, moment_by_point, by)
-            end if
-            call take_contact(by, gaps%xi(e), contact%shape, contact%slope, mesh%frame(:, :, e:e + 1), &
-                              work%d(:, e:e + 1), action%blocks)
-            if (contact%turning%lever > 0.0_wp) then
-               call begin_rest(action)
-               call add_turning(contact%turning, work%d(:, e:e + 1), part_rest, .true., unused, ignored, action%element)
-            end if
+      row%part = part_rest
+      row%tangent = .true.
+      do first = 1, mesh%elements, lanes
+         call gather_row(mesh, first, state, gaps, work, row)
+         do l = 1, row%count
+            e = first + l - 1
+            row%closed(l) = row%closed(l) .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
+         end do
+         if (.not. (any(row%closed) .or. any(abs(row%torque) > 0.0_wp))) cycle
+         row%blocks = 0.0_wp
+         call see_nodes(row%frame, row%d, row%view)
+         if (any(abs(row%torque) > 0.0_wp)) &
+            call add_torque(row%torque, row%twist_stiffness, part_rest, row%view, row%blocks)
+         if (any(row%closed)) then
+            call no_touch(touch)
+            do l = 1, row%count
+               if (.not. row%closed(l)) cycle
+               call find_contact(mesh, loads, gaps, first + l - 1, work, contacts(l))
+               call enter_touch(mesh, gaps, first + l - 1, work, contacts(l), part_rest, l, touch)
+            end do
+            call take_touch(row%frame, row%view, touch, row%blocks)
          end if
-         call add_blocks(e, action%blocks, matrix)
-         if (action%bends) call scatter_more(mesh, e, work%d(:, e:e + 1), action%element, matrix)
+         call add_blocks(row, matrix)
+         do l = 1, row%count
+            if (row%closed(l)) call add_whirl(mesh, l, contacts(l), row, work, ignored, unused, matrix)
+         end do
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
       call hold_top(matrix)
@@ -317,39 +318,6 @@ contains
       work%top_moment = end_moment(at_top, work%d(:, 1), mesh%frame(:, 1, 1))
       work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
    end subroutine add_end_torques
-
-   !> Axial friction's couple on the string at a gap: takes its force off `force`. `by` gets its derivatives, together with those
-   !> of the contact force itself.
-   pure subroutine add_couple(mesh, e, contact, tangent, force_tangent, work, force, by)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: e
-      type(contact_type), intent(in) :: contact
-      logical, intent(in) :: tangent            !< is wanted
-      real(wp), intent(in) :: force_tangent(3, 3) !< of the contact force by the point [N/m]
-      type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: force(12)
-      type(gap_derivative_type), intent(inout) :: by
-      real(wp) :: push(3), bend(3), push_by_point(3, 3), push_by_direction(3, 3), bend_by_point(3, 3), bend_by_direction(3, 3)
-      real(wp) :: lever
-      integer :: a
-      lever = contact%axial*mesh%radius(e)
-      if (tangent) then
-         call sliding_couple(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), contact%direction, &
-                             lever*contact%pressing%force, lever*contact%pressing%stiffness, push, bend, push_by_point, &
-                             push_by_direction, bend_by_point, bend_by_direction)
-         call couple_derivatives(contact%shape, contact%slope, force_tangent + push_by_point, push_by_direction, bend_by_point, &
-                                 bend_by_direction, by)
-      else
-         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, lever*contact%pressing%force, push, bend)
-      end if
-      if (allocated(work%contact_force)) then
-         work%contact_force(:, e) = work%contact_force(:, e) + push
-         work%contact_moment(:, e) = work%contact_moment(:, e) + cross(contact%direction, bend)
-      end if
-      do a = 1, 4
-         force(3*a - 2:3*a) = force(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
-      end do
-   end subroutine add_couple
 
    !> Lateral supports of the ends, weight and torque on bit.
    pure subroutine add_supports(trajectory, mesh, loads, wanted, work, residual, matrix)

@@ -2,19 +2,20 @@
 !> contact forces are unknowns of their own.
 module dg_gap_action
    use dg_kinds, only: wp
-   use dg_beam_blocks, only: part_energy
-   use dg_gap_contact, only: contact_action, contact_action_tangent, couple_action, normal_force_type
+   use dg_beam_blocks, only: part_energy, part_rest
+   use dg_gap_contact, only: contact_action, couple_action, touch_type
    use dg_gap_element, only: gap_nodal_force
    use dg_gap_state, only: contact_force
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
+   use dg_lanes, only: lanes
    use dg_mesh, only: mesh_type
    use dg_scatter, only: element_type
    use dg_whirling, only: add_turning, turning_type
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, contact_type, find_contact, contact_action_at, find_contact_rows, near
+   public :: load_type, contact_type, find_contact, no_touch, enter_touch, find_contact_rows, near
 
    !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
    real(wp), parameter :: near = 0.3_wp
@@ -37,8 +38,8 @@ module dg_gap_action
       real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
       logical :: sliding                    !< it is such a couple: the string slides without turning, or whirls
       type(turning_type) :: turning         !< friction's torque where the string whirls
-      type(normal_force_type) :: normal     !< R
-      type(normal_force_type) :: pressing   !< that friction goes by
+      real(wp) :: normal                    !< R [N]
+      real(wp) :: stiffness                 !< its derivative by |f| [N/m]
    end type contact_type
 
 contains
@@ -51,11 +52,10 @@ contains
       integer, intent(in) :: e
       type(workspace_type), intent(inout) :: work   !< the normal force is entered, but where it is an unknown
       type(contact_type), intent(out) :: contact
-      real(wp) :: stiffness
       if (work%separate) then
-         stiffness = 0.0_wp
+         contact%stiffness = 0.0_wp
       else
-         call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), stiffness)
+         call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), contact%stiffness)
       end if
       contact%axial = mesh%axial(e)*loads%friction_scale
       contact%rotary = mesh%rotary(e)*loads%friction_scale
@@ -72,26 +72,77 @@ contains
       ! A string that slides without turning takes axial friction's moment as a couple that bends it.
       contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
-      contact%normal = normal_force_type(work%normal(e), stiffness, work%normal(e))
-      contact%pressing = contact%normal
+      contact%normal = work%normal(e)
       if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
-         contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%pressing%force, &
-         contact%pressing%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &
+         contact%turning%lever, [1.0_wp - gaps%xi(e), gaps%xi(e)], contact%shape, contact%normal, &
+         contact%stiffness, work%gap(:, e)/work%displacement(e), work%axis_tangent(:, e), &
          work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
    end subroutine find_contact
 
-   !> Force [N] and bending vector [N.m] of a contact on the string at the gap of element e, and their derivatives by the point that
-   !> touches: contact_action_tangent there.
-   pure subroutine contact_action_at(contact, normal, pressing, e, work, action, moment, by_point, moment_by_point)
-      type(contact_type), intent(in) :: contact
-      type(normal_force_type), intent(in) :: normal, pressing
+   !> Gaps side by side none of which touches: their derivatives are zero.
+   pure subroutine no_touch(touch)
+      type(touch_type), intent(out) :: touch
+      real(wp) :: any_axis(lanes, 3)
+      any_axis = 0.0_wp
+      any_axis(:, 1) = 1.0_wp
+      touch%gap = any_axis
+      touch%tangent = any_axis
+      touch%direction = any_axis
+      touch%curvature = 0.0_wp
+      touch%normal = 0.0_wp
+      touch%normal_stiffness = 0.0_wp
+      touch%pressing = 0.0_wp
+      touch%pressing_stiffness = 0.0_wp
+      touch%couple = 0.0_wp
+      touch%couple_stiffness = 0.0_wp
+      touch%axial = 0.0_wp
+      touch%rotary = 0.0_wp
+      touch%climbing = 0.0_wp
+      touch%radius = 0.0_wp
+      touch%share = 0.0_wp
+      touch%shape = 0.0_wp
+      touch%slope = 0.0_wp
+      touch%rubs = .false.
+      touch%slides = .false.
+   end subroutine no_touch
+
+   !> Enters the contact of element e in a lane: what a part of the tangent takes of it.
+   pure subroutine enter_touch(mesh, gaps, e, work, contact, part, l, touch)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: action(3), moment(3), by_point(3, 3), moment_by_point(3, 3)
-      call contact_action_tangent(work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e), normal, pressing, &
-                                  contact%axial, contact%rotary, contact%climbing, contact%radius, action, moment, &
-                                  by_point, moment_by_point)
-   end subroutine contact_action_at
+      type(contact_type), intent(in) :: contact
+      integer, intent(in) :: part, l
+      type(touch_type), intent(inout) :: touch
+      real(wp) :: lever
+      touch%gap(l, :) = work%gap(:, e)
+      touch%tangent(l, :) = work%axis_tangent(:, e)
+      touch%curvature(l, :) = work%axis_curvature(:, e)
+      touch%direction(l, :) = contact%direction
+      touch%axial(l) = contact%axial
+      touch%rotary(l) = contact%rotary
+      touch%climbing(l) = contact%climbing
+      touch%radius(l) = contact%radius
+      touch%share(l, 1) = 1.0_wp - gaps%xi(e)
+      touch%share(l, 2) = gaps%xi(e)
+      touch%shape(l, :) = contact%shape
+      touch%slope(l, :) = contact%slope
+      if (part /= part_rest) then
+         touch%normal(l) = contact%normal
+         touch%normal_stiffness(l) = contact%stiffness
+      end if
+      if (part /= part_energy) then
+         touch%pressing(l) = contact%normal
+         touch%pressing_stiffness(l) = contact%stiffness
+         if (contact%radius > 0.0_wp .and. (contact%rotary > 0.0_wp .or. abs(contact%axial) > 0.0_wp)) touch%rubs = .true.
+      end if
+      if (.not. contact%sliding) return
+      touch%slides = .true.
+      lever = contact%axial*mesh%radius(e)
+      if (part /= part_rest) touch%couple(l) = lever*contact%normal
+      if (part /= part_energy) touch%couple_stiffness(l) = lever*contact%stiffness
+   end subroutine enter_touch
 
    !> Of every gap near the wall: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m], and `on`(12,e), what a
    !> newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change dR adds on*dR to the

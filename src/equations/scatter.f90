@@ -1,14 +1,12 @@
 !> From the tangents of elements in space axes to the matrix of the chain's unknowns.
 module dg_scatter
    use dg_kinds, only: wp
-   use dg_beam_blocks, only: block_ii, block_ij, block_ji, block_jj
    use dg_block_matrix, only: block_matrix_type
-   use dg_gap_element, only: gap_derivative_type
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
-   public :: element_type, put_blocks, add_blocks, take_contact, scatter_more, hold_top, clear_top
+   public :: element_type, clear_element, scatter_more, hold_top, clear_top
 
    !> Unknowns of the top that are held.
    integer, parameter :: held(2) = [dof_axial, dof_twist]
@@ -23,35 +21,16 @@ module dg_scatter
 
 contains
 
-   !> Enters an element's blocks in the chain: added to what the element above left at their common node.
-   pure subroutine put_blocks(e, blocks, matrix)
-      integer, intent(in) :: e
-      real(wp), intent(in) :: blocks(6, 6, 4)
-      type(block_matrix_type), intent(inout) :: matrix
-      call add_numbers(blocks(:, :, block_ii), matrix%diagonal(:, :, e))
-      call copy_numbers(blocks(:, :, block_ij), matrix%upper(:, :, e))
-      call copy_numbers(blocks(:, :, block_ji), matrix%lower(:, :, e))
-      call copy_numbers(blocks(:, :, block_jj), matrix%diagonal(:, :, e + 1))
-   end subroutine put_blocks
-
-   !> Adds an element's blocks to a chain.
-   pure subroutine add_blocks(e, blocks, matrix)
-      integer, intent(in) :: e
-      real(wp), intent(in) :: blocks(6, 6, 4)
-      type(block_matrix_type), intent(inout) :: matrix
-      call add_numbers(blocks(:, :, block_ii), matrix%diagonal(:, :, e))
-      call add_numbers(blocks(:, :, block_ij), matrix%upper(:, :, e))
-      call add_numbers(blocks(:, :, block_ji), matrix%lower(:, :, e))
-      call add_numbers(blocks(:, :, block_jj), matrix%diagonal(:, :, e + 1))
-   end subroutine add_blocks
+   !> No tangent.
+   pure subroutine clear_element(element)
+      type(element_type), intent(out) :: element
+      element%k = 0.0_wp
+      element%twist_row = 0.0_wp
+      element%twist_column = 0.0_wp
+      element%twist_stiffness = 0.0_wp
+   end subroutine clear_element
 
    !> A block's numbers one after the other, which go two at a time.
-   pure subroutine copy_numbers(from, to)
-      real(wp), intent(in) :: from(36)
-      real(wp), intent(out) :: to(36)
-      to = from
-   end subroutine copy_numbers
-
    pure subroutine add_numbers(from, to)
       real(wp), intent(in) :: from(36)
       real(wp), intent(inout) :: to(36)
@@ -80,44 +59,6 @@ contains
       end associate
    end subroutine scatter_more
 
-   !> Takes the derivatives of a gap's forces on its nodes off an element's blocks.
-   pure subroutine take_contact(by, xi, shape, slope, frame, d, blocks)
-      type(gap_derivative_type), intent(in) :: by
-      real(wp), intent(in) :: xi, shape(4), slope(4)                !< x0/L, N and dN/dx there
-      real(wp), intent(in) :: frame(3, 3, 2), d(3, 2)               !< of both nodes
-      real(wp), intent(inout) :: blocks(6, 6, 4)
-      real(wp) :: gradient(3, 2, 2), point(6, 3, 2), direction(6, 3, 2), twist(3), folded
-      integer :: p, b
-      gradient(:, :, 1) = gradient_of(frame(:, :, 1), d(:, 1))
-      gradient(:, :, 2) = gradient_of(frame(:, :, 2), d(:, 2))
-      call on_unknowns(frame, gradient, by%point, point)
-      if (.not. by%turns) then
-         do p = 1, 2
-            call take_place(point(:, :, p), shape(1:2), frame(:, :, 1), gradient(:, :, 1), blocks(:, :, 2*p - 1))
-            call take_place(point(:, :, p), shape(3:4), frame(:, :, 2), gradient(:, :, 2), blocks(:, :, 2*p))
-         end do
-         return
-      end if
-      call on_unknowns(frame, gradient, by%direction, direction)
-      do p = 1, 2
-         point(4, :, p) = by%twisting_by_point(p, :)
-         direction(4, :, p) = by%twisting_by_direction(p, :)
-         call take_both(point(:, :, p), direction(:, :, p), shape(1:2), slope(1:2), frame(:, :, 1), gradient(:, :, 1), &
-                        blocks(:, :, 2*p - 1))
-         call take_both(point(:, :, p), direction(:, :, p), shape(3:4), slope(3:4), frame(:, :, 2), gradient(:, :, 2), &
-                        blocks(:, :, 2*p))
-         twist = merge(1.0_wp - xi, xi, p == 1)*by%twist
-         b = merge(block_ii, block_jj, p == 1)
-         blocks(4, 5, b) = blocks(4, 5, b) - sum(twist*gradient(:, 1, p))
-         blocks(4, 6, b) = blocks(4, 6, b) - sum(twist*gradient(:, 2, p))
-         ! twist.(g_1 x g_2), g_1 x g_2 = s**3 d
-         folded = (d(1, p)*frame(1, 1, p) + d(2, p)*frame(2, 1, p) + d(3, p)*frame(3, 1, p))**3 &
-                  *(twist(1)*d(1, p) + twist(2)*d(2, p) + twist(3)*d(3, p))
-         blocks(5, 6, b) = blocks(5, 6, b) + folded
-         blocks(6, 5, b) = blocks(6, 5, b) - folded
-      end do
-   end subroutine take_contact
-
    !> Derivatives of a director by its slopes: director_gradient, here so that it is inlined, s (n_k - d d.n_k) with s = d.t.
    pure function gradient_of(frame, d) result(gradient)
       real(wp), intent(in) :: frame(3, 3), d(3)
@@ -133,69 +74,6 @@ contains
       gradient(2, 2) = s*(frame(2, 3) - d(2)*d3)
       gradient(3, 2) = s*(frame(3, 3) - d(3)*d3)
    end function gradient_of
-
-   !> Columns of forces on (x_i, d_i, x_j, d_j) as rows of both nodes' unknowns; none on the twist.
-   pure subroutine on_unknowns(frame, gradient, forces, rows)
-      real(wp), intent(in) :: frame(3, 3, 2), gradient(3, 2, 2), forces(3, 4, 3)
-      real(wp), intent(out) :: rows(6, 3, 2)
-      integer :: i, j, p
-      do p = 1, 2
-         do j = 1, 3
-            do i = 1, 3
-               rows(i, j, p) = frame(1, i, p)*forces(1, 2*p - 1, j) + frame(2, i, p)*forces(2, 2*p - 1, j) &
-                               + frame(3, i, p)*forces(3, 2*p - 1, j)
-            end do
-            rows(4, j, p) = 0.0_wp
-            do i = 1, 2
-               rows(4 + i, j, p) = gradient(1, i, p)*forces(1, 2*p, j) + gradient(2, i, p)*forces(2, 2*p, j) &
-                                   + gradient(3, i, p)*forces(3, 2*p, j)
-            end do
-         end do
-      end do
-   end subroutine on_unknowns
-
-   !> Takes derivatives by r off a block whose columns are the unknowns of a node.
-   pure subroutine take_place(point, shape, frame, gradient, block)
-      real(wp), intent(in) :: point(6, 3)                    !< rows of unknowns by r
-      real(wp), intent(in) :: shape(2)                       !< what r has of the node's place and director
-      real(wp), intent(in) :: frame(3, 3), gradient(3, 2)    !< of the node
-      real(wp), intent(inout) :: block(6, 6)
-      integer :: i
-      do i = 1, 6
-         block(i, 1) = block(i, 1) - shape(1)*(point(i, 1)*frame(1, 1) + point(i, 2)*frame(2, 1) + point(i, 3)*frame(3, 1))
-         block(i, 2) = block(i, 2) - shape(1)*(point(i, 1)*frame(1, 2) + point(i, 2)*frame(2, 2) + point(i, 3)*frame(3, 2))
-         block(i, 3) = block(i, 3) - shape(1)*(point(i, 1)*frame(1, 3) + point(i, 2)*frame(2, 3) + point(i, 3)*frame(3, 3))
-         block(i, 5) = block(i, 5) - shape(2)*(point(i, 1)*gradient(1, 1) + point(i, 2)*gradient(2, 1) &
-                                               + point(i, 3)*gradient(3, 1))
-         block(i, 6) = block(i, 6) - shape(2)*(point(i, 1)*gradient(1, 2) + point(i, 2)*gradient(2, 2) &
-                                               + point(i, 3)*gradient(3, 2))
-      end do
-   end subroutine take_place
-
-   !> The same by r and r'.
-   pure subroutine take_both(point, direction, shape, slope, frame, gradient, block)
-      real(wp), intent(in) :: point(6, 3), direction(6, 3)   !< rows of unknowns by r and by r'
-      real(wp), intent(in) :: shape(2), slope(2)             !< what r and r' have of the node's place and director
-      real(wp), intent(in) :: frame(3, 3), gradient(3, 2)
-      real(wp), intent(inout) :: block(6, 6)
-      real(wp) :: x1, x2, x3
-      integer :: i
-      do i = 1, 6
-         x1 = shape(1)*point(i, 1) + slope(1)*direction(i, 1)
-         x2 = shape(1)*point(i, 2) + slope(1)*direction(i, 2)
-         x3 = shape(1)*point(i, 3) + slope(1)*direction(i, 3)
-         block(i, 1) = block(i, 1) - (x1*frame(1, 1) + x2*frame(2, 1) + x3*frame(3, 1))
-         block(i, 2) = block(i, 2) - (x1*frame(1, 2) + x2*frame(2, 2) + x3*frame(3, 2))
-         block(i, 3) = block(i, 3) - (x1*frame(1, 3) + x2*frame(2, 3) + x3*frame(3, 3))
-      end do
-      do i = 1, 6
-         x1 = shape(2)*point(i, 1) + slope(2)*direction(i, 1)
-         x2 = shape(2)*point(i, 2) + slope(2)*direction(i, 2)
-         x3 = shape(2)*point(i, 3) + slope(2)*direction(i, 3)
-         block(i, 5) = block(i, 5) - (x1*gradient(1, 1) + x2*gradient(2, 1) + x3*gradient(3, 1))
-         block(i, 6) = block(i, 6) - (x1*gradient(1, 2) + x2*gradient(2, 2) + x3*gradient(3, 2))
-      end do
-   end subroutine take_both
 
    !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
    pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)

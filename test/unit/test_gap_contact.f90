@@ -3,8 +3,10 @@ module dg_test_gap_contact
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use dg_constants, only: degree
    use dg_error, only: error_type
-   use dg_gap_contact, only: contact_action, contact_action_tangent, normal_force_type, sliding_couple, support_action
+   use dg_gap_contact, only: contact_action, couple_action, couple_tangents, moment_tangents, support_action, touch_tangent_type, &
+                             touch_tangents, touch_type
    use dg_kinds, only: wp
+   use dg_lanes, only: lanes
    use dg_trajectory, only: closest_point, interpolation_minimum_curvature, new_trajectory, trajectory_type
    use dg_vector, only: cross
    implicit none
@@ -22,7 +24,6 @@ contains
       call suite%addTest(TestMethod('components', test_components))
       call suite%addTest(TestMethod('senses', test_senses))
       call suite%addTest(TestMethod('derivatives_on_a_bend', test_derivatives_on_a_bend))
-      call suite%addTest(TestMethod('carried_force', test_carried_force))
       call suite%addTest(TestMethod('couple_moment', test_couple_moment))
       call suite%addTest(TestMethod('couple_against_turning', test_couple_against_turning))
       call suite%addTest(TestMethod('couple_derivatives', test_couple_derivatives))
@@ -93,7 +94,9 @@ contains
       subroutine action_at(where_to, f, mom, df, dm)
          real(wp), intent(in) :: where_to(3)
          real(wp), intent(out) :: f(3), mom(3), df(3, 3), dm(3, 3)
-         real(wp) :: place(3), offset, gap(3), t(3), curvature(3), plain_force(3), plain_moment(3), load, pressing, norm
+         real(wp) :: place(3), offset, gap(3), t(3), curvature(3), plain(3), rubbing(3), load, pressing, norm
+         type(touch_type) :: touch
+         type(touch_tangent_type) :: by
          integer :: index
          index = 1
          place = where_to
@@ -102,50 +105,56 @@ contains
          load = contact*(norm - clearance)
          pressing = lagged*load
          if (way == 2) pressing = lagged*contact*(1.0_wp - clearance) + lag_stiffness*contact*(norm - 1.0_wp)
-         call contact_action_tangent(gap, t, curvature, normal_force_type(load, contact, load), &
-                                     normal_force_type(pressing, lag_stiffness*contact, pressing), 0.3_wp, 0.2_wp, 0.2_wp, radius, &
-                                     f, mom, df, dm)
-         if (way == 2) return
-         call contact_action(gap, t, load, 0.3_wp, 0.2_wp, 0.2_wp, radius, plain_force, plain_moment)
-         call assertEqual(plain_force, f, 1.0e-9_wp, message='same force')
-         call assertEqual(plain_moment, mom, 1.0e-9_wp, message='same moment')
+         touch = touch_of(gap, t, curvature, t)
+         touch%normal = load
+         touch%normal_stiffness = contact
+         touch%pressing = pressing
+         touch%pressing_stiffness = lag_stiffness*contact
+         call touch_tangents(touch, by)
+         call moment_tangents(touch, by)
+         df = by%force_by_point(lanes, :, :)
+         dm = by%moment_by_point(lanes, :, :)
+         ! the normal force by itself, and what friction at its own adds
+         call contact_action(gap, t, load, 0.0_wp, 0.0_wp, 0.0_wp, radius, f, mom)
+         call contact_action(gap, t, pressing, 0.0_wp, 0.0_wp, 0.0_wp, radius, plain, mom)
+         call contact_action(gap, t, pressing, 0.3_wp, 0.2_wp, 0.2_wp, radius, rubbing, mom)
+         f = f + rubbing - plain
+         call assertEqual(mom, by%moment(lanes, :), 1.0e-9_wp, message='moment')
       end subroutine action_at
    end subroutine test_derivatives_on_a_bend
 
-   !> A carried force is in the derivatives what the force itself would be there, and nothing in force and moment.
-   subroutine test_carried_force()
-      real(wp), parameter :: t(3) = [1.0_wp, 0.0_wp, 0.0_wp], gap(3) = [0.0_wp, 0.03_wp, 0.04_wp]
-      real(wp), parameter :: bend(3) = [0.0_wp, 0.01_wp, -0.02_wp]
-      real(wp), parameter :: found = 3.0e3_wp, meant = 1.0e3_wp, stiffness = 1.0e6_wp
-      real(wp) :: force(3, 3), moment(3, 3), by_point(3, 3, 3), moment_by_point(3, 3, 3)
-      type(normal_force_type) :: normal
-      integer :: i
-      do i = 1, 3
-         normal = normal_force_type(merge(meant, found, i == 3), stiffness, merge(found, meant, i == 1))
-         call contact_action_tangent(gap, t, bend, normal, normal, 0.3_wp, 0.2_wp, 0.2_wp, radius, force(:, i), moment(:, i), &
-                                     by_point(:, :, i), moment_by_point(:, :, i))
-      end do
-      call assertEqual(force(:, 1), force(:, 2), 0.0_wp, message='force')
-      call assertEqual(moment(:, 1), moment(:, 2), 0.0_wp, message='moment')
-      call assertGreaterThan(maxval(abs(by_point(:, :, 1) - by_point(:, :, 2))), 0.5_wp*(found - meant)/norm2(gap), message='felt')
-      call assertEqual(by_point(:, :, 3), by_point(:, :, 2), 0.0_wp, message='derivatives')
-      call assertEqual(moment_by_point(:, :, 3), moment_by_point(:, :, 2), 0.0_wp, message='of moments')
-   end subroutine test_carried_force
+   !> A gap in every lane.
+   pure function touch_of(gap, t, curvature, direction) result(touch)
+      real(wp), intent(in) :: gap(3), t(3), curvature(3), direction(3)
+      type(touch_type) :: touch
+      touch%gap = spread(gap, 1, lanes)
+      touch%tangent = spread(t, 1, lanes)
+      touch%curvature = spread(curvature, 1, lanes)
+      touch%direction = spread(direction, 1, lanes)
+      touch%normal = 0.0_wp
+      touch%normal_stiffness = 0.0_wp
+      touch%pressing = 0.0_wp
+      touch%pressing_stiffness = 0.0_wp
+      touch%couple = 0.0_wp
+      touch%couple_stiffness = 0.0_wp
+      touch%axial = 0.3_wp
+      touch%rotary = 0.2_wp
+      touch%climbing = 0.2_wp
+      touch%radius = radius
+   end function touch_of
 
    !> Along the hole the couple is Eq. 5's moment, d x P = -r R a tau, with no force; a string that slants across the wall
    !> by a small angle turns d x P by that angle, and feels F_tau = -r R a (d.tau)/|f|.
    subroutine test_couple_moment()
       real(wp), parameter :: t(3) = [1.0_wp, 0.0_wp, 0.0_wp], n(3) = [0.0_wp, 0.0_wp, 1.0_wp], tau(3) = [0.0_wp, -1.0_wp, 0.0_wp]
       real(wp), parameter :: straight(3) = 0.0_wp, couple = 0.3_wp*normal_force*radius, offset = 0.04_wp, slant = 0.01_wp
-      real(wp) :: d(3), force(3), bend(3), ignored(3, 3, 4), eq4(3), moment(3)
+      real(wp) :: d(3), force(3), bend(3), eq4(3), moment(3)
       call contact_action(offset*n, t, normal_force, 0.3_wp, 0.0_wp, 0.0_wp, radius, eq4, moment)
-      call sliding_couple(offset*n, t, straight, t, couple, 0.0_wp, force, bend, ignored(:, :, 1), ignored(:, :, 2), &
-                          ignored(:, :, 3), ignored(:, :, 4))
+      call couple_action(offset*n, t, t, couple, force, bend)
       call assertEqual(moment, cross(t, bend), round_off, message='moment of Eq. 5')
       call assertEqual(straight, force, round_off, message='no force')
       d = cos(slant)*t + sin(slant)*tau
-      call sliding_couple(offset*n, t, straight, d, couple, 0.0_wp, force, bend, ignored(:, :, 1), ignored(:, :, 2), &
-                          ignored(:, :, 3), ignored(:, :, 4))
+      call couple_action(offset*n, t, d, couple, force, bend)
       call assertEqual(cos(slant)*moment + couple*sin(slant)*t, cross(d, bend), round_off, message='moment of a slanting string')
       call assertEqual(-couple*sin(slant)/offset*tau, force, round_off, message='force of a slanting string')
    end subroutine test_couple_moment
@@ -153,11 +162,10 @@ contains
    !> A string that turns as a whole about a straight hole, place and direction alike, feels no work of the couple.
    subroutine test_couple_against_turning()
       real(wp), parameter :: t(3) = [2.0_wp, -1.0_wp, 2.0_wp]/3.0_wp, n(3) = [2.0_wp, 2.0_wp, -1.0_wp]/3.0_wp
-      real(wp), parameter :: straight(3) = 0.0_wp, gap(3) = 0.04_wp*n
-      real(wp) :: d(3), force(3), bend(3), ignored(3, 3, 4)
+      real(wp), parameter :: gap(3) = 0.04_wp*n
+      real(wp) :: d(3), force(3), bend(3)
       d = 0.9_wp*t + 0.2_wp*n + 0.3_wp*cross(t, n)
-      call sliding_couple(gap, t, straight, d, 300.0_wp, 0.0_wp, force, bend, ignored(:, :, 1), ignored(:, :, 2), &
-                          ignored(:, :, 3), ignored(:, :, 4))
+      call couple_action(gap, t, d, 300.0_wp, force, bend)
       call assertGreaterThan(abs(dot_product(force, cross(t, gap))), 1.0_wp, message='something to balance')
       call assertEqual(0.0_wp, dot_product(force, cross(t, gap)) + dot_product(bend, cross(t, d)), round_off, message='work')
    end subroutine test_couple_against_turning
@@ -194,14 +202,23 @@ contains
          real(wp), intent(in) :: where_to(3), direction(3)
          real(wp), intent(out) :: columns(3, 6), force(3), bend(3)
          integer, intent(in) :: j
-         real(wp) :: place(3), offset, gap(3), t(3), curvature(3), by(3, 3, 4)
+         real(wp) :: place(3), offset, gap(3), t(3), curvature(3)
+         type(touch_type) :: touch
+         type(touch_tangent_type) :: by
          integer :: index
          index = 1
          place = where_to
          call closest_point(trajectory, index, place, offset, gap, t, curvature)
-         call sliding_couple(gap, t, curvature, direction, couple_stiffness*(norm2(gap) - clearance), couple_stiffness, &
-                             force, bend, by(:, :, 1), by(:, :, 2), by(:, :, 3), by(:, :, 4))
-         columns(:, 1:4) = by(:, j, :)
+         touch = touch_of(gap, t, curvature, direction)
+         touch%couple = couple_stiffness*(norm2(gap) - clearance)
+         touch%couple_stiffness = couple_stiffness
+         call couple_action(gap, t, direction, touch%couple(1), force, bend)
+         call touch_tangents(touch, by)      ! of no contact force
+         call couple_tangents(touch, by)
+         columns(:, 1) = by%force_by_point(lanes, :, j)
+         columns(:, 2) = by%force_by_direction(lanes, :, j)
+         columns(:, 3) = by%bend_by_point(lanes, :, j)
+         columns(:, 4) = by%bend_by_direction(lanes, :, j)
          columns(:, 5:6) = 0.0_wp
       end subroutine couple_at
    end subroutine test_couple_derivatives
