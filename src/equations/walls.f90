@@ -14,6 +14,8 @@ module dg_walls
    !> the station above.
    real(wp), parameter :: far = 100.0_wp
    real(wp), parameter :: round_off_of_places = far*epsilon(1.0_wp)
+   !> The same of offsets from the hole axis [m].
+   real(wp), parameter :: round_off_of_offsets = epsilon(1.0_wp)
    !> The same of an element's shape, times 12 EI/L^3: collars in an element of 4 mm, between a station and the end of a component,
    !> have 0.1 N of it [m].
    real(wp), parameter :: round_off_of_shapes = 4.0_wp*epsilon(1.0_wp)
@@ -36,25 +38,21 @@ contains
       if (pressing > 0.0_wp) share = min(1.0_wp, pressing/(soft_penetration*maxval(mesh%wall)))
    end function softness
 
-   !> Tolerance of the residual over the force scale [-]: no less than what round-off leaves at stiff walls and short elements.
+   !> Tolerances of the residual over the force scale [-]: with what presses gaps to the depths of their forces, and without.
+   !> Neither is less than what round-off leaves at short elements, and the first no less than what it leaves at stiff walls.
+   !> Contact forces are unknowns of their own, and known to the round-off of offsets, not of places.
    pure function tolerance_at(numerics, mesh, gaps, force_scale) result(tolerance)
       type(numerics_type), intent(in) :: numerics
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force_scale    !< [N]
-      real(wp) :: tolerance
-      tolerance = max(min(numerics%tolerance, loosest), &
-                      max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*left_by_walls(gaps, force_scale), &
-                      round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
+      real(wp) :: tolerance(2)
+      real(wp) :: walls
+      walls = maxval(gaps%law%maximum)/force_scale
+      tolerance = max(min(numerics%tolerance, loosest), round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
+      tolerance(1) = max(tolerance(1), max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places*walls)
+      tolerance(2) = max(tolerance(2), round_off_of_offsets*walls)
    end function tolerance_at
-
-   !> What round-off leaves at the stiffest wall, over the force scale [-].
-   pure function left_by_walls(gaps, force_scale) result(left)
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: force_scale    !< [N]
-      real(wp) :: left
-      left = round_off_of_places*maxval(gaps%law%maximum)/force_scale
-   end function left_by_walls
 
    !> A table of free gaps with their laws, at their first places.
    pure subroutine lay_out_gaps(numerics, mesh, gaps)

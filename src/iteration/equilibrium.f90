@@ -83,7 +83,7 @@ contains
       last = .not. it%watched .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
       if (last) then
          call measure(it, equations, trajectory, mesh, gaps, state, .true., work, it%before)
-         if (is_within(it, equations, it%tolerance)) return
+         if (is_within(it, equations, 0.0_wp)) return
       end if
       call measure(it, equations, trajectory, mesh, gaps, state, .false., work, it%before)
       if (it%watched) call swap_matrices(equations%matrix, it%energy)
@@ -117,8 +117,8 @@ contains
       type(outside_type) :: outside
       logical :: there, stable
       ended = .false.
-      do while (is_within(it, equations, max(it%tolerance, it%numerics%tuning%nearly)))
-         there = is_within(it, equations, it%tolerance)
+      do while (is_within(it, equations, it%numerics%tuning%nearly))
+         there = is_within(it, equations, 0.0_wp)
          if (there .and. it%watched) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
          if (there) then
             call judge_stability(it, mesh, gaps, work, stable)
@@ -177,9 +177,10 @@ contains
    pure function is_within(it, equations, part) result(is)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
-      real(wp), intent(in) :: part           !< of the force scale [-]
+      real(wp), intent(in) :: part           !< of the force scale that will do, where the tolerances ask for less [-]
       logical :: is
-      is = .not. it%growth < rigid .and. max(it%before, it%flipped) <= part*equations%force_scale
+      is = .not. it%growth < rigid .and. max(it%before, it%flipped) <= max(it%tolerance(1), part)*equations%force_scale .and. &
+           it%unbalanced <= max(it%tolerance(2), part)*equations%force_scale
    end function is_within
 
    !> Whether the equilibrium is stable, as far as that is watched.
@@ -210,7 +211,7 @@ contains
          taken = .not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
                  it%trial < it%before
          ! a string that hangs free may start with no residual but round-off, which no step makes less
-         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance*equations%force_scale
+         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*equations%force_scale
          if (taken) then
             it%row%judged = judged_whole
             if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)

@@ -30,7 +30,7 @@ module dg_iteration_state
    type :: equilibrium_type
       type(numerics_type) :: numerics
       type(load_type) :: loads
-      real(wp) :: tolerance = 0.0_wp          !< of the residual over the force scale [-]
+      real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
       logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
       real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
@@ -45,6 +45,7 @@ module dg_iteration_state
       real(wp) :: raised = 1.0_wp             !< what a refusal raises viscosity by
       real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
       real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
+      real(wp) :: unbalanced = 0.0_wp         !< the same without pushes
       real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
@@ -71,7 +72,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(numerics_type), intent(in) :: numerics
-      real(wp), intent(in) :: tolerance
+      real(wp), intent(in) :: tolerance(2)
       real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
       logical, intent(in) :: watched
       integer, intent(in) :: unknowns        !< of a node
@@ -118,6 +119,8 @@ contains
          call hold_turn(state, it%held, equations%matrix, equations%residual)
       it%residual = equations%residual
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+      call find_largest(it%residual, equations%forces, it%row%residual_force, it%row%residual_moment)
+      it%unbalanced = max(it%row%residual_force, it%row%residual_moment)
       call add_pushes(gaps, it%residual, it%problem, it%problem%load)
       call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
       largest = max(it%row%residual_force, it%row%residual_moment)

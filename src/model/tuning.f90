@@ -67,8 +67,8 @@ module dg_tuning
       !> Times that gaps are opened and closed within one linear problem: most settle in three to five. With one, 15 of 53 hard
       !> wells found no equilibrium, with ten 11.
       integer :: most_settlings = 10
-      !> rho grows by this when few gaps change in a step and the residual is small at its end, and is so many times the softest again
-      !> when gaps have moved near an equilibrium [-]. Judged by the residual at the step's begin it grew one iteration later.
+      !> rho grows by this when few gaps change in a step and the residual is small at its end, and is so many times the softest
+      !> again when gaps have moved near an equilibrium [-]. Judged by the residual at the step's begin it grew one iteration later.
       real(wp) :: growth = 100.0_wp
       !> Gaps that change over those closed, at which that is few [-].
       real(wp) :: few = 0.05_wp

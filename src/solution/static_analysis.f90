@@ -284,7 +284,7 @@ contains
                           residual)
       stays = outcome == outcome_converged
       associate (force_scale => string%equations%force_scale)
-         if (stays) stays = residual <= tolerance_at(numerics, string%mesh, string%gaps, force_scale)*force_scale
+         if (stays) stays = residual <= minval(tolerance_at(numerics, string%mesh, string%gaps, force_scale))*force_scale
       end associate
    end subroutine try_in_plane
 

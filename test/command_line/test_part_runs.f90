@@ -133,7 +133,7 @@ contains
       character(:), allocatable :: deck, whole
       logical :: there
       deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge'")
-      deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 3 /')
+      deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 1 /')
       run = run_deck_text(deck//"&sweep name = 'b', operations = 'up', frictions = 0.2, 0.3, bit_depth_step = 5 /"//newline)
       whole = content(csv)
       call delete_file(csv)

@@ -360,7 +360,7 @@ contains
       character(:), allocatable :: deck, page, row
       integer :: i, lost
       deck = good_deck()
-      deck = replaced(deck(:index(deck, '&load_case') - 1), ', plots = .false.', '')//"&solver max_iterations = 2 /"//newline// &
+      deck = replaced(deck(:index(deck, '&load_case') - 1), ', plots = .false.', '')//"&solver max_iterations = 1 /"//newline// &
              "&sweep name = 'b', model = 'mcge', operations = 'up', bit_depth_step = 300, frictions = 0.3 /"//newline
       run = run_deck_text(deck)
       call assertEqual(3, run%status)
