@@ -1,13 +1,21 @@
 !> What acts on the ends of the string across the hole, and the formation's push on the bit.
+!> A load increment sets both, and friction with them.
 module dg_end_supports
    use dg_kinds, only: wp
+   use dg_gap_action, only: load_type
    use dg_gap_contact, only: support_action
+   use dg_load_case, only: load_case_type
    use dg_mesh, only: mesh_type
+   use dg_model, only: model_type
    use dg_trajectory, only: closest_point, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: end_action
+   public :: end_action, set_loads
+
+   !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
+   !> string within micrometres of the axis, not so stiff as to spoil the matrix.
+   real(wp), parameter :: support_length = 1.0_wp
 
 contains
 
@@ -35,4 +43,19 @@ contains
          by_point(:, j) = by_point(:, j) - (wob*chi*tangent(j))*curvature
       end do
    end subroutine end_action
+
+   !> Bit loads and friction of a load increment, and the ends' supports.
+   pure subroutine set_loads(model, load_case, fraction, loads)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: fraction
+      type(load_type), intent(out) :: loads
+      real(wp) :: support
+      support = max(model%numerics%gk_max, model%numerics%gk_contact)*support_length
+      loads%wob = fraction*load_case%wob
+      loads%tob = fraction*load_case%tob
+      loads%friction_scale = fraction
+      if (model%boundary%top_centred) loads%top_support = support
+      if (model%boundary%bit_centred) loads%bit_support = support
+   end subroutine set_loads
 end module dg_end_supports

@@ -13,7 +13,7 @@ module dg_equations
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, workspace_type
    implicit none
    private
-   public :: equations_type, make_room, find_tangent, end_iterations, add_gap_rigidity
+   public :: equations_type, choose_unknowns, make_room, find_tangent, end_iterations, add_gap_rigidity
    public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
 
    !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution; in an equilibrium that
@@ -39,17 +39,25 @@ module dg_equations
 
 contains
 
-   !> Room for the equations of a mesh, in space or in the plane that `equations` names.
-   pure subroutine make_room(equations, kind, nodes, planar)
+   !> Chooses the unknowns: in space, or in the plane that `equations` names. Room made before is given back.
+   pure subroutine choose_unknowns(equations, planar)
       type(equations_type), intent(inout) :: equations
-      integer, intent(in) :: kind          !< of linear solver
-      integer, intent(in) :: nodes
       logical, intent(in) :: planar
       equations%planar = planar
       equations%unknowns = merge(plane_block_size, block_size, planar)
       equations%forces = (equations%unknowns + 1)/2
       equations%laterals = merge([row_lateral, row_lateral], [dof_lateral_1, dof_lateral_2], planar)
       equations%slopes = merge([row_slope, row_slope], [dof_slope_1, dof_slope_2], planar)
+      equations%matrix = block_matrix_type()
+      equations%solver = linear_solver_type()
+      if (allocated(equations%residual)) deallocate (equations%residual, equations%step)
+   end subroutine choose_unknowns
+
+   !> Room for the equations of a mesh. The start of an iteration has no use for it, and needs half as much for itself.
+   pure subroutine make_room(equations, kind, nodes)
+      type(equations_type), intent(inout) :: equations
+      integer, intent(in) :: kind          !< of linear solver
+      integer, intent(in) :: nodes
       equations%matrix = new_block_matrix(nodes, equations%unknowns)
       call new_linear_solver(kind, nodes, equations%solver, equations%unknowns)
       if (allocated(equations%residual)) deallocate (equations%residual, equations%step)

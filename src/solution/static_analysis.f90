@@ -16,13 +16,14 @@ module dg_static_analysis
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
    use dg_clock, only: seconds_between
-   use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside
+   use dg_end_supports, only: set_loads
+   use dg_equations, only: choose_unknowns, end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, &
+                           outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: refuse_runaway
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
-   use dg_load_case, only: load_case_type
    use dg_mesh, only: mesh_type, new_mesh
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
@@ -46,9 +47,6 @@ module dg_static_analysis
    private
    public :: solve_static_analysis
 
-   !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
-   !> string within micrometres of the axis, not so stiff as to spoil the matrix.
-   real(wp), parameter :: support_length = 1.0_wp
    !> Of a string without weight and load, which has no scale of its own [N].
    real(wp), parameter :: least_scale = 1.0_wp
    !> Part of the coiling load from which a string may buckle: the margin of stability is told [-].
@@ -196,7 +194,7 @@ contains
                string%way = way_left
                in_plane = equations%iterations - size(history)
                equations%iterations = size(history)
-               call make_room(equations, numerics%linear_solver, mesh%nodes, planar=.false.)
+               call choose_unknowns(equations, planar=.false.)
             end if
          end if
          do i = 1, merge(0, model%numerics%tuning%most_attempts, found)
@@ -303,13 +301,16 @@ contains
       real(wp) :: fraction, worst
       integer :: increment, place, cut
       call lay_out_gaps(numerics, string%mesh, string%gaps)
+      call choose_unknowns(string%equations, string%equations%planar)       ! of the attempt before no room is left
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, string%loads)
          start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
-         if (increment == 1) call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, &
-                                          string%work%normal)
-         if (increment == 1) string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
+         if (increment == 1) then
+            call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
+            string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
+            call make_room(string%equations, numerics%linear_solver, string%mesh%nodes)
+         end if
          do cut = 0, numerics%tuning%most_cuts
             call new_iteration(numerics, string, it)
             it%growth = attempt%growth
@@ -362,10 +363,10 @@ contains
       string%gaps = gaps
       string%work = work
       call move_alloc(state, string%state)
-      call make_room(string%equations, numerics%linear_solver, fine%nodes, string%equations%planar)
+      call make_room(string%equations, numerics%linear_solver, fine%nodes)
    end subroutine refine
 
-   !> Room for the solution, in the plane of the hole or in space, and the iteration's scales.
+   !> The way of solution, in the plane of the hole or in space, and the iteration's scales.
    subroutine prepare(model, case_index, string)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -377,24 +378,9 @@ contains
          allocate (string%state(6, mesh%nodes))
          call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
                           string%way)
-         call make_room(equations, numerics%linear_solver, mesh%nodes, planar=string%way == way_planar)
+         call choose_unknowns(equations, planar=string%way == way_planar)
          allocate (equations%history(numerics%max_iterations + 1))
          equations%force_scale = max(sum(abs(mesh%weight)*mesh%length) + abs(load_case%wob), least_scale)
       end associate
    end subroutine prepare
-
-   !> Bit loads and friction of a load increment, and the ends' supports.
-   pure subroutine set_loads(model, load_case, fraction, loads)
-      type(model_type), intent(in) :: model
-      type(load_case_type), intent(in) :: load_case
-      real(wp), intent(in) :: fraction
-      type(load_type), intent(out) :: loads
-      real(wp) :: support
-      support = max(model%numerics%gk_max, model%numerics%gk_contact)*support_length
-      loads%wob = fraction*load_case%wob
-      loads%tob = fraction*load_case%tob
-      loads%friction_scale = fraction
-      if (model%boundary%top_centred) loads%top_support = support
-      if (model%boundary%bit_centred) loads%bit_support = support
-   end subroutine set_loads
 end module dg_static_analysis
