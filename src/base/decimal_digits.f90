@@ -13,7 +13,7 @@ module dg_decimal_digits
    integer :: i, ten
    real(wp), parameter :: power_of_ten(0:most_exact) = [(10.0_wp**i, i=0, most_exact)]
    integer(int64), parameter :: whole_power(0:most_digits) = [(10_int64**i, i=0, most_digits)]
-   !> In units of 2**-18: right to 3e-8, enough for the greatest exponent of a double.
+   !> In units of 2**-18: right to 1e-6, enough for the greatest exponent of a double.
    integer, parameter :: log10_of_2 = 78913
    character(2), parameter :: pair(0:99) = [((achar(iachar('0') + ten)//achar(iachar('0') + i), i=0, 9), ten=0, 9)]
    !> So near a half the last digit is left to the run-time library. Scaling rounds at most three times, each by at most

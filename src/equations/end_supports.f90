@@ -13,9 +13,10 @@ module dg_end_supports
    private
    public :: end_action, set_loads
 
-   !> Support springs at centred ends over the wall's greatest stiffness per metre [m]: stiff enough to hold the
-   !> string within micrometres of the axis, not so stiff as to spoil the matrix.
-   real(wp), parameter :: support_length = 1.0_wp
+   !> Support springs at centred ends over the wall's greatest stiffness per metre [m], and the stiffest such wall [N/m2]: stiff
+   !> enough to hold the string within micrometres of the axis, not so stiff as to spoil the matrix. A support's force follows from
+   !> its node's place, whose round-off would press with kilonewtons at more.
+   real(wp), parameter :: support_length = 1.0_wp, stiffest = 1.0e9_wp
 
 contains
 
@@ -51,7 +52,7 @@ contains
       real(wp), intent(in) :: fraction
       type(load_type), intent(out) :: loads
       real(wp) :: support
-      support = max(model%numerics%gk_max, model%numerics%gk_contact)*support_length
+      support = min(max(model%numerics%gk_max, model%numerics%gk_contact), stiffest)*support_length
       loads%wob = fraction*load_case%wob
       loads%tob = fraction*load_case%tob
       loads%friction_scale = fraction

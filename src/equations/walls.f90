@@ -1,6 +1,7 @@
 !> The wall of the hole as the gap elements have it: how soft a start takes it, and the gaps' laws.
 module dg_walls
    use dg_kinds, only: wp
+   use dg_gap_action, only: load_type
    use dg_gap_state, only: gap_law_type
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
@@ -40,18 +41,21 @@ contains
 
    !> Tolerances of the residual over the force scale [-]: with what presses gaps to the depths of their forces, and without.
    !> Neither is less than what round-off leaves at short elements, and the first no less than what it leaves at stiff walls.
-   !> Contact forces are unknowns of their own, and known to the round-off of offsets, not of places.
-   pure function tolerance_at(numerics, mesh, gaps, force_scale) result(tolerance)
+   !> Contact forces are unknowns of their own, and known to the round-off of offsets, not of places. Those of the ends' supports
+   !> follow from places.
+   pure function tolerance_at(numerics, mesh, gaps, loads, force_scale) result(tolerance)
       type(numerics_type), intent(in) :: numerics
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
+      type(load_type), intent(in) :: loads   !< with the supports
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance(2)
-      real(wp) :: walls
+      real(wp) :: walls, places
       walls = maxval(gaps%law%maximum)/force_scale
       tolerance = max(min(numerics%tolerance, loosest), round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
-      tolerance(1) = max(tolerance(1), max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places*walls)
-      tolerance(2) = max(tolerance(2), round_off_of_offsets*walls)
+      places = max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places
+      tolerance(1) = max(tolerance(1), places*walls)
+      tolerance(2) = max(tolerance(2), round_off_of_offsets*walls, places*max(loads%top_support, loads%bit_support)/force_scale)
    end function tolerance_at
 
    !> A table of free gaps with their laws, at their first places.

@@ -3,6 +3,7 @@ module dg_step
    use dg_kinds, only: wp
    use dg_assembly, only: add_unsymmetric_part
    use dg_block_matrix, only: copy_matrix, swap_matrices
+   use dg_case_result, only: judged_start
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
    use dg_equations, only: add_gap_rigidity, equations_type, find_tangent, outcome_singular
    use dg_gap_state, only: state_free
@@ -22,7 +23,8 @@ contains
 
    !> The step and the forces at its end. A string that is watched has viscosity raised as far as it must be; one that is not has
    !> the whole tangent ready in equations%matrix, and is watched from where it moves too far or up the energy's slope. Next to an
-   !> equilibrium that slope says nothing: friction and round-off decide its sign.
+   !> equilibrium that slope says nothing: friction and round-off decide its sign. One that starts in equilibrium, as straight in a
+   !> vertical hole, has none, and is watched.
    subroutine find_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -43,8 +45,8 @@ contains
             return
          end if
          call find_reach(it, equations, trajectory, mesh, work, reach)
-         uphill = .not. (energy_slope(equations, it%problem%load) < 0.0_wp .or. &
-                         it%before < it%numerics%tuning%near*equations%force_scale)
+         uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
+                  (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
          if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, .true., .false., work)

@@ -275,14 +275,15 @@ contains
       integer, intent(in) :: number        !< of the attempt
       type(string_type), intent(inout) :: string
       logical, intent(out) :: stays
-      real(wp) :: residual
+      real(wp) :: residual, limit(2)
       integer :: outcome
       call make_attempt(model, case_index, numerics, numerics%tuning%attempt(1), number, string, outcome)
       call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
                           residual)
       stays = outcome == outcome_converged
       associate (force_scale => string%equations%force_scale)
-         if (stays) stays = residual <= minval(tolerance_at(numerics, string%mesh, string%gaps, force_scale))*force_scale
+         limit = tolerance_at(numerics, string%mesh, string%gaps, string%loads, force_scale)*force_scale
+         if (stays) stays = residual <= limit(2)
       end associate
    end subroutine try_in_plane
 
@@ -337,8 +338,8 @@ contains
       associate (equations => string%equations)
          if (equations%planar) call flatten(equations%plane, string%state)
          call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
-                              equations%force_scale), string%pressing, string%compressed > numerics%tuning%watch_share .and. &
-                              .not. equations%planar, equations%unknowns, it)
+                              string%loads, equations%force_scale), string%pressing, &
+                              string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, equations%unknowns, it)
       end associate
    end subroutine new_iteration
 

@@ -10,7 +10,6 @@ module dg_static_result
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
-   use dg_numerics, only: numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_soft_string, only: fill_profile, subdivided
@@ -38,8 +37,6 @@ module dg_static_result
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
-   !> Residuals of many nodes that are left by the tolerance add up to this many times it [-].
-   real(wp), parameter :: residuals_together = 100.0_wp
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
@@ -114,7 +111,7 @@ contains
       result%moves = sum(gaps%moves)
       call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
       if (outcome == outcome_converged) &
-         call judge_balance(model%units, model%numerics, equations%force_scale, work%normal, whirls, result)
+         call judge_balance(model%units, equations%force_scale, work%normal, whirls, result)
       call recover_gaps(mesh, gaps, work, result%gaps)
       call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
       if (model%boundary%bit_centred) then
@@ -143,9 +140,8 @@ contains
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.
-   pure subroutine judge_balance(units, numerics, force_scale, normal, whirls, result)
+   pure subroutine judge_balance(units, force_scale, normal, whirls, result)
       type(unit_system_type), intent(in) :: units
-      type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: force_scale       !< weight and bit load [N]
       real(wp), intent(in) :: normal(:)         !< contact forces; below 0: the wall pulls [N]
       logical, intent(in) :: whirls
@@ -153,12 +149,12 @@ contains
       real(wp) :: pulling, part
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
-      if (whirls .or. part <= residuals_together*numerics%tolerance) part = 0.0_wp
+      if (whirls) part = 0.0_wp
       if (.not. (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale)) return
       result%status = result_not_converged
       if (part > most_out_of_balance) then
          result%message = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
-                          ' out of balance: residuals add up; give a smaller tolerance'
+                          ' out of balance: residuals add up; give a smaller tolerance, or a smaller gk_contact and gk_max'
       else
          result%message = 'walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
                           ' in all: gaps open where they pull with more than r_n0; give a smaller one'

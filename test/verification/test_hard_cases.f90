@@ -4,7 +4,7 @@ module dg_test_hard_cases
    use dg_case_result, only: case_result_type, judged_start, result_converged, result_not_converged
    use dg_error, only: error_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_sliding_drilling, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
@@ -22,6 +22,9 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('hard_cases')
       call suite%addTest(TestMethod('stiff_walls', test_stiff_walls))
+      call suite%addTest(TestMethod('stiff_supports', test_stiff_supports))
+      call suite%addTest(TestMethod('light_rods', test_light_rods))
+      call suite%addTest(TestMethod('twisted_string', test_twisted_string))
       call suite%addTest(TestMethod('walls_that_pull', test_walls_that_pull))
       call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
    end function hard_cases_suite
@@ -77,6 +80,64 @@ contains
          end do
       end associate
    end subroutine judge_history
+
+   !> Ends that are held, at walls of 1e9 and 1e15 N/m2. A support's force follows from the place of its node, kilometres from the
+   !> origin of its arc: with the wall's own stiffness round-off of that place was a hundred newtons, and three cases of four found
+   !> no equilibrium.
+   subroutine test_stiff_supports()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp) :: hookload
+      integer :: i
+      hookload = 0.0_wp
+      do i = 9, 15, 6
+         call new_well(model, [0.0_wp, 500.0_wp, 2000.0_wp, 3500.0_wp, 5000.0_wp], [0.0_wp, 5.0_wp, 60.0_wp, 90.0_wp, 90.0_wp], &
+                       [20.0_wp, 20.0_wp, 60.0_wp, 60.0_wp, 100.0_wp], 0.2159_wp, 0.25_wp, pipe(w, od, id))
+         model%boundary%top_centred = .true.
+         model%boundary%bit_centred = .true.
+         model%numerics%gk_contact = 10.0_wp**i
+         model%numerics%gk_max = 10.0_wp**i
+         call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'stiff supports')
+         call assertLessThan(result%iterations, 30, message='iterations')
+         if (i > 9) call assertRelativelyEqual(hookload, result%hookload, 1.0e-4_wp, message='hook load')
+         hookload = result%hookload
+      end do
+   end subroutine test_stiff_supports
+
+   !> Rods of 26 N/m from one station to the next at 3000 m: round-off of places at the held ends is 1e-8 of their weight.
+   subroutine test_light_rods()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call new_well(model, [0.0_wp, 3000.0_wp], [40.0_wp, 40.0_wp], [30.0_wp, 30.0_wp], 0.062_wp, 0.25_wp, &
+                    pipe(26.0_wp, 0.0222_wp, 0.0_wp))
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%cases(1)%operation = operation_trip_out
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_converged, result%status, message=result%message)
+      call assertLessThan(result%iterations, 10, message='iterations')
+   end subroutine test_light_rods
+
+   !> Coiled tubing that hangs straight in a vertical hole, in equilibrium from the start, under a torque on its lower end beyond
+   !> that at which it leaves the axis (17 to 18 kN.m, by finite differences of the hanging beam): such an equilibrium is none.
+   subroutine test_twisted_string()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      call new_well(model, [0.0_wp, 300.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.3112_wp, 0.25_wp, &
+                    pipe(50.0_wp, 0.0603_wp, 0.0516_wp))
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+      model%numerics%element_length = 1.0_wp
+      model%cases(1)%operation = operation_sliding_drilling
+      model%cases(1)%tob = 8.0e3_wp
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_converged, result%status, message='half the torque')
+      model%cases(1)%tob = 20.0e3_wp
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_not_converged, result%status, message='beyond it')
+   end subroutine test_twisted_string
 
    !> A threshold of force so high that closed gaps hold the string to the wall where it would leave it: round a bend of 67 deg/30 m
    !> the contact force came out below zero.
