@@ -9,8 +9,11 @@
 module dg_bending_solution
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
-   use dg_bending_element, only: add_action, contact_places, element_action, raise_moments, wall_push_type
+   use dg_bending_element, only: add_action, contact_places, wall_push_type
    use dg_bending_elimination, only: newton_step
+   use dg_bending_fold, only: fold_beam, fold_shape, folded_beam_type, half_of, mirror, unfold_forces, &
+                              unfold_shape
+   use dg_bending_pair, only: pair, pair_action, pair_push_type, raise_moments
    use dg_largest, only: largest_of
    implicit none
    private
@@ -34,39 +37,43 @@ contains
                                            !< the largest one [-]
       logical, intent(out) :: found        !< equilibrium
       !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
-      real(wp), intent(in), optional :: anchor(:, :)
+      real(wp), contiguous, intent(in), optional :: anchor(:, :)
       real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
-      type(wall_push_type) :: push(contact_places, size(beam%ei)), points(size(beam%point))
-      real(wp), dimension(node_unknowns, size(y, 2)) :: residual, step, trial
+      type(folded_beam_type) :: folded
+      type(pair_push_type) :: push(contact_places, size(y, 2)/2)
+      type(wall_push_type) :: points(size(beam%point))
+      real(wp), dimension(pair, node_unknowns, size(y, 2)/2 + 1) :: shape, residual, step, trial
       real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
-      real(wp), allocatable :: springs(:, :)      ! the anchor, or nothing
-      integer :: fixed(size(y, 2)), iteration, try
-      fixed = merge(node_unknowns, merge(2, 0, beam%centred), beam%held)
+      real(wp), allocatable :: springs(:, :, :)      ! the anchor, or nothing
+      integer :: iteration, try
+      call fold_beam(beam, folded)
+      call fold_shape(y, shape)
       scale = largest_load(beam)
       least = least_moment(beam)
       found = .false.
       if (present(anchor)) then
-         allocate (springs, source=anchor)
+         allocate (springs, mold=shape)
+         call fold_shape(anchor, springs)
       else
-         allocate (springs(node_unknowns, 0))
+         allocate (springs(pair, node_unknowns, 0))
       end if
-      call find_residual(beam, fixed, y, springs, push, points, residual)
+      call find_residual(beam, folded, shape, springs, push, points, residual)
       do iteration = 0, most_iterations
          found = largest_of(size(residual), residual) <= tolerance*scale
          if (found) exit
-         call newton_step(beam, push, points, fixed, merge(1, 0, present(anchor)), .false., residual, step, solved)
+         call newton_step(beam, folded, push, points, merge(1, 0, present(anchor)), .false., residual, step, solved)
          if (.not. solved) &
-            call newton_step(beam, push, points, fixed, merge(2, 1, present(anchor)), .true., residual, step, solved)
-         if (.not. solved) return
+            call newton_step(beam, folded, push, points, merge(2, 1, present(anchor)), .true., residual, step, solved)
+         if (.not. solved) exit
          work = product_of(size(step), residual, step)
          lower = 0.0_wp
          work_lower = work
          upper = 1.0_wp
          share = 1.0_wp
          do try = 1, most_trials
-            call move(size(step), share, step, y, trial)
-            call find_residual(beam, fixed, trial, springs, push, points, residual)
+            call move(size(step), share, step, shape, trial)
+            call find_residual(beam, folded, trial, springs, push, points, residual)
             work_trial = product_of(size(step), residual, step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
@@ -80,53 +87,67 @@ contains
             if (work_trial > 0.0_wp) share = max(0.1_wp*(upper - lower) + lower, &
                                                  min(share, lower - work_lower*(upper - lower)/(work_trial - work_lower)))
          end do
-         y = trial
-         if (share >= 1.0_wp) found = is_small(beam, y, step, settled, least)
+         shape = trial
+         if (share >= 1.0_wp) found = is_small(folded, shape, step, settled, least)
          if (found) exit
       end do
-      if (present(pressed)) call find_pressed(beam, push, pressed)
+      call unfold_shape(shape, y)
+      if (present(pressed)) call unfold_forces(push, pressed)
    end subroutine solve_bending
 
    !> Residual at a shape, and how the wall presses there.
-   pure subroutine find_residual(beam, fixed, shape, anchor, push, points, residual)
+   pure subroutine find_residual(beam, folded, shape, anchor, push, points, residual)
       type(bending_beam_type), intent(in) :: beam
-      integer, intent(in) :: fixed(:)                        !< how many of a node's unknowns stay as they are, from the first on
-      real(wp), contiguous, intent(in) :: shape(:, :)
-      real(wp), contiguous, intent(in) :: anchor(:, :)       !< without columns: none
-      type(wall_push_type), intent(inout) :: push(:, :)      !< at the places of the elements
+      type(folded_beam_type), intent(in) :: folded
+      real(wp), contiguous, intent(in) :: shape(:, :, :)
+      real(wp), contiguous, intent(in) :: anchor(:, :, :)    !< without columns: none
+      type(pair_push_type), contiguous, intent(inout) :: push(:, :)    !< at the places of the elements
       type(wall_push_type), intent(inout) :: points(:)       !< of tool joints
-      real(wp), contiguous, intent(out) :: residual(:, :)    !< [N, N.m]
-      integer :: e, n, p
-      residual(:, 1) = 0.0_wp
-      do e = 1, size(push, 2)
-         call element_action(beam%element(e), shape(:, e), shape(:, e + 1), push(:, e), residual(:, e:e + 1))
+      !> Of the middle node in the upper half; zero there in the lower one [N, N.m].
+      real(wp), contiguous, intent(out) :: residual(:, :, :)
+      integer :: n
+      residual(:, :, 1) = 0.0_wp
+      do n = 1, folded%middle - 1
+         call pair_action(folded%pairs(n), shape(:, :, n), shape(:, :, n + 1), push(:, n), residual(:, :, n), residual(:, :, n + 1))
       end do
-      call press_points(beam, shape, points)
-      do p = 1, size(points)
-         n = beam%point(p)
-         e = min(n, size(push, 2))
-         if (points(p)%force > 0.0_wp) call add_action(points(p), beam%element(e)%lever, beam%element(e)%around, residual(:, n))
-      end do
-      if (size(anchor, 2) > 0) then
-         do n = 1, size(shape, 2)
-            if (beam%viscous(n) > 0.0_wp) residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(shape(1:2, n) - anchor(1:2, n))
+      n = folded%middle
+      residual(1, :, n) = residual(1, :, n) + mirror*residual(2, :, n)
+      residual(2, :, n) = 0.0_wp
+      if (size(points) > 0) call add_points(beam, folded, shape, points, residual)
+      if (size(anchor, 3) > 0) then
+         do n = 1, folded%middle
+            residual(:, 1, n) = residual(:, 1, n) + folded%viscous(:, n)*(shape(:, 1, n) - anchor(:, 1, n))
+            residual(:, 2, n) = residual(:, 2, n) + folded%viscous(:, n)*(shape(:, 2, n) - anchor(:, 2, n))
          end do
       end if
-      do n = 1, size(shape, 2)
-         if (fixed(n) > 0) residual(:fixed(n), n) = 0.0_wp
+      do n = 1, folded%middle
+         if (folded%plain(n)) cycle
+         residual(1, :folded%fixed(1, n), n) = 0.0_wp
+         residual(2, :folded%fixed(2, n), n) = 0.0_wp
       end do
    end subroutine find_residual
 
-   !> Contact forces at the places of the elements [N].
-   pure subroutine find_pressed(beam, push, pressed)
+   !> Adds what the wall does to tool joints.
+   pure subroutine add_points(beam, folded, shape, points, residual)
       type(bending_beam_type), intent(in) :: beam
-      type(wall_push_type), intent(in) :: push(:, :)
-      real(wp), intent(out) :: pressed(:, :)
-      integer :: e
-      do e = 1, size(push, 2)
-         pressed(:, e) = push(:, e)%force*(beam%element(e)%length/contact_places)
+      type(folded_beam_type), intent(in) :: folded
+      real(wp), contiguous, intent(in) :: shape(:, :, :)
+      type(wall_push_type), intent(inout) :: points(:)
+      real(wp), contiguous, intent(inout) :: residual(:, :, :)
+      real(wp) :: offset(2, size(points))
+      integer :: p, e, half(size(points)), n(size(points))
+      call half_of(folded%middle, beam%point, half, n)
+      do p = 1, size(points)
+         offset(:, p) = shape(half(p), 1:2, n(p))
       end do
-   end subroutine find_pressed
+      call press_points(beam, offset, points)
+      do p = 1, size(points)
+         if (.not. points(p)%force > 0.0_wp) cycle
+         e = min(beam%point(p), size(beam%element))
+         call add_action(points(p), merge(1, -1, half(p) == 1)*beam%element(e)%lever, beam%element(e)%around, &
+                         residual(half(p), :, n(p)))
+      end do
+   end subroutine add_points
 
    !> What the tolerance of the residual leaves of moments [N.m]: smaller ones are none. A string that rests on a straight wall has
    !> none, and to be small or large against round-off says nothing.
@@ -174,19 +195,19 @@ contains
    end function product_of
 
    !> Whether a step changed moments at the ends of the elements by less than a part of the largest one there after it.
-   pure function is_small(beam, y, step, part, least) result(small)
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step
+   pure function is_small(folded, y, step, part, least) result(small)
+      type(folded_beam_type), intent(in) :: folded
+      real(wp), contiguous, intent(in) :: y(:, :, :), step(:, :, :)   !< after the step; the step
       real(wp), intent(in) :: part     !< [-]
       real(wp), intent(in) :: least    !< of least_moment [N.m]
       logical :: small
-      real(wp) :: most, changed      ! squares
-      integer :: e
+      real(wp), dimension(pair) :: most, changed      ! squares
+      integer :: n
       most = 0.0_wp
       changed = 0.0_wp
-      do e = 1, size(beam%ei)
-         call raise_moments(beam%element(e), y(:, e), y(:, e + 1), step(:, e), step(:, e + 1), most, changed)
+      do n = 1, size(folded%pairs)
+         call raise_moments(folded%pairs(n), y(:, :, n), y(:, :, n + 1), step(:, :, n), step(:, :, n + 1), most, changed)
       end do
-      small = changed <= part**2*max(most, least**2)
+      small = maxval(changed) <= part**2*max(maxval(most), least**2)
    end function is_small
 end module dg_bending_solution
