@@ -176,7 +176,8 @@ contains
       real(wp), intent(in) :: axial, chord(3), d_i(3), d_j(3)
       real(wp), intent(out) :: force(12), stiffness(12, 12)
       type(measure_type) :: m
-      real(wp) :: chords(lanes, 3), d(lanes + 1, 3), axials(lanes), first(lanes, 4), forces(lanes, 12), second(lanes, 4, 4), c(4, 4)
+      real(wp) :: chords(lanes, 3), d(lanes + 1, 3), axials(lanes), first(lanes, 4), forces(lanes, 12), second(lanes, 4, 4)
+      real(wp) :: slopes(4), c(4, 4)
       call spread_one(chord, d_i, d_j, chords, d)
       axials = axial
       call measure(chords, d, m)
@@ -184,11 +185,12 @@ contains
       call gradients(m, d, first, forces)
       call energy_hessians(m, sections, axials, second)
       force = forces(1, :)
+      slopes = first(1, :)
       c = second(1, :, :)
       c(1, 2:) = c(2:, 1)
       c(2, 3:) = c(3:, 2)
       c(3, 4) = c(4, 3)
-      call space_hessian(m, d_i, d_j, c, first(1, :), stiffness)
+      call space_hessian(m, d_i, d_j, c, slopes, stiffness)
    end subroutine tangent_of
 
    !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.

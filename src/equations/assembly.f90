@@ -180,11 +180,13 @@ contains
       real(wp), intent(inout) :: force(12)
       type(block_matrix_type), intent(inout) :: matrix
       type(element_type) :: element
+      real(wp) :: chord(3)
       integer :: e
       e = row%first + l - 1
       if (.not. any(abs(mesh%bend(:, e)) > 0.0_wp)) return
+      chord = row%chord(l, :)
       call clear_element(element)
-      call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), row%chord(l, :), &
+      call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
                     work%d(:, e), work%d(:, e + 1), row%tangent, force, element%k)
       if (row%tangent) call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
    end subroutine add_own_bend
