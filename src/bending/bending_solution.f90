@@ -134,7 +134,7 @@ contains
       real(wp), contiguous, intent(in) :: shape(:, :, :)
       type(wall_push_type), intent(inout) :: points(:)
       real(wp), contiguous, intent(inout) :: residual(:, :, :)
-      real(wp) :: offset(2, size(points))
+      real(wp) :: offset(2, size(points)), action(node_unknowns)
       integer :: p, e, half(size(points)), n(size(points))
       call half_of(folded%middle, beam%point, half, n)
       do p = 1, size(points)
@@ -144,8 +144,9 @@ contains
       do p = 1, size(points)
          if (.not. points(p)%force > 0.0_wp) cycle
          e = min(beam%point(p), size(beam%element))
-         call add_action(points(p), merge(1, -1, half(p) == 1)*beam%element(e)%lever, beam%element(e)%around, &
-                         residual(half(p), :, n(p)))
+         action = residual(half(p), :, n(p))
+         call add_action(points(p), merge(1, -1, half(p) == 1)*beam%element(e)%lever, beam%element(e)%around, action)
+         residual(half(p), :, n(p)) = action
       end do
    end subroutine add_points
 

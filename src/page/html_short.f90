@@ -102,7 +102,7 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
-      integer :: least, most
+      integer :: least, most, cases(size(results))
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
@@ -114,8 +114,9 @@ contains
                        trim(in_units(job%units, unit_force, results(most)%hookload, few))//' ('// &
                        html_safe(model%cases(results(most)%case_index)%name)//').</li>')
       end if
+      cases = results%case_index
       if (results(least)%hookload <= 0.0_wp) call add_line(lines, '<li><b>Pushed at the surface</b>: '// &
-         named(model, pack(results%case_index, results%hookload <= 0.0_wp))//'.</li>')
+         named(model, pack(cases, results%hookload <= 0.0_wp))//'.</li>')
    end subroutine append_loads
 
    !> Which cases were found to buckle, or by models on the axis are beyond the published limit.
@@ -126,6 +127,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       type(field_list_type) :: fields
       logical :: buckled(size(results))
+      integer :: cases(size(results))
       character(:), allocatable :: shape, text
       integer :: i
       do i = 1, size(results)
@@ -137,8 +139,9 @@ contains
       end do
       text = 'Beyond a published buckling limit'
       if (results(1)%model == model_mcge) text = 'Found to buckle'
+      cases = results%case_index
       if (any(buckled)) then
-         call add_line(lines, '<li>'//text//': '//named(model, pack(results%case_index, buckled))//'.</li>')
+         call add_line(lines, '<li>'//text//': '//named(model, pack(cases, buckled))//'.</li>')
       else
          call add_line(lines, '<li>'//text//': no load case.</li>')
       end if
