@@ -60,17 +60,9 @@ contains
       real(wp), intent(in) :: d(lanes, 3, 2)               !< nodal directors
       type(touch_tangent_type), intent(inout) :: at_point  !< bends by r and r' are completed
       type(gap_derivative_type), intent(inout) :: by
-      integer :: l, a, i, j, p
+      integer :: p
       if (.not. (touch%rubs .or. touch%slides)) then
-         do a = 1, 4
-            do j = 1, 3
-               do i = 1, 3
-                  do l = 1, lanes
-                     by%point(l, i, j, a) = touch%shape(l, a)*at_point%force_by_point(l, i, j)
-                  end do
-               end do
-            end do
-         end do
+         call share_out(touch%shape, at_point%force_by_point, by%point)
          return
       end if
       if (touch%rubs) call bend_by_moment(touch, at_point, by%twist)
@@ -78,15 +70,7 @@ contains
       if (touch%slides) then
          call forces_and_bends(touch%shape, touch%slope, at_point%force_by_direction, at_point%bend_by_direction, by%direction)
       else
-         do a = 1, 4
-            do j = 1, 3
-               do i = 1, 3
-                  do l = 1, lanes
-                     by%direction(l, i, j, a) = touch%slope(l, a)*at_point%bend_by_direction(l, i, j)
-                  end do
-               end do
-            end do
-         end do
+         call share_out(touch%slope, at_point%bend_by_direction, by%direction)
       end if
       if (.not. touch%rubs) return
       do p = 1, 2
@@ -94,6 +78,22 @@ contains
                         by%twisting_by_point(:, :, p), by%twisting_by_direction(:, :, p))
       end do
    end subroutine gap_derivatives
+
+   !> What each of (x_i, d_i, x_j, d_j) has of a derivative at the point.
+   pure subroutine share_out(factor, matrix, shares)
+      real(wp), intent(in) :: factor(lanes, 4), matrix(lanes, 3, 3)
+      real(wp), intent(out) :: shares(lanes, 3, 3, 4)
+      integer :: l, a, i, j
+      do a = 1, 4
+         do j = 1, 3
+            do i = 1, 3
+               do l = 1, lanes
+                  shares(l, i, j, a) = factor(l, a)*matrix(l, i, j)
+               end do
+            end do
+         end do
+      end do
+   end subroutine share_out
 
    !> Adds the moment's bend P = M x r'/|r'|^2 by r and r' to that of the couple, or begins with it. `twist` is r' (M.r')/|r'|^2.
    pure subroutine bend_by_moment(touch, at_point, twist)

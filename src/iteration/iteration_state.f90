@@ -114,13 +114,14 @@ contains
       logical, intent(in) :: forces_only     !< without the tangent
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: largest
+      real(wp) :: force, moment
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, forces_only, work)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
          call hold_turn(state, it%held, equations%matrix, equations%residual)
       it%residual = equations%residual
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
-      call find_largest(it%residual, equations%forces, it%row%residual_force, it%row%residual_moment)
-      it%unbalanced = max(it%row%residual_force, it%row%residual_moment)
+      call find_largest(it%residual, equations%forces, force, moment)
+      it%unbalanced = max(force, moment)
       call add_pushes(gaps, it%residual, it%problem, it%problem%load)
       call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
       largest = max(it%row%residual_force, it%row%residual_moment)
