@@ -38,6 +38,9 @@ module dg_bending_beam
       real(wp), allocatable :: axial(:)         !< T at the nodes [N]
       real(wp), allocatable :: down(:, :)       !< part of the unit vector downwards that is across the hole, at the nodes (2,n) [-]
       real(wp), allocatable :: viscous(:)       !< stiffness that holds a compressed string during the iteration, at the nodes [N/m]
+      !> Direction across the hole, on n_1 and n_2, out of which nothing pushes the beam: it stays in that plane, without torque and
+      !> friction around the hole. 0: it may bend to any side.
+      real(wp) :: lateral(2) = 0.0_wp
       logical, allocatable :: held(:)           !< nodes whose offset and slope stay as they are
       logical, allocatable :: centred(:)        !< nodes whose offset stays as it is
       integer, allocatable :: owner(:)          !< element of the analysis in which an element of the beam lies

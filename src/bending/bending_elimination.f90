@@ -7,7 +7,7 @@ module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, b => node_unknowns
    use dg_bending_element, only: add_stiffness, contact_places, wall_push_type
-   use dg_bending_fold, only: folded_beam_type, mirror
+   use dg_bending_fold, only: folded_beam_type, keep, mirror
    use dg_bending_pair, only: beam_pair_type, mean_slope, pair, pair_push_type, pair_stiffness, skew_slope
    implicit none
    private
@@ -221,21 +221,6 @@ contains
                             own(half, :b, :))
       end do
    end subroutine hold
-
-   !> Takes unknowns of nodes that stay as they are out of the equations: zero rows and columns, with ones on the diagonal.
-   pure subroutine keep(fixed, own, next)
-      integer, intent(in) :: fixed(pair)       !< how many, from the first on
-      real(wp), intent(inout) :: own(pair, rows, b), next(pair, rows, sides)
-      integer :: half, i
-      do half = 1, pair
-         do i = 1, fixed(half)
-            own(half, i, :) = 0.0_wp
-            next(half, i, :) = 0.0_wp
-            own(half, :, i) = 0.0_wp
-            own(half, i, i) = 1.0_wp
-         end do
-      end do
-   end subroutine keep
 
    !> The middle node's block and load are the sums of both halves', seen from each.
    pure subroutine unite(own, load)

@@ -13,7 +13,7 @@ module dg_equations
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, workspace_type
    implicit none
    private
-   public :: equations_type, choose_unknowns, make_room, find_tangent, end_iterations, add_gap_rigidity
+   public :: equations_type, choose_unknowns, lateral_of, make_room, find_tangent, end_iterations, add_gap_rigidity
    public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
 
    !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution; in an equilibrium that
@@ -52,6 +52,13 @@ contains
       equations%solver = linear_solver_type()
       if (allocated(equations%residual)) deallocate (equations%residual, equations%step)
    end subroutine choose_unknowns
+
+   !> Direction across the hole, on n_1 and n_2 of any node, of the plane that the string stays in; 0 where it is solved in space.
+   pure function lateral_of(equations) result(lateral)
+      type(equations_type), intent(in) :: equations
+      real(wp) :: lateral(2)
+      lateral = merge(equations%plane%lateral, 0.0_wp, equations%planar)
+   end function lateral_of
 
    !> Room for the equations of a mesh. The start of an iteration has no use for it, and needs half as much for itself.
    pure subroutine make_room(equations, kind, nodes)

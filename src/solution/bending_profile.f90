@@ -66,11 +66,12 @@ contains
 
    !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
    !> be off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
-   subroutine bend_profile(model, mesh, gaps, work, result)
+   subroutine bend_profile(model, mesh, gaps, work, lateral, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work          !< assembled at the solution
+      real(wp), intent(in) :: lateral(2)                !< direction across the hole of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
@@ -80,6 +81,7 @@ contains
       integer :: attempt
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
+      lying%lateral = lateral
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
       do attempt = 1, 2

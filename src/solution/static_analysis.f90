@@ -17,8 +17,8 @@ module dg_static_analysis
                              way_planar
    use dg_clock, only: seconds_between
    use dg_end_supports, only: set_loads
-   use dg_equations, only: choose_unknowns, end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, &
-                           outcome_outside
+   use dg_equations, only: choose_unknowns, end_iterations, equations_type, lateral_of, make_room, outcome_converged, &
+                           outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: refuse_runaway
@@ -221,7 +221,7 @@ contains
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          call add_remarks(model%numerics, numerics, most, allowed, in_plane, result)
          if (outcome == outcome_converged .and. moments) &
-            call find_moments(model, mesh, string%gaps, string%work, result)
+            call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
       end associate
    end subroutine solve_on_mesh
 
@@ -244,14 +244,15 @@ contains
 
    !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
    !> where no equilibrium was found on such elements.
-   subroutine find_moments(model, mesh, gaps, work, result)
+   subroutine find_moments(model, mesh, gaps, work, lateral, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
+      real(wp), intent(in) :: lateral(2)         !< direction of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result
       type(outside_type) :: outside
-      call bend_profile(model, mesh, gaps, work, result)
+      call bend_profile(model, mesh, gaps, work, lateral, result)
       call measure_rows(mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
@@ -306,7 +307,8 @@ contains
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, string%loads)
-         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
+         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread, &
+                            lateral_of(string%equations))
          if (increment == 1) then
             call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
             string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))

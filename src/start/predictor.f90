@@ -35,6 +35,7 @@ module dg_predictor
       !> Contact forces are spread as the soft wall does. The wall itself gathers them where the string touches, and with that the
       !> places of the gaps are right.
       logical :: spread = .false.
+      real(wp) :: lateral(2) = 0.0_wp  !< direction across the hole of the plane that the string stays in; 0: none
    end type start_type
 
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
@@ -98,6 +99,7 @@ contains
       found = .false.
       if (model%numerics%tuning%start_bent) then
          call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, beam)
+         beam%lateral = start%lateral
          call bend_start(mesh, wall, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then

@@ -59,6 +59,7 @@ contains
       use dg_test_buckled_shape, only: buckled_shape_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_contact_edges, only: contact_edges_suite
+      use dg_test_plane_bending, only: plane_bending_suite
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_joint_bending, only: joint_bending_suite
       use dg_test_paraview, only: paraview_suite
@@ -124,6 +125,7 @@ contains
       call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(contact_edges_suite())
+      call suite%addTest(plane_bending_suite())
       call suite%addTest(string_limits_suite())
       call suite%addTest(joint_bending_suite())
       call suite%addTest(paraview_suite())
