@@ -6,8 +6,7 @@ module dg_linear_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
    use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_largest, only: largest_of
-   use dg_small_block_solver, only: new_small_block_solver, small_block_back, small_block_factor, small_block_remainder, &
-                                    small_block_solve, small_block_solver_type
+   use dg_small_block_solver, only: new_small_block_solver, small_block_remainder, small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
@@ -63,15 +62,14 @@ contains
    subroutine solve_linear(solver, matrix, residual, step, info)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: residual(:, :)
-      real(wp), intent(out) :: step(:, :)
+      real(wp), intent(in), contiguous :: residual(:, :)
+      real(wp), intent(out), contiguous :: step(:, :)
       integer, intent(out) :: info
       logical :: good
       step = -residual
       if (solver%kind /= solver_banded) then
          if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
-            call small_block_factor(solver%small, matrix, info, step)
-            if (info == 0) call small_block_back(solver%small, matrix, step)
+            call small_block_solve(solver%small, matrix, step, info)
          else if (solver%kind == solver_block) then
             call block_solve(solver%block, matrix, step, info)
          else
@@ -104,8 +102,8 @@ contains
    subroutine solve_symmetric(solver, matrix, residual, step, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: residual(:, :)
-      real(wp), intent(inout) :: step(:, :)
+      real(wp), intent(in), contiguous :: residual(:, :)
+      real(wp), intent(inout), contiguous :: step(:, :)
       logical, intent(out) :: good
       integer :: info
       solver%negative_pivots = -1
@@ -122,20 +120,20 @@ contains
       if (.not. good) step = -residual
    end subroutine solve_symmetric
 
-   !> One step of iterative refinement; good: it was enough. Elimination by blocks of six is done again, which is cheaper than to
+   !> One step of iterative refinement; good: it was enough. Elimination by blocks is done again, which is cheaper than to
    !> keep its factors: few solutions are refined.
    subroutine refine(solver, matrix, residual, step, good)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: residual(:, :)
-      real(wp), intent(inout) :: step(:, :)
+      real(wp), intent(in), contiguous :: residual(:, :)
+      real(wp), intent(inout), contiguous :: step(:, :)
       logical, intent(out) :: good
       real(wp), allocatable :: correction(:, :)
       integer :: info
       solver%refinements = solver%refinements + 1
       allocate (correction, source=-residual - block_product(matrix, step))
       if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
-         call small_block_solve(solver%small, matrix, correction)
+         call small_block_solve(solver%small, matrix, correction, info)
       else if (solver%kind == solver_block) then
          call block_solve(solver%block, matrix, correction, info)
       else
@@ -147,9 +145,9 @@ contains
 
    !> Whether residual + matrix step is small.
    pure subroutine check(residual, matrix, step, good)
-      real(wp), intent(in) :: residual(:, :)
+      real(wp), intent(in), contiguous :: residual(:, :)
       type(block_matrix_type), intent(in) :: matrix
-      real(wp), intent(in) :: step(:, :)
+      real(wp), intent(in), contiguous :: step(:, :)
       logical, intent(out) :: good
       real(wp) :: largest
       if (size(residual, 1) == plane_block_size) then

@@ -3,10 +3,9 @@ module dg_test_plane_equations
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use dg_block_matrix, only: block_matrix_type, block_product, b => plane_block_size, new_block_matrix
    use dg_kinds, only: wp
-   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_block, solver_count, solver_name, &
-                               solver_sparse
-   use dg_small_block_solver, only: new_small_block_solver, small_block_factor, small_block_remainder, small_block_solve, &
-                                    small_block_solver_type
+   use dg_linear_solver, only: linear_solver_type, new_linear_solver, solve_linear, solver_banded, solver_block, solver_count, &
+                               solver_name, solver_sparse
+   use dg_small_block_solver, only: new_small_block_solver, small_block_remainder, small_block_solve, small_block_solver_type
    implicit none
    private
    public :: plane_equations_suite
@@ -19,6 +18,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('plane_equations')
       call suite%addTest(TestMethod('all_solvers', test_all_solvers))
+      call suite%addTest(TestMethod('lengths', test_lengths))
       call suite%addTest(TestMethod('again', test_again))
       call suite%addTest(TestMethod('units', test_units))
       call suite%addTest(TestMethod('singular_block', test_singular_block))
@@ -73,7 +73,27 @@ contains
       end do
    end subroutine test_all_solvers
 
-   !> Factors serve for another right-hand side; the remainder is that of the matrix written out.
+   !> Chains of one node and more, odd and even: the middle node has two neighbours, one or none. LAPACK's band solver agrees.
+   subroutine test_lengths()
+      type(block_matrix_type) :: whole, matrix
+      type(linear_solver_type) :: by_blocks, banded
+      real(wp) :: rhs(b, nodes), x(b, nodes), y(b, nodes)
+      integer :: n, info
+      whole = any_matrix()
+      rhs = load()
+      do n = 1, nodes
+         matrix = block_matrix_type(whole%diagonal(:, :, :n), whole%upper(:, :, :n - 1), whole%lower(:, :, :n - 1))
+         call new_linear_solver(solver_block, n, by_blocks, b)
+         call solve_linear(by_blocks, matrix, rhs(:, :n), x(:, :n), info)
+         call assertEqual(0, info)
+         call assertEqual(0, by_blocks%fallbacks, message='not by another solver')
+         call new_linear_solver(solver_banded, n, banded, b)
+         call solve_linear(banded, matrix, rhs(:, :n), y(:, :n), info)
+         call assertEqual(0.0_wp, maxval(abs(x(:, :n) - y(:, :n))), tolerance=1.0e-9_wp*maxval(abs(y(:, :n))))
+      end do
+   end subroutine test_lengths
+
+   !> A solver's room serves for another right-hand side; the remainder is that of the matrix written out.
    subroutine test_again()
       type(block_matrix_type) :: matrix
       type(small_block_solver_type) :: solver
@@ -82,10 +102,11 @@ contains
       matrix = any_matrix()
       call new_small_block_solver(nodes, solver)
       first = load()
-      call small_block_factor(solver, matrix, info, first)
+      call small_block_solve(solver, matrix, first, info)
       call assertEqual(0, info)
       x = 2.0_wp*load()
-      call small_block_solve(solver, matrix, x)
+      call small_block_solve(solver, matrix, x, info)
+      call assertEqual(0, info)
       call assertEqual(reshape(2.0_wp*load(), [unknowns]), matmul(full(matrix), reshape(x, [unknowns])), 1.0e-10_wp)
       x(2, 4) = x(2, 4) + 0.5_wp
       call small_block_remainder(matrix, -2.0_wp*load(), x, largest)
@@ -126,7 +147,7 @@ contains
       matrix%diagonal(:, 2, 1) = 0.0_wp
       call new_small_block_solver(nodes, solver)
       x = load()
-      call small_block_factor(solver, matrix, info, x)
+      call small_block_solve(solver, matrix, x, info)
       call assertEqual(1, info)
       call new_linear_solver(solver_block, nodes, linear, b)
       call solve_linear(linear, matrix, -load(), x, info)
