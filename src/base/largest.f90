@@ -3,7 +3,7 @@ module dg_largest
    use dg_kinds, only: wp
    implicit none
    private
-   public :: largest_of
+   public :: largest_of, largest_of_rows
 
 contains
 
@@ -21,4 +21,21 @@ contains
          largest = max(largest, one)
       end do
    end function largest_of
+
+   !> The same of each row of numbers(rows,n).
+   pure subroutine largest_of_rows(rows, n, numbers, largest)
+      integer, intent(in) :: rows, n
+      real(wp), intent(in) :: numbers(rows, n)
+      real(wp), intent(out) :: largest(rows)
+      real(wp) :: one
+      integer :: i, j
+      largest = 0.0_wp
+      do j = 1, n
+         do i = 1, rows
+            one = abs(numbers(i, j))
+            if (.not. one <= huge(one)) one = huge(one)
+            largest(i) = max(largest(i), one)
+         end do
+      end do
+   end subroutine largest_of_rows
 end module dg_largest

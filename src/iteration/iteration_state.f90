@@ -9,7 +9,7 @@ module dg_iteration_state
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
-   use dg_largest, only: largest_of
+   use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_trajectory, only: trajectory_type
@@ -132,13 +132,10 @@ contains
       real(wp), contiguous, intent(in) :: load(:, :)
       integer, intent(in) :: forces            !< rows of forces, before those of moments
       real(wp), intent(out) :: force, moment
-      integer :: n
-      force = 0.0_wp
-      moment = 0.0_wp
-      do n = 1, size(load, 2)
-         force = max(force, largest_of(forces, load(:forces, n)))
-         moment = max(moment, largest_of(size(load, 1) - forces, load(forces + 1:, n)))
-      end do
+      real(wp) :: largest(size(load, 1))
+      call largest_of_rows(size(load, 1), size(load, 2), load, largest)
+      force = maxval(largest(:forces))
+      moment = maxval(largest(forces + 1:))
    end subroutine find_largest
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
