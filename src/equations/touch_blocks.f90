@@ -30,11 +30,11 @@ contains
       if (touch%rubs) call moment_tangents(touch, at_point)
       call gap_derivatives(touch, view%d, at_point, by)
       call on_unknowns(view, by%point, point)
-      if (.not. (touch%rubs .or. touch%slides)) then
-         call take_places(point, touch, view, blocks)
-         return
+      if (touch%rubs .or. touch%slides) then
+         call on_unknowns(view, by%direction, direction)
+      else
+         direction = 0.0_wp
       end if
-      call on_unknowns(view, by%direction, direction)
       if (touch%rubs) then
          do p = 1, 2
             point(:, :, 4, p) = by%twisting_by_point(:, :, p)
@@ -93,49 +93,7 @@ contains
       end do
    end subroutine on_unknowns
 
-   !> Takes derivatives by r off the blocks.
-   pure subroutine take_places(point, touch, view, blocks)
-      real(wp), intent(in) :: point(lanes, 3, 6, 2)          !< rows of unknowns of either node by r
-      type(touch_type), intent(in) :: touch
-      type(view_type), intent(in) :: view
-      real(wp), intent(inout) :: blocks(lanes, 6, 6, 4)
-      real(wp) :: x1, x2, x3
-      integer :: i, l, p, u, v
-      do p = 1, 2
-         u = 2*p - 1
-         v = 2*p
-         do i = 1, 6
-            if (i == 4) cycle
-            do l = 1, lanes
-               x1 = touch%shape(l, 1)*point(l, 1, i, p)
-               x2 = touch%shape(l, 1)*point(l, 2, i, p)
-               x3 = touch%shape(l, 1)*point(l, 3, i, p)
-               blocks(l, i, 1, u) = blocks(l, i, 1, u) - x1
-               blocks(l, i, 2, u) = blocks(l, i, 2, u) - x2
-               blocks(l, i, 3, u) = blocks(l, i, 3, u) - x3
-               ! N_3 = 1 - N_1
-               x1 = point(l, 1, i, p) - x1
-               x2 = point(l, 2, i, p) - x2
-               x3 = point(l, 3, i, p) - x3
-               blocks(l, i, 1, v) = blocks(l, i, 1, v) - (x1*view%turn(l, 1, 1) + x2*view%turn(l, 2, 1) + x3*view%turn(l, 3, 1))
-               blocks(l, i, 2, v) = blocks(l, i, 2, v) - (x1*view%turn(l, 1, 2) + x2*view%turn(l, 2, 2) + x3*view%turn(l, 3, 2))
-               blocks(l, i, 3, v) = blocks(l, i, 3, v) - (x1*view%turn(l, 1, 3) + x2*view%turn(l, 2, 3) + x3*view%turn(l, 3, 3))
-               x1 = touch%shape(l, 2)*point(l, 1, i, p)
-               x2 = touch%shape(l, 2)*point(l, 2, i, p)
-               x3 = touch%shape(l, 2)*point(l, 3, i, p)
-               blocks(l, i, 5, u) = blocks(l, i, 5, u) - (x1*view%g(l, 1, 1, 1) + x2*view%g(l, 2, 1, 1) + x3*view%g(l, 3, 1, 1))
-               blocks(l, i, 6, u) = blocks(l, i, 6, u) - (x1*view%g(l, 1, 2, 1) + x2*view%g(l, 2, 2, 1) + x3*view%g(l, 3, 2, 1))
-               x1 = touch%shape(l, 4)*point(l, 1, i, p)
-               x2 = touch%shape(l, 4)*point(l, 2, i, p)
-               x3 = touch%shape(l, 4)*point(l, 3, i, p)
-               blocks(l, i, 5, v) = blocks(l, i, 5, v) - (x1*view%g(l, 1, 1, 2) + x2*view%g(l, 2, 1, 2) + x3*view%g(l, 3, 1, 2))
-               blocks(l, i, 6, v) = blocks(l, i, 6, v) - (x1*view%g(l, 1, 2, 2) + x2*view%g(l, 2, 2, 2) + x3*view%g(l, 3, 2, 2))
-            end do
-         end do
-      end do
-   end subroutine take_places
-
-   !> The same by r and r'.
+   !> Takes derivatives by r and r' off the blocks.
    pure subroutine take_both(point, direction, touch, view, blocks)
       real(wp), intent(in), dimension(lanes, 3, 6, 2) :: point, direction   !< rows of unknowns by r and by r'
       type(touch_type), intent(in) :: touch
