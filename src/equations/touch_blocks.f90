@@ -30,11 +30,7 @@ contains
       if (touch%rubs) call moment_tangents(touch, at_point)
       call gap_derivatives(touch, view%d, at_point, by)
       call on_unknowns(view, by%point, point)
-      if (touch%rubs .or. touch%slides) then
-         call on_unknowns(view, by%direction, direction)
-      else
-         direction = 0.0_wp
-      end if
+      call on_unknowns(view, by%direction, direction)
       if (touch%rubs) then
          do p = 1, 2
             point(:, :, 4, p) = by%twisting_by_point(:, :, p)

@@ -18,7 +18,7 @@ module dg_gap_element
    !> no matrix of 12 x 12 is made of them.
    type :: gap_derivative_type
       real(wp) :: point(lanes, 3, 3, 4)               !< forces by r, on x_i, d_i, x_j, d_j in turn
-      real(wp) :: direction(lanes, 3, 3, 4)           !< the same by r'; not set where nothing rubs or slides
+      real(wp) :: direction(lanes, 3, 3, 4)           !< the same by r'
       real(wp) :: twisting_by_point(lanes, 3, 2)      !< torques on both nodes by r; this and what follows are set where gaps rub
       real(wp) :: twisting_by_direction(lanes, 3, 2)  !< the same by r'
       !> Vector whose shares 1 - xi and xi twist the nodes. These parts turn with the nodes' directors: force on d_i changes by
@@ -61,17 +61,14 @@ contains
       type(touch_tangent_type), intent(inout) :: at_point  !< bends by r and r' are completed
       type(gap_derivative_type), intent(inout) :: by
       integer :: p
-      if (.not. (touch%rubs .or. touch%slides)) then
-         call share_out(touch%shape, at_point%force_by_point, by%point)
-         return
+      if (.not. touch%slides) then
+         at_point%force_by_direction = 0.0_wp
+         at_point%bend_by_point = 0.0_wp
+         at_point%bend_by_direction = 0.0_wp
       end if
       if (touch%rubs) call bend_by_moment(touch, at_point, by%twist)
       call forces_and_bends(touch%shape, touch%slope, at_point%force_by_point, at_point%bend_by_point, by%point)
-      if (touch%slides) then
-         call forces_and_bends(touch%shape, touch%slope, at_point%force_by_direction, at_point%bend_by_direction, by%direction)
-      else
-         call share_out(touch%slope, at_point%bend_by_direction, by%direction)
-      end if
+      call forces_and_bends(touch%shape, touch%slope, at_point%force_by_direction, at_point%bend_by_direction, by%direction)
       if (.not. touch%rubs) return
       do p = 1, 2
          call add_twist(touch, touch%share(:, p), d(:, :, p), at_point, by%point(:, :, :, 2*p), by%direction(:, :, :, 2*p), &
@@ -79,33 +76,13 @@ contains
       end do
    end subroutine gap_derivatives
 
-   !> What each of (x_i, d_i, x_j, d_j) has of a derivative at the point.
-   pure subroutine share_out(factor, matrix, shares)
-      real(wp), intent(in) :: factor(lanes, 4), matrix(lanes, 3, 3)
-      real(wp), intent(out) :: shares(lanes, 3, 3, 4)
-      integer :: l, a, i, j
-      do a = 1, 4
-         do j = 1, 3
-            do i = 1, 3
-               do l = 1, lanes
-                  shares(l, i, j, a) = factor(l, a)*matrix(l, i, j)
-               end do
-            end do
-         end do
-      end do
-   end subroutine share_out
-
-   !> Adds the moment's bend P = M x r'/|r'|^2 by r and r' to that of the couple, or begins with it. `twist` is r' (M.r')/|r'|^2.
+   !> Adds the moment's bend P = M x r'/|r'|^2 by r and r' to that of the couple. `twist` is r' (M.r')/|r'|^2.
    pure subroutine bend_by_moment(touch, at_point, twist)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: at_point
       real(wp), intent(out) :: twist(lanes, 3)
       real(wp) :: square, u1, u2, u3, m1, m2, m3, b1, b2, b3, along
       integer :: l, j
-      if (.not. touch%slides) then
-         at_point%bend_by_point = 0.0_wp
-         at_point%bend_by_direction = 0.0_wp
-      end if
       do l = 1, lanes
          square = 1.0_wp/(touch%direction(l, 1)**2 + touch%direction(l, 2)**2 + touch%direction(l, 3)**2)
          u1 = touch%direction(l, 1)*square
