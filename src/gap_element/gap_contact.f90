@@ -195,14 +195,6 @@ contains
                by%force_by_direction(l, i, j) = -swing*stretch*by%tau(l, i)*(by%tau(l, j) - d_tau*d(j))
             end do
          end do
-      end do
-      do l = 1, lanes
-         stretch = 1.0_wp/sqrt(touch%direction(l, 1)**2 + touch%direction(l, 2)**2 + touch%direction(l, 3)**2)
-         d(1) = touch%direction(l, 1)*stretch
-         d(2) = touch%direction(l, 2)*stretch
-         d(3) = touch%direction(l, 3)*stretch
-         d_n = d(1)*by%n(l, 1) + d(2)*by%n(l, 2) + d(3)*by%n(l, 3)
-         d_tau = d(1)*by%tau(l, 1) + d(2)*by%tau(l, 2) + d(3)*by%tau(l, 3)
          d_t = d(1)*touch%tangent(l, 1) + d(2)*touch%tangent(l, 2) + d(3)*touch%tangent(l, 3)
          swing = touch%couple(l)*stretch*by%reciprocal(l)
          do i = 1, 3
