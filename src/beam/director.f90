@@ -20,30 +20,31 @@ contains
       d = (frame(:, 1) + slopes(1)*frame(:, 2) + slopes(2)*frame(:, 3))/sqrt(1.0_wp + slopes(1)**2 + slopes(2)**2)
    end function director
 
-   !> dd/dbeta(3,2): columns span the plane across d.
-   pure function director_gradient(frame, slopes, d) result(gradient)
-      real(wp), intent(in) :: frame(3, 3)
-      real(wp), intent(in) :: slopes(2)
-      real(wp), intent(in) :: d(3)        !< director of these slopes
+   !> dd/dbeta(3,2), s (n_k - d d.n_k) with s = d.t: columns span the plane across d.
+   pure function director_gradient(frame, d) result(gradient)
+      real(wp), intent(in) :: frame(3, 3), d(3)
       real(wp) :: gradient(3, 2)
-      real(wp) :: reciprocal
-      reciprocal = 1.0_wp/sqrt(1.0_wp + slopes(1)**2 + slopes(2)**2)
-      gradient(:, 1) = (frame(:, 2) - d*(slopes(1)*reciprocal))*reciprocal
-      gradient(:, 2) = (frame(:, 3) - d*(slopes(2)*reciprocal))*reciprocal
+      real(wp) :: s, d2, d3
+      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
+      d2 = d(1)*frame(1, 2) + d(2)*frame(2, 2) + d(3)*frame(3, 2)
+      d3 = d(1)*frame(1, 3) + d(2)*frame(2, 3) + d(3)*frame(3, 3)
+      gradient(1, 1) = s*(frame(1, 2) - d(1)*d2)
+      gradient(2, 1) = s*(frame(2, 2) - d(2)*d2)
+      gradient(3, 1) = s*(frame(3, 2) - d(3)*d2)
+      gradient(1, 2) = s*(frame(1, 3) - d(1)*d3)
+      gradient(2, 2) = s*(frame(2, 3) - d(2)*d3)
+      gradient(3, 2) = s*(frame(3, 3) - d(3)*d3)
    end function director_gradient
 
    !> Second derivative of d contracted with a director force g(3): h(k,l) = g . d2d/dbeta_k dbeta_l.
    !> It belongs to the consistent tangent wherever a force does work on a director.
-   pure function director_curvature(frame, slopes, d, g) result(h)
-      real(wp), intent(in) :: frame(3, 3)
-      real(wp), intent(in) :: slopes(2)
-      real(wp), intent(in) :: d(3)
-      real(wp), intent(in) :: g(3)
+   pure function director_curvature(frame, d, g) result(h)
+      real(wp), intent(in) :: frame(3, 3), d(3), g(3)
       real(wp) :: h(2, 2)
       real(wp) :: square, a(2), b(2), gd
-      square = 1.0_wp/(1.0_wp + slopes(1)**2 + slopes(2)**2)
-      a = slopes*sqrt(square)                      ! d . n_k
-      b = [dot_product(g, frame(:, 2)), dot_product(g, frame(:, 3))]
+      square = dot_product(d, frame(:, 1))**2
+      a = matmul(d, frame(:, 2:))
+      b = matmul(g, frame(:, 2:))
       gd = dot_product(g, d)
       h(1, 1) = -(2.0_wp*a(1)*b(1) + gd*(1.0_wp - 3.0_wp*a(1)*a(1)))*square
       h(2, 2) = -(2.0_wp*a(2)*b(2) + gd*(1.0_wp - 3.0_wp*a(2)*a(2)))*square

@@ -85,7 +85,7 @@ contains
       end do
       top_force = work%node_force(1:3, 1)
       call add_supports(trajectory, mesh, loads, row%tangent, work, residual, matrix)
-      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), state, row%part, row%tangent, work, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), row%part, row%tangent, work, matrix)
       do n = 1, mesh%nodes
          call finish_node(mesh%frame(:, :, n), work%d(:, n), work%node_force(:, n), residual(:, n), by_slopes)
          if (row%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
@@ -287,16 +287,15 @@ contains
             if (row%closed(l)) call add_whirl(mesh, l, contacts(l), row, work, ignored, unused, matrix)
          end do
       end do
-      call add_end_torques(mesh, loads%tob, (work%top_torque), state, part_rest, .true., work, matrix)
+      call add_end_torques(mesh, loads%tob, (work%top_torque), part_rest, .true., work, matrix)
       call hold_top(matrix)
    end subroutine add_unsymmetric_part
 
    !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,
    !> which bends nothing.
-   pure subroutine add_end_torques(mesh, at_bit, at_top, state, part, wanted, work, matrix)
+   pure subroutine add_end_torques(mesh, at_bit, at_top, part, wanted, work, matrix)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and what holds the top [N.m]
-      real(wp), intent(in) :: state(:, :)
       integer, intent(in) :: part                !< of the tangent
       logical, intent(in) :: wanted              !< the tangent is
       type(workspace_type), intent(inout) :: work
@@ -314,7 +313,7 @@ contains
       end if
       do i = 1, 2
          n = node(i)
-         gradient = director_gradient(mesh%frame(:, :, n), state(5:6, n), work%d(:, n))
+         gradient = director_gradient(mesh%frame(:, :, n), work%d(:, n))
          call add_end_torque(mesh, n, torque(i), gradient, part, wanted, work, matrix)
       end do
       work%top_moment = end_moment(at_top, work%d(:, 1), mesh%frame(:, 1, 1))

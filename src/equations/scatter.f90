@@ -2,6 +2,7 @@
 module dg_scatter
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type
+   use dg_director, only: director_gradient
    use dg_mesh, only: mesh_type
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
@@ -45,8 +46,8 @@ contains
       type(element_type), intent(in) :: element
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: block(6, 6), gradient_i(3, 2), gradient_j(3, 2)
-      gradient_i = gradient_of(mesh%frame(:, :, e), d(:, 1))
-      gradient_j = gradient_of(mesh%frame(:, :, e + 1), d(:, 2))
+      gradient_i = director_gradient(mesh%frame(:, :, e), d(:, 1))
+      gradient_j = director_gradient(mesh%frame(:, :, e + 1), d(:, 2))
       associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
          call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
          call add_numbers(block, matrix%diagonal(:, :, e))
@@ -58,22 +59,6 @@ contains
          call add_numbers(block, matrix%lower(:, :, e))
       end associate
    end subroutine scatter_more
-
-   !> Derivatives of a director by its slopes: director_gradient, here so that it is inlined, s (n_k - d d.n_k) with s = d.t.
-   pure function gradient_of(frame, d) result(gradient)
-      real(wp), intent(in) :: frame(3, 3), d(3)
-      real(wp) :: gradient(3, 2)
-      real(wp) :: s, d2, d3
-      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
-      d2 = d(1)*frame(1, 2) + d(2)*frame(2, 2) + d(3)*frame(3, 2)
-      d3 = d(1)*frame(1, 3) + d(2)*frame(2, 3) + d(3)*frame(3, 3)
-      gradient(1, 1) = s*(frame(1, 2) - d(1)*d2)
-      gradient(2, 1) = s*(frame(2, 2) - d(2)*d2)
-      gradient(3, 1) = s*(frame(3, 2) - d(3)*d2)
-      gradient(1, 2) = s*(frame(1, 3) - d(1)*d3)
-      gradient(2, 2) = s*(frame(2, 3) - d(2)*d3)
-      gradient(3, 2) = s*(frame(3, 3) - d(3)*d3)
-   end function gradient_of
 
    !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
    pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)

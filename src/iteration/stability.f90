@@ -44,7 +44,7 @@ contains
       call assemble(trajectory, mesh, loads, gaps, state, .true., work, equations%residual, tangent)
       work%separate = .true.
       work%normal = forces
-      call assemble_compression(mesh, state, work, compression)
+      call assemble_compression(mesh, work, compression)
       equations%step = 0.0_wp        ! nothing besides
       low = 0.0_wp
       high = 1.0_wp
@@ -64,10 +64,9 @@ contains
    end subroutine find_stability_margin
 
    !> Ksigma of the elements in compression.
-   pure subroutine assemble_compression(mesh, state, work, matrix)
+   pure subroutine assemble_compression(mesh, work, matrix)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: state(:, :)
-      type(workspace_type), intent(in) :: work       !< placed at `state`, with its axial forces
+      type(workspace_type), intent(in) :: work       !< nodes placed, with axial forces
       type(block_matrix_type), intent(out) :: matrix
       type(element_type) :: element
       real(wp) :: chord(3), force(12)
@@ -82,8 +81,8 @@ contains
          call beam_stress_tangent(chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
          call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
          do n = e, e + 1
-            matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(mesh%frame(:, :, n), &
-                                           state(5:6, n), work%d(:, n), force(6*(n - e) + 4:6*(n - e) + 6))
+            matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(mesh%frame(:, :, n), work%d(:, n), &
+                                                                                              force(6*(n - e) + 4:6*(n - e) + 6))
          end do
       end do
       call clear_top(matrix)

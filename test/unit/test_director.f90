@@ -38,7 +38,7 @@ contains
       real(wp) :: d(3), gradient(3, 2)
       integer :: k
       d = director(frame, slopes)
-      gradient = director_gradient(frame, slopes, d)
+      gradient = director_gradient(frame, d)
       do k = 1, 2
          call assertEqual((director(frame, slopes + shift(k)) - director(frame, slopes - shift(k)))/(2.0_wp*step), &
                           gradient(:, k), tolerance)
@@ -50,7 +50,7 @@ contains
       real(wp), parameter :: g(3) = [0.3_wp, -1.1_wp, 0.6_wp]
       real(wp) :: h(2, 2), plus(2), minus(2)
       integer :: k
-      h = director_curvature(frame, slopes, director(frame, slopes), g)
+      h = director_curvature(frame, director(frame, slopes), g)
       do k = 1, 2
          plus = work(slopes + shift(k))
          minus = work(slopes - shift(k))
@@ -61,7 +61,7 @@ contains
       pure function work(s) result(w)
          real(wp), intent(in) :: s(2)
          real(wp) :: w(2)
-         w = matmul(g, director_gradient(frame, s, director(frame, s)))
+         w = matmul(g, director_gradient(frame, director(frame, s)))
       end function work
    end subroutine test_curvature
 

@@ -110,7 +110,7 @@ contains
             row = 6*(n - 1)
             ways(row + 1:row + 3, 3*n - 2) = frames(:, 1, n)
             ways(row + 1:row + 3, 3*n - 1) = frames(:, 2, n)
-            associate (gradient => director_gradient(frames(:, :, n), [x(3*n), 0.0_wp], d(:, n)))
+            associate (gradient => director_gradient(frames(:, :, n), d(:, n)))
                ways(row + 4:row + 6, 3*n) = gradient(:, 1)
             end associate
          end do
@@ -118,7 +118,7 @@ contains
          matrix = matmul(transpose(ways), matmul(tangent, ways))
          g = reshape([spatial(4:6), spatial(10:12)], [3, 2])
          do n = 1, 2
-            h = director_curvature(frames(:, :, n), [x(3*n), 0.0_wp], d(:, n), g(:, n))
+            h = director_curvature(frames(:, :, n), d(:, n), g(:, n))
             matrix(3*n, 3*n) = matrix(3*n, 3*n) + h(1, 1)
          end do
          call assertEqual(spatial_axial, axial, round_off*section%axial_stiffness, message='axial force')

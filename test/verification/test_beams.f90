@@ -77,7 +77,7 @@ contains
       integer :: e, n, i
       do n = 1, chain%elements + 1
          d(:, n) = director(frame, chain%state(5:6, n))
-         g(:, :, n) = director_gradient(frame, chain%state(5:6, n), d(:, n))
+         g(:, :, n) = director_gradient(frame, d(:, n))
       end do
       f = 0.0_wp
       chain%matrix%diagonal = 0.0_wp
@@ -104,7 +104,7 @@ contains
          chain%residual(4, n) = 0.0_wp
          chain%residual(5:6, n) = matmul(f(4:6, n), g(:, :, n))
          chain%matrix%diagonal(5:6, 5:6, n) = chain%matrix%diagonal(5:6, 5:6, n) &
-            + director_curvature(frame, chain%state(5:6, n), d(:, n), f(4:6, n))
+            + director_curvature(frame, d(:, n), f(4:6, n))
       end do
       do n = 1, chain%elements + 1
          do i = 1, 6
