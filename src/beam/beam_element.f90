@@ -50,19 +50,26 @@ contains
       real(wp), intent(in) :: chord(3)  !< x_j - x_i [m]
       real(wp), intent(in) :: d_i(3), d_j(3)
       real(wp) :: length
-      real(wp) :: l, reciprocal, e(3), c_i, c_j, g_i, g_j, s
-      l = sqrt(chord(1)*chord(1) + chord(2)*chord(2) + chord(3)*chord(3))
-      reciprocal = 1.0_wp/l
-      e = chord*reciprocal
-      c_i = d_i(1)*e(1) + d_i(2)*e(2) + d_i(3)*e(3)
-      c_j = d_j(1)*e(1) + d_j(2)*e(2) + d_j(3)*e(3)
-      s = (d_i(1) - c_i*e(1))*(d_j(1) - c_j*e(1)) + (d_i(2) - c_i*e(2))*(d_j(2) - c_j*e(2)) &
-          + (d_i(3) - c_i*e(3))*(d_j(3) - c_j*e(3))
-      g_i = angle_ratio_alone(c_i)
-      g_j = angle_ratio_alone(c_j)
-      length = l*(1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c_i)*(1.0_wp + c_i) + g_j*g_j*(1.0_wp - c_j)*(1.0_wp + c_j)) &
+      real(wp) :: l, e(3), a(3, 2), c(2), s, g_i, g_j
+      call measure_chord(chord, d_i, d_j, l, e, a, c, s)
+      g_i = angle_ratio_alone(c(1))
+      g_j = angle_ratio_alone(c(2))
+      length = l*(1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c(1))*(1.0_wp + c(1)) + g_j*g_j*(1.0_wp - c(2))*(1.0_wp + c(2))) &
                             - g_i*g_j*s)*thirtieth)
    end function membrane_length
+
+   !> Measures of a configuration: chord length and direction, tangents less their part along it, cosines, and s = p - c_i c_j.
+   pure subroutine measure_chord(chord, d_i, d_j, l, e, a, c, s)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(out) :: l, e(3), a(3, 2), c(2), s
+      l = sqrt(chord(1)*chord(1) + chord(2)*chord(2) + chord(3)*chord(3))
+      e = chord*(1.0_wp/l)
+      c(1) = d_i(1)*e(1) + d_i(2)*e(2) + d_i(3)*e(3)
+      c(2) = d_j(1)*e(1) + d_j(2)*e(2) + d_j(3)*e(3)
+      a(:, 1) = d_i - c(1)*e
+      a(:, 2) = d_j - c(2)*e
+      s = a(1, 1)*a(1, 2) + a(2, 1)*a(2, 2) + a(3, 1)*a(3, 2)
+   end subroutine measure_chord
 
    !> The same, and its change to first order by a move [m].
    pure subroutine membrane_step(chord, d_i, d_j, move, turn_i, turn_j, length, longer)
@@ -70,27 +77,21 @@ contains
       real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
       real(wp), intent(in) :: turn_i(3), turn_j(3)   !< changes of the tangents
       real(wp), intent(out) :: length, longer
-      real(wp) :: l, reciprocal, e(3), a_i(3), a_j(3), c_i, c_j, g_i, g_j, s, dg_i, dg_j, product, by_i, by_j, by_p
-      l = sqrt(chord(1)*chord(1) + chord(2)*chord(2) + chord(3)*chord(3))
+      real(wp) :: l, reciprocal, e(3), a(3, 2), c(2), g_i, g_j, s, dg_i, dg_j, product, by_i, by_j, by_p
+      call measure_chord(chord, d_i, d_j, l, e, a, c, s)
       reciprocal = 1.0_wp/l
-      e = chord*reciprocal
-      c_i = d_i(1)*e(1) + d_i(2)*e(2) + d_i(3)*e(3)
-      c_j = d_j(1)*e(1) + d_j(2)*e(2) + d_j(3)*e(3)
-      a_i = d_i - c_i*e
-      a_j = d_j - c_j*e
-      s = a_i(1)*a_j(1) + a_i(2)*a_j(2) + a_i(3)*a_j(3)
-      call angle_ratio_once(c_i, g_i, dg_i)
-      call angle_ratio_once(c_j, g_j, dg_j)
+      call angle_ratio_once(c(1), g_i, dg_i)
+      call angle_ratio_once(c(2), g_j, dg_j)
       product = g_i*g_j
       ! changes of the cosines and of d_i.d_j
-      by_i = turn_i(1)*e(1) + turn_i(2)*e(2) + turn_i(3)*e(3) + (a_i(1)*move(1) + a_i(2)*move(2) + a_i(3)*move(3))*reciprocal
-      by_j = turn_j(1)*e(1) + turn_j(2)*e(2) + turn_j(3)*e(3) + (a_j(1)*move(1) + a_j(2)*move(2) + a_j(3)*move(3))*reciprocal
+      by_i = turn_i(1)*e(1) + turn_i(2)*e(2) + turn_i(3)*e(3) + (a(1, 1)*move(1) + a(2, 1)*move(2) + a(3, 1)*move(3))*reciprocal
+      by_j = turn_j(1)*e(1) + turn_j(2)*e(2) + turn_j(3)*e(3) + (a(1, 2)*move(1) + a(2, 2)*move(2) + a(3, 2)*move(3))*reciprocal
       by_p = turn_i(1)*d_j(1) + turn_i(2)*d_j(2) + turn_i(3)*d_j(3) + d_i(1)*turn_j(1) + d_i(2)*turn_j(2) + d_i(3)*turn_j(3)
-      length = 1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c_i)*(1.0_wp + c_i) + g_j*g_j*(1.0_wp - c_j)*(1.0_wp + c_j)) &
+      length = 1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c(1))*(1.0_wp + c(1)) + g_j*g_j*(1.0_wp - c(2))*(1.0_wp + c(2))) &
                          - product*s)*thirtieth
       longer = length*(e(1)*move(1) + e(2)*move(2) + e(3)*move(3)) &
-               - l*thirtieth*((4.0_wp*g_i + dg_i*g_j*s - product*c_j)*by_i &
-                                     + (4.0_wp*g_j + g_i*dg_j*s - product*c_i)*by_j + product*by_p)
+               - l*thirtieth*((4.0_wp*g_i + dg_i*g_j*s - product*c(2))*by_i &
+                                     + (4.0_wp*g_j + g_i*dg_j*s - product*c(1))*by_j + product*by_p)
       length = l*length
    end subroutine membrane_step
 
