@@ -183,7 +183,7 @@ contains
       type(pieces_type), intent(in) :: pieces
       real(wp), intent(inout) :: blocks(lanes, 6, 6, 4)
       real(wp) :: x1, x2, x3, y1, y2, y3
-      integer :: l, k
+      integer :: l, k, p
       do l = 1, lanes
          blocks(l, 1, 1, block_ii) = pieces%chord(l, 1)
          blocks(l, 2, 1, block_ii) = pieces%chord(l, 2)
@@ -211,48 +211,29 @@ contains
             blocks(l, 3, k, block_jj) = turn(l, 1, 3)*x1 + turn(l, 2, 3)*x2 + turn(l, 3, 3)*x3
          end do
       end do
-      do l = 1, lanes
+      ! slopes of node p: blocks p and 2 p - 1 have them with places of i, 2 + p and 2 p with those of j
+      do p = 1, 2
          do k = 1, 2
-            x1 = pieces%slopes(l, 1, k, 1)
-            x2 = pieces%slopes(l, 2, k, 1)
-            x3 = pieces%slopes(l, 3, k, 1)
-            blocks(l, 1, 4 + k, block_ii) = -x1
-            blocks(l, 2, 4 + k, block_ii) = -x2
-            blocks(l, 3, 4 + k, block_ii) = -x3
-            blocks(l, 4 + k, 1, block_ii) = -x1
-            blocks(l, 4 + k, 2, block_ii) = -x2
-            blocks(l, 4 + k, 3, block_ii) = -x3
-            y1 = turn(l, 1, 1)*x1 + turn(l, 2, 1)*x2 + turn(l, 3, 1)*x3
-            y2 = turn(l, 1, 2)*x1 + turn(l, 2, 2)*x2 + turn(l, 3, 2)*x3
-            y3 = turn(l, 1, 3)*x1 + turn(l, 2, 3)*x2 + turn(l, 3, 3)*x3
-            blocks(l, 4 + k, 1, block_ij) = y1
-            blocks(l, 4 + k, 2, block_ij) = y2
-            blocks(l, 4 + k, 3, block_ij) = y3
-            blocks(l, 1, 4 + k, block_ji) = y1
-            blocks(l, 2, 4 + k, block_ji) = y2
-            blocks(l, 3, 4 + k, block_ji) = y3
-         end do
-      end do
-      do l = 1, lanes
-         do k = 1, 2
-            x1 = pieces%slopes(l, 1, k, 2)
-            x2 = pieces%slopes(l, 2, k, 2)
-            x3 = pieces%slopes(l, 3, k, 2)
-            blocks(l, 1, 4 + k, block_ij) = -x1
-            blocks(l, 2, 4 + k, block_ij) = -x2
-            blocks(l, 3, 4 + k, block_ij) = -x3
-            blocks(l, 4 + k, 1, block_ji) = -x1
-            blocks(l, 4 + k, 2, block_ji) = -x2
-            blocks(l, 4 + k, 3, block_ji) = -x3
-            y1 = turn(l, 1, 1)*x1 + turn(l, 2, 1)*x2 + turn(l, 3, 1)*x3
-            y2 = turn(l, 1, 2)*x1 + turn(l, 2, 2)*x2 + turn(l, 3, 2)*x3
-            y3 = turn(l, 1, 3)*x1 + turn(l, 2, 3)*x2 + turn(l, 3, 3)*x3
-            blocks(l, 1, 4 + k, block_jj) = y1
-            blocks(l, 2, 4 + k, block_jj) = y2
-            blocks(l, 3, 4 + k, block_jj) = y3
-            blocks(l, 4 + k, 1, block_jj) = y1
-            blocks(l, 4 + k, 2, block_jj) = y2
-            blocks(l, 4 + k, 3, block_jj) = y3
+            do l = 1, lanes
+               x1 = pieces%slopes(l, 1, k, p)
+               x2 = pieces%slopes(l, 2, k, p)
+               x3 = pieces%slopes(l, 3, k, p)
+               blocks(l, 1, 4 + k, p) = -x1
+               blocks(l, 2, 4 + k, p) = -x2
+               blocks(l, 3, 4 + k, p) = -x3
+               blocks(l, 4 + k, 1, 2*p - 1) = -x1
+               blocks(l, 4 + k, 2, 2*p - 1) = -x2
+               blocks(l, 4 + k, 3, 2*p - 1) = -x3
+               y1 = turn(l, 1, 1)*x1 + turn(l, 2, 1)*x2 + turn(l, 3, 1)*x3
+               y2 = turn(l, 1, 2)*x1 + turn(l, 2, 2)*x2 + turn(l, 3, 2)*x3
+               y3 = turn(l, 1, 3)*x1 + turn(l, 2, 3)*x2 + turn(l, 3, 3)*x3
+               blocks(l, 1, 4 + k, 2 + p) = y1
+               blocks(l, 2, 4 + k, 2 + p) = y2
+               blocks(l, 3, 4 + k, 2 + p) = y3
+               blocks(l, 4 + k, 1, 2*p) = y1
+               blocks(l, 4 + k, 2, 2*p) = y2
+               blocks(l, 4 + k, 3, 2*p) = y3
+            end do
          end do
       end do
    end subroutine place_blocks
@@ -264,17 +245,15 @@ contains
       type(pieces_type), intent(in) :: pieces
       real(wp), intent(inout) :: blocks(lanes, 6, 6, 4)
       real(wp) :: x, along, other
-      integer :: l, k
-      do l = 1, lanes
-         do k = 1, 2
-            along = c(l, 2, 2)*pieces%along(l, k, 1) + c(l, 4, 2)*pieces%other(l, k, 1)
-            other = c(l, 4, 2)*pieces%along(l, k, 1) + c(l, 4, 4)*pieces%other(l, k, 1)
-            blocks(l, 5, 4 + k, block_ii) = pieces%along(l, 1, 1)*along + pieces%other(l, 1, 1)*other
-            blocks(l, 6, 4 + k, block_ii) = pieces%along(l, 2, 1)*along + pieces%other(l, 2, 1)*other
-            along = c(l, 3, 3)*pieces%along(l, k, 2) + c(l, 4, 3)*pieces%other(l, k, 2)
-            other = c(l, 4, 3)*pieces%along(l, k, 2) + c(l, 4, 4)*pieces%other(l, k, 2)
-            blocks(l, 5, 4 + k, block_jj) = pieces%along(l, 1, 2)*along + pieces%other(l, 1, 2)*other
-            blocks(l, 6, 4 + k, block_jj) = pieces%along(l, 2, 2)*along + pieces%other(l, 2, 2)*other
+      integer :: l, k, p
+      do p = 1, 2
+         do l = 1, lanes
+            do k = 1, 2
+               along = c(l, 1 + p, 1 + p)*pieces%along(l, k, p) + c(l, 4, 1 + p)*pieces%other(l, k, p)
+               other = c(l, 4, 1 + p)*pieces%along(l, k, p) + c(l, 4, 4)*pieces%other(l, k, p)
+               blocks(l, 5, 4 + k, 3*p - 2) = pieces%along(l, 1, p)*along + pieces%other(l, 1, p)*other
+               blocks(l, 6, 4 + k, 3*p - 2) = pieces%along(l, 2, p)*along + pieces%other(l, 2, p)*other
+            end do
          end do
       end do
       do l = 1, lanes
