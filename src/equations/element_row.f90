@@ -113,14 +113,13 @@ contains
       type(row_type), intent(in) :: row
       type(block_matrix_type), intent(inout) :: matrix
       integer :: l, e
-      call add_lane(1, row%blocks(:, :, :, block_ii), matrix%diagonal(:, :, row%first))
       do l = 1, row%count
          e = row%first + l - 1
-         if (l > 1) call put_sum(l, row%blocks(:, :, :, block_jj), row%blocks(:, :, :, block_ii), matrix%diagonal(:, :, e))
+         call add_lane(l, row%blocks(:, :, :, block_ii), matrix%diagonal(:, :, e))
          call put_lane(l, row%blocks(:, :, :, block_ij), matrix%upper(:, :, e))
          call put_lane(l, row%blocks(:, :, :, block_ji), matrix%lower(:, :, e))
+         call put_lane(l, row%blocks(:, :, :, block_jj), matrix%diagonal(:, :, e + 1))
       end do
-      call put_lane(row%count, row%blocks(:, :, :, block_jj), matrix%diagonal(:, :, row%first + row%count))
    end subroutine put_blocks
 
    !> Adds blocks to a chain.
@@ -159,16 +158,4 @@ contains
          to(k + 1) = to(k + 1) + from(l, k + 1)
       end do
    end subroutine add_lane
-
-   !> The block of a node between two lanes: of the element above it, and of the one below.
-   pure subroutine put_sum(l, above, below, to)
-      integer, intent(in) :: l
-      real(wp), intent(in) :: above(lanes, 36), below(lanes, 36)
-      real(wp), intent(out) :: to(36)
-      integer :: k
-      do k = 1, 36, 2
-         to(k) = above(l - 1, k) + below(l, k)
-         to(k + 1) = above(l - 1, k + 1) + below(l, k + 1)
-      end do
-   end subroutine put_sum
 end module dg_element_row
