@@ -37,6 +37,7 @@ module dg_along_string
       real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
       real(wp), allocatable :: axial_stress(:)      !< of the true axial force [Pa]
       real(wp), allocatable :: bending_stress(:)    !< amplitude at the outer surface [Pa]
+      real(wp), allocatable :: per_moment(:)        !< bending stress that a unit moment makes there [1/m3]
       real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
       real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
@@ -179,6 +180,7 @@ contains
          along%true_axial(i) = force
          along%axial_stress(i) = stress%axial
          along%bending_stress(i) = stress%bending
+         along%per_moment(i) = 0.5_wp*od/tube_inertia(od, part%id)
          along%torsional_stress(i) = stress%torsional
          along%hoop_stress(i) = stress%hoop
          along%von_mises(i) = stress%von_mises
@@ -293,7 +295,7 @@ contains
       integer, intent(in) :: n
       type(along_string_type) :: along
       allocate (along%pressure(n), along%inside_pressure(n), along%inside_above(n), along%true_axial(n), &
-                along%axial_stress(n), along%bending_stress(n), &
+                along%axial_stress(n), along%bending_stress(n), along%per_moment(n), &
                 along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), along%onset(n), &

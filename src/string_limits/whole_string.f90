@@ -110,8 +110,8 @@ contains
          call take(result%moment_error, whole%bending_error)
          i = maxloc(along%von_mises, dim=1)
          whole%von_mises = along%von_mises(i)
-         if (whole%bending_error%present .and. whole%von_mises > 0.0_wp .and. profile%bending(i) > 0.0_wp) whole%von_mises_error = &
-            given(whole%bending_error%value*whole%bending/profile%bending(i)*along%bending_stress(i)/whole%von_mises)
+         if (whole%bending_error%present .and. whole%von_mises > 0.0_wp) whole%von_mises_error = &
+            given(whole%bending_error%value*whole%bending*along%per_moment(i)/whole%von_mises)
          i = maxloc(profile%side_force, dim=1)
          whole%side_force = profile%side_force(i)
          whole%side_force_md = profile%md(i)
