@@ -9,7 +9,7 @@ module dg_test_bends
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes
    use dg_profile, only: state_free
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    use dg_trajectory, only: true_vertical_depth
    implicit none
    private
@@ -206,8 +206,7 @@ contains
       ea = axial_stiffness(component)
       call new_well(model, [0.0_wp, 300.0_wp, 700.0_wp, 1000.0_wp, 1500.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 70.0_wp, 60.0_wp], &
                     [0.0_wp, 0.0_wp, 30.0_wp, 60.0_wp, 60.0_wp], 0.2_wp, 0.0_wp, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       depth = true_vertical_depth(model%trajectory, 1500.0_wp)
       do k = 1, 2
          do i = 1, size(length)

@@ -16,7 +16,7 @@ module dg_test_bent_housing
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_steering_result, only: steering_result_type
-   use dg_test_wells, only: new_well, note, part, solve, string_weight
+   use dg_test_wells, only: hold_ends, new_well, note, part, solve, string_weight
    use dg_vector, only: cross
    implicit none
    private
@@ -148,8 +148,7 @@ contains
       model%cases(1)%toolface = well%toolface
       model%mud = standing_mud(well%mud)
       model%gravity = well%gravity
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%numerics = settings_of('auto')
       model%numerics%gk_contact = well%wall
       model%numerics%gk_max = well%wall

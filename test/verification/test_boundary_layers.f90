@@ -17,7 +17,7 @@ module dg_test_boundary_layers
    use dg_load_case, only: operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
-   use dg_test_wells, only: new_well, note, part, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, part, pipe, solve
    implicit none
    private
    public :: boundary_layers_suite
@@ -174,8 +174,7 @@ contains
          call new_well(model, md, inc, spread(20.0_wp, 1, 4), holes(i), 0.2_wp, strings(i))
          model%numerics = settings_of('auto')
          model%mud = standing_mud(1100.0_wp)
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
+         call hold_ends(model)
          model%cases(1)%bit_depth = deepest
          unit = bending_stiffness(strings(i))*(inc(3) - inc(2))*degree/(md(3) - md(2))
          do o = 1, size(operations)
@@ -235,8 +234,7 @@ contains
       component%joint_spacing = 9.5_wp
       call new_well(model, [0.0_wp, depth], [0.0_wp, depth/600.0_wp/degree], [0.0_wp, 0.0_wp], hole, 0.0_wp, component)
       model%numerics = settings_of('auto')
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%cases(1)%wob = -bending_stiffness(component)*(kl/4.75_wp)**2
    end subroutine jointed
 

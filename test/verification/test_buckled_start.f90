@@ -15,7 +15,7 @@ module dg_test_buckled_start
    use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe
+   use dg_test_wells, only: hold_ends, new_well, note, pipe
    use dg_walls, only: lay_out_gaps
    implicit none
    private
@@ -40,8 +40,7 @@ contains
       type(component_type) :: component
       component = pipe(weight, od, id)
       call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], od + 2.0_wp*clearance, 0.0_wp, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%cases(1)%operation = operation_static
       model%cases(1)%wob = ratio*2.0_wp*sqrt(bending_stiffness(component)*weight/clearance)
    end subroutine pushed

@@ -14,7 +14,7 @@ module dg_test_buckling
    use dg_numerics, only: gap_at_nodes
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
@@ -49,8 +49,7 @@ contains
       type(component_type), intent(out) :: component
       component = pipe(weight, od, id, youngs)
       call new_well(model, md, inclination, spread(0.0_wp, 1, size(md)), od + 2.0_wp*gap, friction, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
    end subroutine hole_with_pipe
 
    !> How far the string snakes about the low side [rad]: amplitude of the sine with the same mean square, of what is well off
@@ -344,8 +343,7 @@ contains
       load = 0.5_wp*pi**2*ei/length**2
       sag = weight*ei/load**2*(1.0_wp/cos(0.5_wp*sqrt(load/ei)*length) - 1.0_wp) - weight*length**2/(8.0_wp*load)
       call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], pipe_od + 1.0_wp, 0.0_wp, component)
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%numerics%element_length = 1.0_wp
       call solve(model, operation_static, load, 0.0_wp, result, 'light column')
       call assertRelativelyEqual(sag, maxval(result%profile%displacement), 1.0e-3_wp, message='sag')

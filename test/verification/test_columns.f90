@@ -13,7 +13,7 @@ module dg_test_columns
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
-   use dg_test_wells, only: new_well, note, part, solve
+   use dg_test_wells, only: hold_ends, new_well, note, part, solve
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -68,8 +68,7 @@ contains
       model%numerics = settings_of('auto')
       model%mud = standing_mud(mud)
       model%gravity = gravity
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
    end subroutine build
 
    subroutine solve_all(model, operation, wob, tob, result, along, whole)

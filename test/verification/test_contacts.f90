@@ -10,7 +10,7 @@ module dg_test_contacts
    use dg_load_case, only: operation_static, operation_trip_out
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    implicit none
    private
    public :: contacts_suite
@@ -163,8 +163,7 @@ contains
       call new_well(model, [0.0_wp, 300.0_wp, 600.0_wp], [0.0_wp, 0.0_wp, 40.0_wp], [0.0_wp, 0.0_wp, 0.0_wp], 0.2159_wp, 0.25_wp, &
                     jointed)
       model%numerics%moments = .true.
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'smeared')
       call find_along_string(model, result, along)
       call assertRelativelyEqual(spacing*result%profile%side_force(size(result%profile%md)/2), &

@@ -9,7 +9,7 @@ module dg_test_hard_cases
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe, solve, string_weight
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve, string_weight
    implicit none
    private
    public :: hard_cases_suite
@@ -93,8 +93,7 @@ contains
       do i = 9, 15, 6
          call new_well(model, [0.0_wp, 500.0_wp, 2000.0_wp, 3500.0_wp, 5000.0_wp], [0.0_wp, 5.0_wp, 60.0_wp, 90.0_wp, 90.0_wp], &
                        [20.0_wp, 20.0_wp, 60.0_wp, 60.0_wp, 100.0_wp], 0.2159_wp, 0.25_wp, pipe(w, od, id))
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
+         call hold_ends(model)
          model%numerics%gk_contact = 10.0_wp**i
          model%numerics%gk_max = 10.0_wp**i
          call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'stiff supports')
@@ -111,8 +110,7 @@ contains
       type(error_type), allocatable :: error
       call new_well(model, [0.0_wp, 3000.0_wp], [40.0_wp, 40.0_wp], [30.0_wp, 30.0_wp], 0.062_wp, 0.25_wp, &
                     pipe(26.0_wp, 0.0222_wp, 0.0_wp))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%cases(1)%operation = operation_trip_out
       call solve_static_analysis(model, 1, result, error)
       call assertEqual(result_converged, result%status, message=result%message)
@@ -127,8 +125,7 @@ contains
       type(error_type), allocatable :: error
       call new_well(model, [0.0_wp, 300.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.3112_wp, 0.25_wp, &
                     pipe(50.0_wp, 0.0603_wp, 0.0516_wp))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%numerics%element_length = 1.0_wp
       model%cases(1)%operation = operation_sliding_drilling
       model%cases(1)%tob = 8.0e3_wp
@@ -168,8 +165,7 @@ contains
       do i = 1, 2
          call new_well(model, [0.0_wp, 100.0_wp, 108.0_wp, 200.0_wp], [0.0_wp, 0.0_wp, 80.0_wp, 80.0_wp], &
                        spread(0.0_wp, 1, 4), 0.2_wp, 0.3_wp, pipe(w, od, id))
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
+         call hold_ends(model)
          model%numerics%element_length = lengths(i)
          call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'severe dogleg')
          hookload(i) = result%hookload

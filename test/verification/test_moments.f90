@@ -16,7 +16,7 @@ module dg_test_moments
    use dg_numerics, only: settings_of
    use dg_profile, only: profile_type
    use dg_rigid_string, only: solve_rigid_string
-   use dg_test_wells, only: new_well, note, part, solve
+   use dg_test_wells, only: hold_ends, new_well, note, part, solve
    implicit none
    private
    public :: moments_suite
@@ -183,8 +183,7 @@ contains
       model%cases(1)%tob = well%tob
       model%mud = standing_mud(well%mud)
       model%gravity = well%gravity
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%numerics = settings_of('auto')
    end subroutine build
 

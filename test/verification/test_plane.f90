@@ -22,7 +22,7 @@ module dg_test_plane
    use dg_plane, only: find_plane, flatten, plane_type, unfold
    use dg_plane_assembly, only: assemble_in_plane, find_rows_in_plane
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe, string_weight, three_part_well
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, string_weight, three_part_well
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
@@ -347,8 +347,7 @@ contains
    subroutine test_vertical()
       type(model_type) :: model
       call new_well(model, [0.0_wp, 800.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.2159_wp, 0.25_wp, pipe(w, od, id))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%cases(1)%operation = operation_trip_out
       call compare(model, 'vertical')
    end subroutine test_vertical
@@ -432,8 +431,7 @@ contains
       do i = 1, size(way)
          call new_well(model, [0.0_wp, 300.0_wp, 700.0_wp, 900.0_wp], [0.0_wp, 0.0_wp, 40.0_wp, 40.0_wp], &
                        [0.0_wp, 0.0_wp, 0.0_wp, turn(i)], 0.2159_wp, 0.25_wp, pipe(w, od, id))
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
+         call hold_ends(model)
          model%cases(1)%operation = operation(i)
          model%cases(1)%wob = wob(i)
          model%cases(1)%tob = tob(i)
@@ -456,8 +454,7 @@ contains
       type(error_type), allocatable :: error
       call new_well(model, [0.0_wp, 900.0_wp, 1500.0_wp, 1530.0_wp], [0.0_wp, 0.0_wp, 30.0_wp, 30.0_wp], &
                     [50.0_wp, 50.0_wp, 50.0_wp, 110.0_wp], 0.2159_wp, 0.25_wp, pipe(w, od, id))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%cases(1)%operation = operation_trip_out
       model%cases(1)%bit_depth = 1500.0_wp
       call solve_static_analysis(model, 1, not_asked, error)

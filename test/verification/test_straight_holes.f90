@@ -9,7 +9,7 @@ module dg_test_straight_holes
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes, settings_of
    use dg_profile, only: state_free
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    implicit none
    private
    public :: straight_holes_suite
@@ -158,8 +158,7 @@ contains
       type(model_type) :: model
       type(case_result_type) :: result
       call new_well(model, [0.0_wp, 50.0_wp], [180.0_wp, 180.0_wp], [0.0_wp, 0.0_wp], 0.2_wp, 0.3_wp, pipe(w, 0.127_wp, 0.1086_wp))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       call solve(model, operation_trip_in, 0.0_wp, 0.0_wp, result, 'straight up')
       call assertRelativelyEqual(-50.0_wp*w, result%hookload, 1.0e-2_wp, message='hook load')
    end subroutine test_straight_up

@@ -9,7 +9,7 @@ module dg_test_supports
    use dg_load_case, only: operation_static
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    implicit none
    private
    public :: supports_suite
@@ -35,8 +35,7 @@ contains
       real(wp), intent(in) :: w, clearance
       call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], 0.127_wp + 2.0_wp*clearance, 0.0_wp, &
                     pipe(w, 0.127_wp, 0.1086_wp))
-      model%boundary%top_centred = .true.
-      model%boundary%bit_centred = .true.
+      call hold_ends(model)
       model%numerics%element_length = length/elements
    end subroutine build
 

@@ -15,7 +15,7 @@ module dg_test_wells
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
-   public :: new_well, three_part_well, part, pipe, solve, note, string_weight
+   public :: new_well, hold_ends, three_part_well, part, pipe, solve, note, string_weight
 
    !> Unbalanced force of a node over the string's weight and bit load, to which each of its three components is iterated; moment
    !> over that times the string's extent. What is left of all nodes may lie to one side: a snake that stops within the tolerance by
@@ -48,6 +48,13 @@ contains
       model%mud = standing_mud(0.0_wp)
       model%gravity = 10.0_wp
    end subroutine new_well
+
+   !> Holds both ends in the middle of the hole.
+   subroutine hold_ends(model)
+      type(model_type), intent(inout) :: model
+      model%boundary%top_centred = .true.
+      model%boundary%bit_centred = .true.
+   end subroutine hold_ends
 
    !> A well of the kind that has independently computed answers: two hole sections, mud of 1440 kg/m3, collar, heavy-weight
    !> pipe and drill pipe, no operation yet. Angles in degrees; the azimuth is any one.

@@ -16,7 +16,7 @@ module dg_test_whirling
    use dg_model, only: model_type
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: new_well, note, pipe, solve, string_weight
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve, string_weight
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
@@ -175,8 +175,7 @@ contains
       iterations = 0
       do i = 1, size(operation)
          call new_well(model, [0.0_wp, depth], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], hole, 0.25_wp, pipe(weight, od, id))
-         model%boundary%top_centred = .true.
-         model%boundary%bit_centred = .true.
+         call hold_ends(model)
          model%cases(1)%operation = operation(i)
          model%cases(1)%wob = wob(i)
          model%cases(1)%tob = tob(i)
