@@ -45,11 +45,17 @@ contains
    pure function component_at(tops, distance) result(index)
       real(wp), intent(in) :: tops(:)    !< from component_tops
       real(wp), intent(in) :: distance   !< [m]
-      integer :: index
-      do index = 1, size(tops) - 1
-         if (distance < tops(index)) return
+      integer :: index, middle, high
+      index = 1
+      high = size(tops)
+      do while (index < high)
+         middle = (index + high)/2
+         if (distance < tops(middle)) then
+            high = middle
+         else
+            index = middle + 1
+         end if
       end do
-      index = size(tops)
    end function component_at
 
    !> Ends of all tool joints, as distances above the bit [m]; components with centralisers have none. Joints stand every
