@@ -5,7 +5,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_nodes, make_room_for_recovery
+   public :: workspace_type, new_workspace, place_nodes, place_node, make_room_for_recovery
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).
@@ -83,7 +83,7 @@ contains
       end do
    end subroutine place_nodes
 
-   !> Those of one node.
+   !> Displacement (3) [m] and director (3) of one node.
    pure subroutine place_node(frame, state, shift, d)
       real(wp), intent(in) :: frame(3, 3), state(6)
       real(wp), intent(out) :: shift(3), d(3)

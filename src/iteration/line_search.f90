@@ -11,7 +11,7 @@ module dg_line_search
    use dg_mesh, only: mesh_type
    use dg_node_moves, only: move_across, slide_along, slide_on
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_twist, place_nodes, workspace_type
+   use dg_workspace, only: dof_twist, place_node, place_nodes, workspace_type
    implicit none
    private
    public :: search_along
@@ -117,20 +117,20 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work       !< placed at `state`, before and after
       real(wp), contiguous, intent(inout) :: state(:, :)
-      real(wp) :: slide, chord(3), tangent(3, mesh%nodes), curvature(3, mesh%nodes)
-      integer :: e
+      real(wp) :: slide, chord(3), tangent(3), curvature(3)
+      integer :: n, e
       call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share, it%across, state)
-      do e = 1, mesh%nodes
-         state(dof_twist, e) = state(dof_twist, e) + it%move(dof_twist, e)
-         call slide_along(trajectory, mesh, e, it%share*it%slide(e), state(:, e), tangent(:, e), curvature(:, e))
-      end do
-      call place_nodes(mesh, state, work)
-      if (.not. it%numerics%tuning%keep_lengths) return
       slide = 0.0_wp
-      do e = 1, mesh%elements
-         chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-         slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, e + 1))
-         call slide_on(trajectory, mesh, e + 1, slide, tangent(:, e + 1), curvature(:, e + 1), state(:, e + 1))
+      do n = 1, mesh%nodes
+         state(dof_twist, n) = state(dof_twist, n) + it%move(dof_twist, n)
+         call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
+         if (.not. it%numerics%tuning%keep_lengths) cycle
+         call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
+         if (n == 1) cycle
+         e = n - 1
+         chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
+         slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, n))
+         call slide_on(trajectory, mesh, n, slide, tangent, curvature, state(:, n))
       end do
       call place_nodes(mesh, state, work)
    end subroutine move_string
