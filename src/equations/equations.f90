@@ -14,21 +14,24 @@ module dg_equations
    implicit none
    private
    public :: equations_type, choose_unknowns, lateral_of, make_room, find_tangent, end_iterations, add_gap_rigidity
+   public :: forces_alone, whole_tangent, energy_tangent
    public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
 
    !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution; in an equilibrium that
    !> lies outside the hole between its contact points.
    integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2, outcome_outside = 3
 
+   !> What is wanted of a tangent: nothing; all of it; or the energy's, `conservative` of `assemble`, which in a plane is all of it.
+   integer, parameter :: forces_alone = 0, whole_tangent = 1, energy_tangent = 2
+
    type :: equations_type
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver
-      real(wp), allocatable :: residual(:, :)     !< (6,nodes), or in a plane (3,nodes) [N, N.m]
-      real(wp), allocatable :: step(:, :)         !< the same [m, -]
+      real(wp), allocatable :: step(:, :)         !< (6,nodes), or in a plane (3,nodes) [m, -]
       logical :: planar = .false.                 !< only what moves the string in its plane is solved for
       type(plane_type) :: plane
       integer :: unknowns = block_size            !< of a node
-      integer :: forces = 3                       !< rows of residual and step: forces come first, then moments
+      integer :: forces = 3                       !< rows of a residual: forces come first, then moments
       integer :: laterals(2) = [dof_lateral_1, dof_lateral_2]   !< from the one to the other
       integer :: slopes(2) = [dof_slope_1, dof_slope_2]
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
@@ -50,7 +53,7 @@ contains
       equations%slopes = merge([row_slope, row_slope], [dof_slope_1, dof_slope_2], planar)
       equations%matrix = block_matrix_type()
       equations%solver = linear_solver_type()
-      if (allocated(equations%residual)) deallocate (equations%residual, equations%step)
+      if (allocated(equations%step)) deallocate (equations%step)
    end subroutine choose_unknowns
 
    !> Direction across the hole, on n_1 and n_2 of any node, of the plane that the string stays in; 0 where it is solved in space.
@@ -67,25 +70,27 @@ contains
       integer, intent(in) :: nodes
       equations%matrix = new_block_matrix(nodes, equations%unknowns)
       call new_linear_solver(kind, nodes, equations%solver, equations%unknowns)
-      if (allocated(equations%residual)) deallocate (equations%residual, equations%step)
-      allocate (equations%residual(equations%unknowns, nodes), equations%step(equations%unknowns, nodes), source=0.0_wp)
+      if (allocated(equations%step)) deallocate (equations%step)
+      allocate (equations%step(equations%unknowns, nodes), source=0.0_wp)
    end subroutine make_room
 
-   !> Residual and, unless forces alone are wanted, tangent. `conservative` is as of `assemble`; in a plane there is none.
-   pure subroutine find_tangent(equations, trajectory, mesh, loads, gaps, state, conservative, forces_only, work)
+   !> Residual(unknowns,nodes) and, unless forces alone are wanted, tangent.
+   pure subroutine find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, residual)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
-      logical, intent(in) :: conservative, forces_only
+      integer, intent(in) :: wanted        !< forces_alone, whole_tangent or energy_tangent
       type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: residual(:, :)
       if (equations%planar) then
-         call assemble_in_plane(trajectory, mesh, equations%plane, loads, gaps, state, forces_only, work, equations%residual, &
+         call assemble_in_plane(trajectory, mesh, equations%plane, loads, gaps, state, wanted == forces_alone, work, residual, &
                                 equations%matrix)
       else
-         call assemble(trajectory, mesh, loads, gaps, state, conservative, work, equations%residual, equations%matrix, forces_only)
+         call assemble(trajectory, mesh, loads, gaps, state, wanted == energy_tangent, work, residual, equations%matrix, &
+                       wanted == forces_alone)
       end if
    end subroutine find_tangent
 
@@ -101,14 +106,14 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out), optional :: largest_residual   !< force or moment out of balance [N, N.m]
+      real(wp), allocatable :: residual(:, :)
       equations%matrix = block_matrix_type()
       equations%solver = linear_solver_type()
-      deallocate (equations%residual, equations%step)
-      allocate (equations%residual(block_size, mesh%nodes))
+      deallocate (equations%step)
+      allocate (residual(block_size, mesh%nodes))
       call make_room_for_recovery(mesh, work)
-      call assemble(trajectory, mesh, loads, gaps, state, .false., work, equations%residual, equations%matrix, forces_only=.true.)
-      if (present(largest_residual)) largest_residual = maxval(abs(equations%residual))
-      deallocate (equations%residual)
+      call assemble(trajectory, mesh, loads, gaps, state, .false., work, residual, equations%matrix, forces_only=.true.)
+      if (present(largest_residual)) largest_residual = maxval(abs(residual))
    end subroutine end_iterations
 
    !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns, from the first to the second of `rows`.

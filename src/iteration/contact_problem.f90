@@ -40,7 +40,8 @@ module dg_contact_problem
       real(wp), allocatable :: deep(:)         !< h (e) [m]
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
-      real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included (unknowns,nodes)
+      real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included; then the residual that a step leads to
+                                               !< (unknowns,nodes)
       integer :: unsettled = 0                 !< gaps that would still open or close when its rounds were over
    end type contact_problem_type
 
@@ -81,17 +82,16 @@ contains
       end do
    end subroutine measure_contacts
 
-   !> load(unknowns,nodes) = residual + rho h on, of the gaps that are closed: the residual were contact forces those that belong to
-   !> the depths, with rho for the wall.
-   pure subroutine add_pushes(gaps, residual, problem, load)
+   !> problem%load = residual(unknowns,nodes) + rho h on, of the gaps that are closed: the residual were contact forces those that
+   !> belong to the depths, with rho for the wall.
+   pure subroutine add_pushes(gaps, residual, problem)
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)
-      type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(out), contiguous :: load(:, :)
+      type(contact_problem_type), intent(inout) :: problem
       real(wp) :: push(size(gaps%state))
-      load = residual
+      problem%load = residual
       push = merge(problem%penalty*problem%deep, 0.0_wp, gaps%state /= state_free)
-      call add_rows(problem%unknowns, size(push), push, problem%on, load)
+      call add_rows(problem%unknowns, size(push), push, problem%on, problem%load)
    end subroutine add_pushes
 
    !> Stiffness of two springs in series [N/m].

@@ -4,7 +4,7 @@ module dg_iteration_state
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_case_result, only: iteration_type
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
-   use dg_equations, only: equations_type, find_tangent, outcome_exhausted
+   use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, outcome_exhausted, whole_tangent
    use dg_gap_action, only: load_type
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: relocate_gaps, survey_gaps
@@ -115,14 +115,16 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: largest
       real(wp) :: force, moment
-      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, it%watched, forces_only, work)
+      integer :: wanted
+      wanted = merge(energy_tangent, whole_tangent, it%watched)
+      if (forces_only) wanted = forces_alone
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
-         call hold_turn(state, it%held, equations%matrix, equations%residual)
-      it%residual = equations%residual
+         call hold_turn(state, it%held, equations%matrix, it%residual)
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call find_largest(it%residual, equations%forces, force, moment)
       it%unbalanced = max(force, moment)
-      call add_pushes(gaps, it%residual, it%problem, it%problem%load)
+      call add_pushes(gaps, it%residual, it%problem)
       call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
       largest = max(it%row%residual_force, it%row%residual_moment)
    end subroutine measure

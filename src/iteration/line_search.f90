@@ -3,7 +3,7 @@ module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
    use dg_contact_problem, only: change_of_gap, in_series
-   use dg_equations, only: equations_type, find_tangent
+   use dg_equations, only: equations_type, find_tangent, forces_alone
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
@@ -103,9 +103,9 @@ contains
             gaps%state(e) = merge(state_elastic, state_free, work%normal(e) > 0.0_wp)
          end do
       end associate
-      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, .true., .true., work)
-      it%slope_after = energy_slope(equations, equations%residual)
-      it%trial = maxval(abs(equations%residual))
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, forces_alone, work, it%problem%load)
+      it%slope_after = energy_slope(equations, it%problem%load)
+      it%trial = maxval(abs(it%problem%load))
    end subroutine try_step
 
    !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which

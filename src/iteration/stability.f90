@@ -35,13 +35,13 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: margin
       type(block_matrix_type) :: tangent, compression
-      real(wp) :: low, high, forces(mesh%elements)
+      real(wp) :: low, high, forces(mesh%elements), residual(6, mesh%nodes)
       logical :: definite
       integer :: i
       tangent = new_block_matrix(mesh%nodes)
       forces = work%normal
       work%separate = .false.        ! the stiffness of the walls belongs to this tangent
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, equations%residual, tangent)
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, tangent)
       work%separate = .true.
       work%normal = forces
       call assemble_compression(mesh, work, compression)

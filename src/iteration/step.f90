@@ -5,7 +5,7 @@ module dg_step
    use dg_block_matrix, only: copy_matrix, swap_matrices
    use dg_case_result, only: judged_start
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
-   use dg_equations, only: add_gap_rigidity, equations_type, find_tangent, outcome_singular
+   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_watch, margin_of, rigid
@@ -49,7 +49,7 @@ contains
                   (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
          if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
-            call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, .true., .false., work)
+            call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
             call swap_matrices(equations%matrix, it%energy)
          end if
       end if
