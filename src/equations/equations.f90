@@ -7,13 +7,14 @@ module dg_equations
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: linear_solver_type, new_linear_solver
    use dg_mesh, only: mesh_type
-   use dg_plane, only: plane_type, row_lateral, row_slope
+   use dg_plane, only: plane_type, row_lateral, row_slope, unfold
    use dg_plane_assembly, only: assemble_in_plane
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, workspace_type
    implicit none
    private
-   public :: equations_type, choose_unknowns, lateral_of, make_room, find_tangent, end_iterations, add_gap_rigidity
+   public :: equations_type, choose_unknowns, lateral_of, make_room, find_tangent, step_in_space, end_iterations
+   public :: add_gap_rigidity
    public :: forces_alone, whole_tangent, energy_tangent
    public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
 
@@ -93,6 +94,18 @@ contains
                        wanted == forces_alone)
       end if
    end subroutine find_tangent
+
+   !> A node's step in space, by all six unknowns.
+   pure subroutine step_in_space(equations, node, step)
+      type(equations_type), intent(in) :: equations
+      integer, intent(in) :: node
+      real(wp), intent(out) :: step(block_size)
+      if (equations%planar) then
+         call unfold(equations%plane, equations%step(:, node), step)
+      else
+         step = equations%step(:, node)
+      end if
+   end subroutine step_in_space
 
    !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside, in
    !> space wherever the string was solved. Contact forces are the iteration's own: those of Eq. 4 at the depths in the wall, found

@@ -94,17 +94,14 @@ contains
       end do
    end subroutine flatten
 
-   !> A step(3,nodes) in the plane as one in space (6,nodes).
+   !> A node's step(3) in the plane as one in space (6).
    pure subroutine unfold(plane, step, in_space)
       type(plane_type), intent(in) :: plane
-      real(wp), intent(in) :: step(:, :)
-      real(wp), intent(out) :: in_space(:, :)
-      integer :: n
-      do n = 1, size(step, 2)
-         in_space(dof_axial, n) = step(row_axial, n)
-         in_space(dof_lateral_1:dof_lateral_2, n) = step(row_lateral, n)*plane%lateral
-         in_space(dof_twist, n) = 0.0_wp
-         in_space(dof_slope_1:dof_slope_2, n) = step(row_slope, n)*plane%lateral
-      end do
+      real(wp), intent(in) :: step(3)
+      real(wp), intent(out) :: in_space(6)
+      in_space(dof_axial) = step(row_axial)
+      in_space(dof_lateral_1:dof_lateral_2) = step(row_lateral)*plane%lateral
+      in_space(dof_twist) = 0.0_wp
+      in_space(dof_slope_1:dof_slope_2) = step(row_slope)*plane%lateral
    end subroutine unfold
 end module dg_plane

@@ -54,7 +54,6 @@ module dg_iteration_state
       integer :: rounds = 0, round_start = 0
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
-      real(wp), allocatable :: move(:, :)     !< that share of the step, in space (6,nodes)
       real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
       real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
       real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
@@ -86,7 +85,7 @@ contains
       it%growth = numerics%tuning%growth
       it%watched = watched
       call new_contact_problem(mesh, unknowns, it%problem)
-      allocate (it%residual(unknowns, mesh%nodes), it%move(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+      allocate (it%residual(unknowns, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
                 it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)

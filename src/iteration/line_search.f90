@@ -3,7 +3,7 @@ module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
    use dg_contact_problem, only: change_of_gap, in_series
-   use dg_equations, only: equations_type, find_tangent, forces_alone
+   use dg_equations, only: equations_type, find_tangent, forces_alone, step_in_space
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
@@ -38,7 +38,7 @@ contains
          moved(e) = change_of_gap(it%problem, equations%step, e)/it%share
       end do
       it%slope = slope_at_start(it, equations, work%normal, moved)
-      call find_lengths(mesh, work, state, it%move, it%length, it%longer)
+      call find_lengths(equations, mesh, work, state, it%length, it%longer)
       associate (tuning => it%numerics%tuning)
          do search = 0, tuning%most_searches
             call try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
@@ -48,7 +48,6 @@ contains
             part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
             it%share = part*it%share
             equations%step = part*equations%step
-            it%move = part*it%move
             it%longer = part*it%longer
             it%slope = part*it%slope
          end do
@@ -88,7 +87,7 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp) :: soft, deep, linear
       integer :: e
-      call move_string(it, trajectory, mesh, work, state)
+      call move_string(it, equations, trajectory, mesh, work, state)
       call survey_gaps(trajectory, mesh, gaps, work)
       associate (problem => it%problem)
          do e = 1, mesh%elements
@@ -111,8 +110,9 @@ contains
    !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which
    !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
    !> problem, and so its axial forces.
-   pure subroutine move_string(it, trajectory, mesh, work, state)
+   pure subroutine move_string(it, equations, trajectory, mesh, work, state)
       type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work       !< placed at `state`, before and after
@@ -122,7 +122,7 @@ contains
       call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share, it%across, state)
       slide = 0.0_wp
       do n = 1, mesh%nodes
-         state(dof_twist, n) = state(dof_twist, n) + it%move(dof_twist, n)
+         if (.not. equations%planar) state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
          call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
          if (.not. it%numerics%tuning%keep_lengths) cycle
          call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
@@ -135,17 +135,19 @@ contains
       call place_nodes(mesh, state, work)
    end subroutine move_string
 
-   !> Lengths of the elements that axial forces go by, and their change by a step (6,nodes) to first order [m].
-   pure subroutine find_lengths(mesh, work, state, step, length, longer)
+   !> Lengths of the elements that axial forces go by, and their change by the step to first order [m].
+   pure subroutine find_lengths(equations, mesh, work, state, length, longer)
+      type(equations_type), intent(in) :: equations
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< placed at `state`
-      real(wp), contiguous, intent(in) :: state(:, :), step(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)
       real(wp), intent(out) :: length(:), longer(:)
-      real(wp) :: chord(3), moved(6), before(6)
+      real(wp) :: chord(3), step(6), moved(6), before(6)
       integer :: e, n
       before = 0.0_wp
       do n = 1, mesh%nodes
-         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), step(:, n), moved)
+         call step_in_space(equations, n, step)
+         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), step, moved)
          if (n > 1) then
             e = n - 1
             chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))

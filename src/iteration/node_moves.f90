@@ -13,27 +13,26 @@ module dg_node_moves
 
 contains
 
-   !> Takes a step (6,nodes) of every node apart where the node is now: the way it slides along the hole, and what moves it across.
-   !> A node that has slid by metres has another tangent than the one that its unknowns go by.
-   pure subroutine split_step(trajectory, mesh, work, step, offset, slide, across)
+   !> Takes a node's step (6) apart where the node is now: the way it slides along the hole, and what moves it across. A node that
+   !> has slid by metres has another tangent than the one that its unknowns go by.
+   pure subroutine split_step(trajectory, mesh, work, node, step, offset, slide, across)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed
-      real(wp), contiguous, intent(in) :: step(:, :)
-      real(wp), contiguous, intent(out) :: offset(:, :)   !< of the node from the hole axis, along n_1 and n_2 (2,nodes) [m]
-      real(wp), intent(out) :: slide(:)                   !< [m]
-      real(wp), contiguous, intent(out) :: across(:, :)   !< lateral (2) and slopes (2) by node [m, -]
+      integer, intent(in) :: node
+      real(wp), intent(in) :: step(6)
+      real(wp), intent(out) :: offset(2)             !< from the hole axis, along n_1 and n_2 [m]
+      real(wp), intent(out) :: slide                 !< [m]
+      real(wp), intent(out) :: across(4)             !< lateral (2) and slopes (2) [m, -]
       real(wp) :: point(3), gap(3), tangent(3), curvature(3)
-      integer :: n, arc
-      do n = 1, mesh%nodes
-         arc = mesh%arc(n)
-         point = mesh%base(:, n) + work%shift(:, n)
-         call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
-         call split(mesh%frame(:, :, n), gap, tangent, curvature, step(:, n), offset(:, n), slide(n), across(:, n))
-      end do
+      integer :: arc
+      arc = mesh%arc(node)
+      point = mesh%base(:, node) + work%shift(:, node)
+      call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
+      call split(mesh%frame(:, :, node), gap, tangent, curvature, step, offset, slide, across)
    end subroutine split_step
 
-   !> The same of one node, whose gap to the hole axis is known, and that axis' tangent and curvature there.
+   !> The same where the gap to the hole axis is known, and that axis' tangent and curvature there.
    pure subroutine split(frame, gap, tangent, curvature, step, offset, slide, across)
       real(wp), intent(in) :: frame(3, 3), gap(3), tangent(3), curvature(3), step(6)
       real(wp), intent(out) :: offset(2), slide, across(4)

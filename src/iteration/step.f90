@@ -5,13 +5,13 @@ module dg_step
    use dg_block_matrix, only: copy_matrix, swap_matrices
    use dg_case_result, only: judged_start
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
-   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular
+   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular, &
+                           step_in_space
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_watch, margin_of, rigid
    use dg_mesh, only: mesh_type
    use dg_node_moves, only: split_step
-   use dg_plane, only: unfold
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: add_viscosity, weigh_string
    use dg_workspace, only: workspace_type
@@ -60,7 +60,6 @@ contains
       it%share = 1.0_wp/max(1.0_wp, reach)
       if (.not. it%share < 1.0_wp) return
       equations%step = it%share*equations%step
-      it%move = it%share*it%move
    end subroutine find_step
 
    !> The step of a string that is watched. Viscosity is raised while a node moves too far. It is also raised while gaps with full
@@ -118,15 +117,12 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed where the step begins
       real(wp), intent(out) :: reach
+      real(wp) :: step(6)
       integer :: n
-      if (equations%planar) then
-         call unfold(equations%plane, equations%step, it%move)
-      else
-         it%move = equations%step
-      end if
-      call split_step(trajectory, mesh, work, it%move, it%offset, it%slide, it%across)
       reach = 0.0_wp
       do n = 1, mesh%nodes
+         call step_in_space(equations, n, step)
+         call split_step(trajectory, mesh, work, n, step, it%offset(:, n), it%slide(n), it%across(:, n))
          reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
       end do
    end subroutine find_reach

@@ -82,8 +82,8 @@ contains
       allocate (step(plane_block_size, mesh%nodes))
       do n = 1, mesh%nodes
          step(:, n) = [0.002_wp*(n - 1), 0.038_wp*cos(1.3_wp*n), 0.03_wp*sin(2.0_wp*n)]
+         call unfold(plane, step(:, n), state(:, n))
       end do
-      call unfold(plane, step, state)
       call new_workspace(mesh, work)
    end subroutine planar_string
 
@@ -211,9 +211,11 @@ contains
          real(wp), intent(in) :: share
          real(wp), intent(inout) :: r(:, :)
          logical, intent(in) :: forces_only
-         real(wp), allocatable :: moved(:, :)
-         allocate (moved(6, mesh%nodes))
-         call unfold(plane, step, moved)
+         real(wp) :: moved(6, mesh%nodes)
+         integer :: k
+         do k = 1, mesh%nodes
+            call unfold(plane, step(:, k), moved(:, k))
+         end do
          moved = state + share*moved
          call place_nodes(mesh, moved, work)
          call survey_gaps(model%trajectory, mesh, gaps, work)
