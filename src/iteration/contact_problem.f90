@@ -30,7 +30,7 @@ module dg_contact_problem
    implicit none
    private
    public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
-   public :: solve_problem, change_of_gap, in_series
+   public :: solve_problem, in_series
 
    type :: contact_problem_type
       integer :: unknowns = block_size         !< of a node
@@ -38,6 +38,7 @@ module dg_contact_problem
       real(wp), allocatable :: on(:, :)        !< residual by the contact force, the same
       real(wp), allocatable :: penalty(:)      !< rho (e) [N/m]
       real(wp), allocatable :: deep(:)         !< h (e) [m]
+      real(wp), allocatable :: moved(:)        !< change of |f| by the linear problem's step (e) [m]
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
       real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included; then the residual that a step leads to
@@ -54,7 +55,8 @@ contains
       type(contact_problem_type), intent(out) :: problem
       problem%unknowns = unknowns
       allocate (problem%by(2*unknowns, mesh%elements), problem%on(2*unknowns, mesh%elements), problem%penalty(mesh%elements), &
-                problem%deep(mesh%elements), problem%wanted(mesh%elements), problem%load(unknowns, mesh%nodes), source=0.0_wp)
+                problem%deep(mesh%elements), problem%moved(mesh%elements), problem%wanted(mesh%elements), &
+                problem%load(unknowns, mesh%nodes), source=0.0_wp)
       allocate (problem%closed(mesh%elements), source=.false.)
    end subroutine new_contact_problem
 
@@ -127,8 +129,8 @@ contains
       end do
    end subroutine hold_by_viscosity
 
-   !> Solves the linear problem for equations%step, the forces wanted and the gaps closed. equations%matrix is that without closed
-   !> gaps; it is left with them.
+   !> Solves the linear problem for equations%step, what it moves gaps by, the forces wanted and the gaps closed. equations%matrix
+   !> is that without closed gaps; it is left with them.
    subroutine solve_problem(most_rounds, equations, gaps, residual, force, live, problem, fault)
       integer, intent(in) :: most_rounds           !< times that gaps are opened and closed
       type(equations_type), intent(inout) :: equations
@@ -176,12 +178,12 @@ contains
       real(wp), intent(in), contiguous :: step(:, :)
       type(contact_problem_type), intent(inout) :: problem
       integer, intent(out) :: changes
-      real(wp) :: moved(size(force)), deep
+      real(wp) :: deep
       integer :: e
       changes = 0
-      call multiply_rows(problem%unknowns, size(force), problem%by, step, moved)
+      call multiply_rows(problem%unknowns, size(force), problem%by, step, problem%moved)
       do e = 1, size(force)
-         deep = problem%deep(e) + moved(e)
+         deep = problem%deep(e) + problem%moved(e)
          problem%wanted(e) = 0.0_wp
          if (problem%closed(e)) then
             problem%wanted(e) = force(e) + problem%penalty(e)*deep
@@ -195,14 +197,4 @@ contains
          changes = changes + 1
       end do
    end subroutine judge_closed
-
-   !> Change of a gap's |f| by a step, to first order [m].
-   pure function change_of_gap(problem, step, e) result(change)
-      type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in), contiguous :: step(:, :)
-      integer, intent(in) :: e
-      real(wp) :: change, alone(1)
-      call multiply_rows(problem%unknowns, 1, problem%by(:, e), step(:, e:e + 1), alone)
-      change = alone(1)
-   end function change_of_gap
 end module dg_contact_problem

@@ -2,7 +2,7 @@
 module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
-   use dg_contact_problem, only: change_of_gap, in_series
+   use dg_contact_problem, only: in_series
    use dg_equations, only: equations_type, find_tangent, forces_alone, step_in_space
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
@@ -27,21 +27,18 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      real(wp) :: moved(mesh%elements), part
-      integer :: search, e
+      real(wp) :: part
+      integer :: search
       it%old_growth = it%growth
       it%old = state
       it%old_force = work%normal
       call keep_gaps(gaps, it%kept)
       equations%iterations = equations%iterations + 1
-      do e = 1, mesh%elements
-         moved(e) = change_of_gap(it%problem, equations%step, e)/it%share
-      end do
-      it%slope = slope_at_start(it, equations, work%normal, moved)
+      it%slope = slope_at_start(it, equations, work%normal)
       call find_lengths(equations, mesh, work, state, it%length, it%longer)
       associate (tuning => it%numerics%tuning)
          do search = 0, tuning%most_searches
-            call try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
+            call try_step(it, equations, trajectory, mesh, gaps, state, work)
             if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
                 search == tuning%most_searches .or. it%trial < it%before) exit
             call go_back(it, trajectory, mesh, gaps, state, work)
@@ -60,28 +57,27 @@ contains
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
    !> positive.
-   pure function slope_at_start(it, equations, force, moved) result(slope)
+   pure function slope_at_start(it, equations, force) result(slope)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
-      real(wp), intent(in) :: force(:), moved(:)   !< contact forces [N]; change of |f| by the whole step [m]
+      real(wp), intent(in) :: force(:)             !< contact forces [N]
       real(wp) :: slope, push
       integer :: e
       slope = energy_slope(equations, it%residual)
       do e = 1, size(force)
          if (.not. (it%problem%closed(e) .or. it%kept%state(e) /= state_free)) cycle
          push = max(0.0_wp, force(e) + it%problem%penalty(e)*it%problem%deep(e)) - force(e)
-         slope = slope + push*it%share*moved(e)
+         slope = slope + push*it%share*it%problem%moved(e)
       end do
    end function slope_at_start
 
    !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
    !> problem has there, and softly on what is off it.
-   subroutine try_step(it, equations, trajectory, mesh, moved, gaps, state, work)
+   subroutine try_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: moved(:)       !< change of |f| by the whole step [m]
       type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
@@ -94,7 +90,7 @@ contains
             soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
             deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
             if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
-               linear = problem%deep(e) + it%share*moved(e)
+               linear = problem%deep(e) + it%share*problem%moved(e)
                work%normal(e) = max(0.0_wp, it%old_force(e) + problem%penalty(e)*linear + soft*(deep - linear))
             else
                work%normal(e) = max(0.0_wp, soft*deep)
