@@ -49,17 +49,18 @@ contains
       type(row_type) :: row
       type(touch_type) :: touch
       type(contact_type) :: contacts(lanes)
-      real(wp) :: top_force(3), by_slopes(2, 2)
+      real(wp) :: force(12), twisting(2), above(6)     ! of an element; what the one before leaves at the common node
+      real(wp) :: ends(6, 2), top_force(3)             ! forces on the first and the last node
       integer :: first, n, e, l
       row%part = merge(part_energy, part_all, conservative)
       row%tangent = .true.
       if (present(forces_only)) row%tangent = .not. forces_only
-      work%node_force = 0.0_wp
       if (allocated(work%contact_force)) then
          work%contact_force = 0.0_wp
          work%contact_moment = 0.0_wp
       end if
-      residual = 0.0_wp
+      above = 0.0_wp
+      residual(dof_twist, 1) = 0.0_wp
       if (row%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
       do first = 1, mesh%elements, lanes
          call gather_row(mesh, first, state, gaps, work, row)
@@ -80,20 +81,32 @@ contains
             call put_blocks(row, matrix)
          end if
          do l = 1, row%count
-            call finish_element(mesh, loads, l, contacts(l), row, work, residual, matrix)
+            e = first + l - 1
+            call finish_element(mesh, loads, l, contacts(l), row, work, matrix, force, twisting)
+            residual(dof_twist, e) = residual(dof_twist, e) + twisting(1)
+            residual(dof_twist, e + 1) = twisting(2)
+            above = above + force(1:6)
+            if (e > 1) then
+               call finish_node(mesh, e, above, row%tangent, work, residual, matrix)
+            else
+               ends(:, 1) = above
+            end if
+            above = force(7:12)
          end do
       end do
-      top_force = work%node_force(1:3, 1)
-      call add_supports(trajectory, mesh, loads, row%tangent, work, residual, matrix)
-      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), row%part, row%tangent, work, matrix)
-      do n = 1, mesh%nodes
-         call finish_node(mesh%frame(:, :, n), work%d(:, n), work%node_force(:, n), residual(:, n), by_slopes)
-         if (row%tangent) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
+      ends(:, 2) = above
+      top_force = ends(1:3, 1)
+      residual(dof_twist, mesh%nodes) = residual(dof_twist, mesh%nodes) + loads%tob
+      call add_supports(trajectory, mesh, loads, row%tangent, work, ends, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), row%part, row%tangent, work, ends, matrix)
+      do l = 1, 2
+         n = merge(1, mesh%nodes, l == 1)
+         call finish_node(mesh, n, ends(:, l), row%tangent, work, residual, matrix)
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
-      work%reaction = top_force - work%node_force(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
+      work%reaction = top_force - ends(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
       residual([dof_axial, dof_twist], 1) = 0.0_wp
       if (row%tangent) call hold_top(matrix)
    end subroutine assemble
@@ -112,9 +125,24 @@ contains
       force(12) = force(12) + turning
    end subroutine take_weight
 
-   !> A node's residual but for its twist, from the forces on its place and director in space axes: dd/dbeta_k = s (n_k - d d.n_k),
-   !> s = d.t. by_slopes(2,2) is what the director's second derivative makes of the force on it (director_curvature).
-   pure subroutine finish_node(frame, d, force, residual, by_slopes)
+   !> A node's residual but for its twist, from the forces on its place and director in space axes; what these do to the tangent.
+   pure subroutine finish_node(mesh, n, force, wanted, work, residual, matrix)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: n
+      real(wp), intent(in) :: force(6)
+      logical, intent(in) :: wanted        !< the tangent is
+      type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: residual(:, :)
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: by_slopes(2, 2)
+      call take_to_frame(mesh%frame(:, :, n), work%d(:, n), force, residual(:, n), by_slopes)
+      if (wanted) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
+      if (allocated(work%node_force)) work%node_force(:, n) = force
+   end subroutine finish_node
+
+   !> That residual: dd/dbeta_k = s (n_k - d d.n_k), s = d.t. by_slopes(2,2) is what the director's second derivative makes of the
+   !> force on it (director_curvature).
+   pure subroutine take_to_frame(frame, d, force, residual, by_slopes)
       real(wp), intent(in) :: frame(3, 3), d(3), force(6)
       real(wp), intent(inout) :: residual(6)
       real(wp), intent(out) :: by_slopes(2, 2)
@@ -135,20 +163,20 @@ contains
       by_slopes(2, 2) = -(2.0_wp*d3*m3 + along*(1.0_wp - 3.0_wp*d3*d3))*s*s
       by_slopes(1, 2) = -(d2*m3 + d3*m2 - 3.0_wp*along*d2*d3)*s*s
       by_slopes(2, 1) = by_slopes(1, 2)
-   end subroutine finish_node
+   end subroutine take_to_frame
 
-   !> Completes an element of a row by what is its own: weight, drag, a bend, friction of a string that whirls. Its forces go to its
-   !> nodes.
-   pure subroutine finish_element(mesh, loads, l, contact, row, work, residual, matrix)
+   !> Completes an element of a row by what is its own: weight, drag, a bend, friction of a string that whirls.
+   pure subroutine finish_element(mesh, loads, l, contact, row, work, matrix, force, twisting)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       integer, intent(in) :: l                       !< its lane
       type(contact_type), intent(in) :: contact      !< where its gap is closed
       type(row_type), intent(in) :: row
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: force(12), twisting(2), drag
+      real(wp), intent(out) :: force(12)             !< on (x_i, d_i, x_j, d_j)
+      real(wp), intent(out) :: twisting(2)           !< torque on both nodes
+      real(wp) :: drag
       integer :: e
       e = row%first + l - 1
       force = row%force(l, :)
@@ -164,11 +192,7 @@ contains
       if (.not. row%closed(l)) work%normal(e) = 0.0_wp
       if (allocated(mesh%bend)) call add_own_bend(mesh, l, row, work, force, matrix)
       if (row%closed(l)) call add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
-      residual(dof_twist, e) = residual(dof_twist, e) + twisting(1)
-      residual(dof_twist, e + 1) = twisting(2)
       if (allocated(work%end_force)) work%end_force(:, e) = force(1:6)
-      work%node_force(:, e) = work%node_force(:, e) + force(1:6)
-      work%node_force(:, e + 1) = force(7:12)
    end subroutine finish_element
 
    !> Adds the bend of an element that has one.
@@ -256,10 +280,11 @@ contains
       type(row_type) :: row
       type(touch_type) :: touch
       type(contact_type) :: contacts(lanes)
-      real(wp) :: ignored(12), unused(2)
+      real(wp) :: ignored(12), unused(2), ends(6, 2)
       integer :: first, e, l
       ignored = 0.0_wp
       unused = 0.0_wp
+      ends = 0.0_wp
       row%part = part_rest
       row%tangent = .true.
       do first = 1, mesh%elements, lanes
@@ -287,18 +312,19 @@ contains
             if (row%closed(l)) call add_whirl(mesh, l, contacts(l), row, work, ignored, unused, matrix)
          end do
       end do
-      call add_end_torques(mesh, loads%tob, (work%top_torque), part_rest, .true., work, matrix)
+      call add_end_torques(mesh, loads%tob, (work%top_torque), part_rest, .true., work, ends, matrix)
       call hold_top(matrix)
    end subroutine add_unsymmetric_part
 
    !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,
    !> which bends nothing.
-   pure subroutine add_end_torques(mesh, at_bit, at_top, part, wanted, work, matrix)
+   pure subroutine add_end_torques(mesh, at_bit, at_top, part, wanted, work, ends, matrix)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and what holds the top [N.m]
       integer, intent(in) :: part                !< of the tangent
       logical, intent(in) :: wanted              !< the tangent is
       type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: ends(6, 2)      !< forces on the first and the last node
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: torque(2), gradient(3, 2)
       integer :: node(2), i, n
@@ -314,20 +340,20 @@ contains
       do i = 1, 2
          n = node(i)
          gradient = director_gradient(mesh%frame(:, :, n), work%d(:, n))
-         call add_end_torque(mesh, n, torque(i), gradient, part, wanted, work, matrix)
+         call add_end_torque(mesh, n, torque(i), gradient, work%d(:, n), part, wanted, ends(4:6, i), matrix)
       end do
       work%top_moment = end_moment(at_top, work%d(:, 1), mesh%frame(:, 1, 1))
       work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
    end subroutine add_end_torques
 
-   !> Lateral supports of the ends, weight and torque on bit.
-   pure subroutine add_supports(trajectory, mesh, loads, wanted, work, residual, matrix)
+   !> Lateral supports of the ends, and weight on bit.
+   pure subroutine add_supports(trajectory, mesh, loads, wanted, work, ends, matrix)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       logical, intent(in) :: wanted        !< the tangent is
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: residual(:, :)
+      real(wp), intent(inout) :: ends(6, 2)
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: force(3), by_point(3, 3)
       integer :: n, pass
@@ -335,11 +361,10 @@ contains
          n = merge(1, mesh%nodes, pass == 1)
          call end_action(trajectory, mesh, n, merge(loads%top_support, loads%bit_support, pass == 1), loads%wob, work, force, &
                          by_point)
-         work%node_force(1:3, n) = work%node_force(1:3, n) - force
+         ends(1:3, pass) = ends(1:3, pass) - force
          if (.not. wanted) cycle
          by_point = matmul(transpose(mesh%frame(:, :, n)), matmul(by_point, mesh%frame(:, :, n)))
          matrix%diagonal(1:3, 1:3, n) = matrix%diagonal(1:3, 1:3, n) - by_point
       end do
-      residual(dof_twist, mesh%nodes) = residual(dof_twist, mesh%nodes) + loads%tob
    end subroutine add_supports
 end module dg_assembly

@@ -28,7 +28,7 @@ module dg_whirling
    use dg_scatter, only: element_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_vector, only: outer
-   use dg_workspace, only: dof_twist, workspace_type
+   use dg_workspace, only: dof_twist
    implicit none
    private
    public :: find_climb, turning_type, add_turning, turning_moment, add_end_torque, end_moment
@@ -148,25 +148,25 @@ contains
       moment = (torque/(1.0_wp + dot_product(t, d)))*(t + d)
    end function end_moment
 
-   !> A torque put into the string at an end node: adds its moment on the director to the node's force and, where it is wanted, a
-   !> part of its tangent to the matrix. That at the top is a reaction, and changes as the residual of the twist there does: by that
+   !> A torque put into the string at an end node: adds its moment on the director to `force` and, where it is wanted, a part of its
+   !> tangent to the matrix. That at the top is a reaction, and changes as the residual of the twist there does: by that
    !> row of the matrix, which must not have been held yet.
-   pure subroutine add_end_torque(mesh, node, torque, gradient, part, wanted, work, matrix)
+   pure subroutine add_end_torque(mesh, node, torque, gradient, d, part, wanted, force, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: torque              !< on the string, about its axis downwards [N.m]
       real(wp), intent(in) :: gradient(3, 2)      !< of the director by its slopes
+      real(wp), intent(in) :: d(3)                !< director
       integer, intent(in) :: part                 !< of the tangent; part_rest: of the tangent alone
       logical, intent(in) :: wanted               !< the tangent is
-      type(workspace_type), intent(inout) :: work
+      real(wp), intent(inout) :: force(3)         !< on the director
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: by_d(3, 3), by_t(3, 3), by_torque(3), turn(2), row(6), stiffness
       integer, parameter :: slopes(2) = [5, 6]
       integer :: i
-      if (part /= part_rest) work%node_force(4:6, node) = work%node_force(4:6, node) &
-                                                          + torque_force(torque, work%d(:, node), mesh%frame(:, 1, node))
+      if (part /= part_rest) force = force + torque_force(torque, d, mesh%frame(:, 1, node))
       if (.not. wanted) return
-      call torque_tangent(torque, work%d(:, node), mesh%frame(:, 1, node), by_d, by_t, by_torque)
+      call torque_tangent(torque, d, mesh%frame(:, 1, node), by_d, by_t, by_torque)
       matrix%diagonal(slopes, slopes, node) = matrix%diagonal(slopes, slopes, node) &
                                               + matmul(transpose(gradient), matmul(part_of(by_d, part), gradient))
       if (part == part_energy .or. node > 1) return

@@ -23,13 +23,13 @@ module dg_workspace
       real(wp), allocatable :: axis_curvature(:, :) !< dt/ds there (3,e) [1/m]
       real(wp), allocatable :: displacement(:)      !< |f| [m]
       ! forces: assemble
-      real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes (6,nodes) [N, N.m]
       real(wp), allocatable :: axial(:)             !< beam's axial force, tension > 0 (e) [N]
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
       real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
       logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
       ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
+      real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes, of all elements (6,nodes) [N, N.m]
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
       real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, element loads taken off (6,e)
@@ -54,7 +54,7 @@ contains
       m = mesh%elements
       allocate (work%membrane_length(m))
       allocate (work%climb(m), source=1.0_wp)
-      allocate (work%shift(3, n), work%d(3, n), work%node_force(6, n), source=0.0_wp)
+      allocate (work%shift(3, n), work%d(3, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
       do e = 1, m
@@ -69,7 +69,8 @@ contains
       integer :: m
       if (allocated(work%end_force)) return
       m = mesh%elements
-      allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), source=0.0_wp)
+      allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), work%node_force(6, mesh%nodes), &
+                source=0.0_wp)
    end subroutine make_room_for_recovery
 
    !> Displacements and directors (dg_director) in space axes from the unknowns state(6,nodes).
