@@ -5,7 +5,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_nodes, place_node, make_room_for_recovery
+   public :: workspace_type, new_workspace, place_nodes, place_node, make_room_for_recovery, keep_for_moments
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).
@@ -72,6 +72,13 @@ contains
       allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), work%node_force(6, mesh%nodes), &
                 source=0.0_wp)
    end subroutine make_room_for_recovery
+
+   !> Gives back all but what the moments along the string ask for once its forces have been told.
+   pure subroutine keep_for_moments(work)
+      type(workspace_type), intent(inout) :: work
+      deallocate (work%membrane_length, work%gap, work%axis_tangent, work%axis_curvature, work%displacement, work%axial)
+      deallocate (work%node_force, work%contact_force, work%contact_moment, work%end_force)
+   end subroutine keep_for_moments
 
    !> Displacements and directors (dg_director) in space axes from the unknowns state(6,nodes).
    pure subroutine place_nodes(mesh, state, work)

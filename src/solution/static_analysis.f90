@@ -42,7 +42,7 @@ module dg_static_analysis
    use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
-   use dg_workspace, only: new_workspace, workspace_type
+   use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -220,8 +220,10 @@ contains
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          call add_remarks(model%numerics, numerics, most, allowed, in_plane, result)
-         if (outcome == outcome_converged .and. moments) &
-            call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
+         if (.not. (outcome == outcome_converged .and. moments)) return
+         deallocate (string%state)
+         call keep_for_moments(string%work)
+         call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
       end associate
    end subroutine solve_on_mesh
 
