@@ -4,7 +4,7 @@ module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
    use dg_beam_element, only: beam_stress_tangent
-   use dg_block_matrix, only: block_matrix_type, new_block_matrix, sum_of_symmetric
+   use dg_block_matrix, only: add_symmetric, block_matrix_type, new_block_matrix
    use dg_director, only: director_curvature
    use dg_equations, only: equations_type
    use dg_gap_table, only: gap_table_type
@@ -24,7 +24,7 @@ contains
 
    !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
    !> definite when so many times Ksigma of the compressed elements (Eq. 10) is added. Contact forces are left as they are. A coil
-   !> or a snake that may be shifted along the hole without work has 0.
+   !> or a snake that may be shifted along the hole without work has 0. The room of the equations is used for it.
    pure subroutine find_stability_margin(equations, trajectory, mesh, loads, gaps, state, work, margin)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -34,14 +34,13 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: margin
-      type(block_matrix_type) :: tangent, compression
-      real(wp) :: low, high, forces(mesh%elements), residual(6, mesh%nodes)
+      type(block_matrix_type) :: compression
+      real(wp) :: low, high, added, forces(mesh%elements), residual(6, mesh%nodes)
       logical :: definite
       integer :: i
-      tangent = new_block_matrix(mesh%nodes)
       forces = work%normal
       work%separate = .false.        ! the stiffness of the walls belongs to this tangent
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, tangent)
+      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, equations%matrix)
       work%separate = .true.
       work%normal = forces
       call assemble_compression(mesh, work, compression)
@@ -49,8 +48,10 @@ contains
       low = 0.0_wp
       high = 1.0_wp
       margin = high
+      added = 0.0_wp
       do i = 0, margin_halvings
-         call sum_of_symmetric(tangent, margin, compression, equations%matrix)
+         call add_symmetric(margin - added, compression, equations%matrix)
+         added = margin
          call block_positive_definite(equations%matrix, 0.0_wp, equations%step, definite)
          if (definite) then
             low = margin

@@ -4,7 +4,7 @@ module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
-   public :: block_matrix_type, new_block_matrix, copy_matrix, sum_of_symmetric, swap_matrices, block_product
+   public :: block_matrix_type, new_block_matrix, copy_matrix, add_symmetric, swap_matrices, block_product
    public :: block_size, plane_block_size
 
    integer, parameter :: block_size = 6         !< unknowns of a node in space
@@ -48,21 +48,21 @@ contains
       call copy(size(from%lower), from%lower, to%lower)
    end subroutine copy_matrix
 
-   !> matrix <- one + factor*other of symmetric matrices of the same size; the upper blocks are left as they are.
-   pure subroutine sum_of_symmetric(one, factor, other, matrix)
-      type(block_matrix_type), intent(in) :: one, other
+   !> matrix <- matrix + factor*other of symmetric matrices of the same size; the upper blocks are left as they are.
+   pure subroutine add_symmetric(factor, other, matrix)
       real(wp), intent(in) :: factor
+      type(block_matrix_type), intent(in) :: other
       type(block_matrix_type), intent(inout) :: matrix
-      call sum_of(size(one%diagonal), one%diagonal, factor, other%diagonal, matrix%diagonal)
-      call sum_of(size(one%lower), one%lower, factor, other%lower, matrix%lower)
-   end subroutine sum_of_symmetric
+      call add(size(matrix%diagonal), factor, other%diagonal, matrix%diagonal)
+      call add(size(matrix%lower), factor, other%lower, matrix%lower)
+   end subroutine add_symmetric
 
-   pure subroutine sum_of(n, one, factor, other, total)
+   pure subroutine add(n, factor, other, total)
       integer, intent(in) :: n
-      real(wp), intent(in) :: one(n), factor, other(n)
-      real(wp), intent(out) :: total(n)
-      total = one + factor*other
-   end subroutine sum_of
+      real(wp), intent(in) :: factor, other(n)
+      real(wp), intent(inout) :: total(n)
+      total = total + factor*other
+   end subroutine add
 
    !> Plain numbers, which go several at a time.
    pure subroutine copy(n, from, to)
