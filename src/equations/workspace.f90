@@ -5,7 +5,7 @@ module dg_workspace
    use dg_mesh, only: mesh_type
    implicit none
    private
-   public :: workspace_type, new_workspace, place_nodes, place_node, make_room_for_recovery, keep_for_moments
+   public :: workspace_type, new_start_room, new_workspace, place_nodes, place_node, make_room_for_recovery, keep_for_moments
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
    !> Order of a node's six unknowns (convention of src/README.md).
@@ -45,17 +45,25 @@ module dg_workspace
 
 contains
 
-   !> Room and element sections for a mesh.
-   pure subroutine new_workspace(mesh, work)
+   !> Room for what the start of an iteration asks for and brings.
+   pure subroutine new_start_room(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(out) :: work
+      allocate (work%climb(mesh%elements), source=1.0_wp)
+      allocate (work%normal(mesh%elements), source=0.0_wp)
+   end subroutine new_start_room
+
+   !> Room and element sections for a mesh; what a start has put there stays.
+   pure subroutine new_workspace(mesh, work)
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(inout) :: work
       integer :: e, n, m
       n = mesh%nodes
       m = mesh%elements
+      if (.not. allocated(work%climb)) call new_start_room(mesh, work)
       allocate (work%membrane_length(m))
-      allocate (work%climb(m), source=1.0_wp)
       allocate (work%shift(3, n), work%d(3, n), source=0.0_wp)
-      allocate (work%axial(m), work%torque(m), work%normal(m), work%displacement(m), source=0.0_wp)
+      allocate (work%axial(m), work%torque(m), work%displacement(m), source=0.0_wp)
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
       do e = 1, m
          work%membrane_length(e) = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))

@@ -42,7 +42,7 @@ module dg_static_analysis
    use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
-   use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
+   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
    implicit none
    private
    public :: solve_static_analysis
@@ -314,6 +314,7 @@ contains
          if (increment == 1) then
             call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
             string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
+            if (.not. allocated(string%work%shift)) call new_workspace(string%mesh, string%work)
             call make_room(string%equations, numerics%linear_solver, string%mesh%nodes)
          end if
          do cut = 0, numerics%tuning%most_cuts
@@ -378,7 +379,7 @@ contains
       type(string_type), intent(inout) :: string
       associate (numerics => model%numerics, equations => string%equations, mesh => string%mesh, &
                  load_case => model%cases(case_index))
-         call new_workspace(mesh, string%work)
+         call new_start_room(mesh, string%work)
          call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
          allocate (string%state(6, mesh%nodes))
          call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
