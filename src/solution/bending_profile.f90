@@ -76,17 +76,18 @@ contains
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
-      real(wp), allocatable :: breaks(:), longest(:)
-      real(wp) :: scale(mesh%elements)
+      real(wp), allocatable :: breaks(:), longest(:), nodes(:), scale(:)
       integer :: attempt
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
       lying%lateral = lateral
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, breaks, longest)
+      allocate (nodes, source=graded_nodes(breaks, longest))
+      deallocate (breaks, longest, lying%load)
       do attempt = 1, 2
          lying%anchored = attempt == 2
-         call bend_again(model, mesh, gaps, work, lying, graded_nodes(breaks, longest), beam, bent, result%moment_error)
+         call bend_again(model, mesh, gaps, work, lying, nodes, beam, bent, result%moment_error)
          if (.not. is_missing(result%moment_error)) exit
       end do
       if (is_missing(result%moment_error)) return
