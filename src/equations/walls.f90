@@ -2,7 +2,7 @@
 module dg_walls
    use dg_kinds, only: wp
    use dg_gap_action, only: load_type
-   use dg_gap_state, only: gap_law_type
+   use dg_gap_state, only: gap_law_type, gap_thresholds_type
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
    use dg_numerics, only: gap_at_nodes, numerics_type
@@ -68,10 +68,10 @@ contains
       allocate (laws(mesh%elements))
       do e = 1, mesh%elements
          laws(e) = gap_law_type(clearance=mesh%opening(e), contact=mesh%wall(e)*mesh%length(e), &
-            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_n0=numerics%eps_n0, eps_nmax=mesh%eps_nmax(e), &
-            r_n0=numerics%r_n0)
+            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_nmax=mesh%eps_nmax(e))
       end do
       gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
+      gaps%thresholds = gap_thresholds_type(eps_n0=numerics%eps_n0, r_n0=numerics%r_n0)
       where (mesh%centralizer) gaps%xi = middle
    end subroutine lay_out_gaps
 end module dg_walls

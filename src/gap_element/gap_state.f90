@@ -12,7 +12,7 @@ module dg_gap_state
    implicit none
    private
    public :: state_free, state_elastic, state_rigid, state_name
-   public :: gap_law_type, next_state, contact_force, depth_of
+   public :: gap_law_type, gap_thresholds_type, next_state, contact_force, depth_of
 
    integer, parameter :: state_free = 0    !< Eq. 7
    integer, parameter :: state_elastic = 1 !< Eq. 8
@@ -25,10 +25,14 @@ module dg_gap_state
       real(wp) :: clearance = 0.0_wp  !< c = (D - d)/2 [m]
       real(wp) :: contact = 0.0_wp    !< Gkc [N/m]
       real(wp) :: maximum = 0.0_wp    !< Gkmax [N/m]
-      real(wp) :: eps_n0 = 0.0_wp     !< threshold of relative compression [-]
       real(wp) :: eps_nmax = 0.0_wp   !< elastic range of relative compression [-]
-      real(wp) :: r_n0 = 0.0_wp       !< threshold of force [N]
    end type gap_law_type
+
+   !> What a gap must be beyond to close or open, the same for all.
+   type :: gap_thresholds_type
+      real(wp) :: eps_n0 = 0.0_wp     !< of relative compression [-]
+      real(wp) :: r_n0 = 0.0_wp       !< of force [N]
+   end type gap_thresholds_type
 
 contains
 
@@ -36,8 +40,9 @@ contains
    !> when it is compressed beyond eps_n0 and would carry more than r_n0. A closed one opens when it pulls with more than r_n0; or
    !> when it stands open beyond eps_n0 and would pull so by the force at its depth. Between, the state stays, so that two points
    !> cannot take turns over round-off. Elastic and rigid change at eps_nmax, without a threshold.
-   pure function next_state(law, state, force, deep, softness) result(next)
+   pure function next_state(law, thresholds, state, force, deep, softness) result(next)
       type(gap_law_type), intent(in) :: law
+      type(gap_thresholds_type), intent(in) :: thresholds
       integer, intent(in) :: state      !< present state
       real(wp), intent(in) :: force     !< R; zero where it is free [N]
       real(wp), intent(in) :: deep      !< |f| less the depth that belongs to R (depth_of) [m]
@@ -45,10 +50,11 @@ contains
       integer :: next
       next = state
       if (state == state_free) then
-         if (deep > law%eps_n0*law%clearance .and. law%contact*deep > law%r_n0) next = state_elastic
+         if (deep > thresholds%eps_n0*law%clearance .and. law%contact*deep > thresholds%r_n0) next = state_elastic
       else
          next = merge(state_rigid, state_elastic, force > law%contact*law%clearance*law%eps_nmax)
-         if (force < -law%r_n0 .or. (force + softness*deep < -law%r_n0 .and. deep < -law%eps_n0*law%clearance)) next = state_free
+         if (force < -thresholds%r_n0 .or. (force + softness*deep < -thresholds%r_n0 .and. &
+                                            deep < -thresholds%eps_n0*law%clearance)) next = state_free
       end if
    end function next_state
 

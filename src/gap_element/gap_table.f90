@@ -1,13 +1,14 @@
 !> The state table: one MCGE an element, its place, its state, and every flip recorded.
 module dg_gap_table
    use dg_kinds, only: wp
-   use dg_gap_state, only: gap_law_type, state_free
+   use dg_gap_state, only: gap_law_type, gap_thresholds_type, state_free
    implicit none
    private
    public :: gap_table_type, new_gap_table, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
+      type(gap_thresholds_type) :: thresholds    !< of all
       real(wp), allocatable :: xi(:)             !< place x0/L [-]
       integer, allocatable :: state(:)           !< state_free, state_elastic, state_rigid
       integer, allocatable :: flips(:)           !< changes of state so far

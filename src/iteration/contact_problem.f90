@@ -187,10 +187,10 @@ contains
          problem%wanted(e) = 0.0_wp
          if (problem%closed(e)) then
             problem%wanted(e) = force(e) + problem%penalty(e)*deep
-            if (problem%wanted(e) >= -gaps%law(e)%r_n0) cycle
+            if (problem%wanted(e) >= -gaps%thresholds%r_n0) cycle
             problem%closed(e) = .false.
          else
-            if (deep <= gaps%law(e)%eps_n0*gaps%law(e)%clearance .or. .not. any(abs(problem%by(:, e)) > 0.0_wp)) cycle
+            if (deep <= gaps%thresholds%eps_n0*gaps%law(e)%clearance .or. .not. any(abs(problem%by(:, e)) > 0.0_wp)) cycle
             problem%closed(e) = .true.
             problem%wanted(e) = problem%penalty(e)*deep
          end if

@@ -234,7 +234,7 @@ contains
       do e = 1, mesh%elements
          associate (law => gaps%law(e), force => work%normal(e))
             deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
-            next = next_state(law, gaps%state(e), force, deep, it%soft*mesh%length(e))
+            next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%soft*mesh%length(e))
             if (next /= it%kept%state(e)) then
                it%row%flips = it%row%flips + 1
                it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))

@@ -1,18 +1,18 @@
 !> Every row of the state table (Eqs. 7 and 8), and the force law of Fig. 2.
 module dg_test_gap_state
    use funit, only: assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
-   use dg_gap_state, only: contact_force, depth_of, gap_law_type, next_state, state_elastic, state_free, state_name, state_rigid
+   use dg_gap_state, only: contact_force, depth_of, gap_law_type, gap_thresholds_type, next_state, state_elastic, state_free, &
+                           state_name, state_rigid
    use dg_kinds, only: wp
    implicit none
    private
    public :: gap_state_suite
 
-   !> c = 0.05 m; the force threshold is reached at 1e-6 m = 2e-5 c, so eps_n0 = 1e-4 decides with this law ...
-   type(gap_law_type), parameter :: by_compression = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, &
-      maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=1.0_wp)
-   !> ... and r_n0, reached at 1e-4 m = 2e-3 c, with this one.
-   type(gap_law_type), parameter :: by_force = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, &
-      maximum=1.0e7_wp, eps_n0=1.0e-4_wp, eps_nmax=0.05_wp, r_n0=100.0_wp)
+   type(gap_law_type), parameter :: law = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, maximum=1.0e7_wp, eps_nmax=0.05_wp)
+   !> c = 0.05 m; the force threshold is reached at 1e-6 m = 2e-5 c, so eps_n0 = 1e-4 decides here ...
+   type(gap_thresholds_type), parameter :: by_compression = gap_thresholds_type(eps_n0=1.0e-4_wp, r_n0=1.0_wp)
+   !> ... and r_n0, reached at 1e-4 m = 2e-3 c, here.
+   type(gap_thresholds_type), parameter :: by_force = gap_thresholds_type(eps_n0=1.0e-4_wp, r_n0=100.0_wp)
    integer, parameter :: f = state_free, e = state_elastic, r = state_rigid
 
 contains
@@ -31,16 +31,17 @@ contains
    end function gap_state_suite
 
    !> Columns: eps - 1 where no force presses yet; then the state that follows free and elastic.
-   subroutine check_depths(law, compression, from_free, from_elastic)
-      type(gap_law_type), intent(in) :: law
+   subroutine check_depths(thresholds, compression, from_free, from_elastic)
+      type(gap_thresholds_type), intent(in) :: thresholds
       real(wp), intent(in) :: compression(:)
       integer, intent(in) :: from_free(:), from_elastic(:)
       real(wp) :: deep
       integer :: i
       do i = 1, size(compression)
          deep = law%clearance*compression(i)
-         call assertEqual(from_free(i), next_state(law, state_free, 0.0_wp, deep, law%contact), message='from free')
-         call assertEqual(from_elastic(i), next_state(law, state_elastic, 0.0_wp, deep, law%contact), message='from elastic')
+         call assertEqual(from_free(i), next_state(law, thresholds, state_free, 0.0_wp, deep, law%contact), message='from free')
+         call assertEqual(from_elastic(i), next_state(law, thresholds, state_elastic, 0.0_wp, deep, law%contact), &
+                          message='from elastic')
       end do
    end subroutine check_depths
 
@@ -60,9 +61,7 @@ contains
 
    !> With both thresholds zero the sign of the compression decides, but for the point itself, which stays.
    subroutine test_no_thresholds()
-      type(gap_law_type) :: law
-      law = gap_law_type(clearance=0.5_wp, contact=1.0e6_wp, maximum=1.0e7_wp, eps_nmax=0.05_wp)
-      call check_depths(law, [-1.0e-12_wp, 0.0_wp, 1.0e-12_wp], [f, f, e], [f, e, e])
+      call check_depths(gap_thresholds_type(), [-1.0e-12_wp, 0.0_wp, 1.0e-12_wp], [f, f, e], [f, e, e])
    end subroutine test_no_thresholds
 
    !> A closed gap whose force and depth belong together goes by its force: it opens where it pulls beyond r_n0, is elastic up to
@@ -73,7 +72,7 @@ contains
       integer :: i, state
       do i = 1, size(force)
          do state = state_elastic, state_rigid
-            call assertEqual(follows(i), next_state(by_force, state, force(i), 0.0_wp, by_force%contact))
+            call assertEqual(follows(i), next_state(law, by_force, state, force(i), 0.0_wp, law%contact))
          end do
       end do
    end subroutine test_by_contact_force
@@ -81,50 +80,46 @@ contains
    !> A gap that presses does not open where it stands open by less than its force closes at the softness that it is judged by:
    !> 2000 N at 2e6 N/m is 1 mm.
    subroutine test_softness()
-      call assertEqual(e, next_state(by_force, e, 2000.0_wp, -0.9e-3_wp, 2.0e6_wp))
-      call assertEqual(f, next_state(by_force, e, 2000.0_wp, -1.1e-3_wp, 2.0e6_wp))
-      call assertEqual(e, next_state(by_force, e, 2000.0_wp, -1.1e-3_wp, 1.0e5_wp))
+      call assertEqual(e, next_state(law, by_force, e, 2000.0_wp, -0.9e-3_wp, 2.0e6_wp))
+      call assertEqual(f, next_state(law, by_force, e, 2000.0_wp, -1.1e-3_wp, 2.0e6_wp))
+      call assertEqual(e, next_state(law, by_force, e, 2000.0_wp, -1.1e-3_wp, 1.0e5_wp))
    end subroutine test_softness
 
    !> A second judgement with the force that belongs to the first one's state changes nothing: no state takes turns with another.
    subroutine test_settled()
       integer :: i, state, next, again
       real(wp) :: force, stiffness, displacement
-      associate (law => by_force)
-         do i = -60, 60
-            displacement = law%clearance*(1.0_wp + 1.0e-3_wp*i)
-            do state = state_free, state_elastic
-               call contact_force(law, state, displacement, force, stiffness)
-               next = next_state(law, state, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
-               call contact_force(law, next, displacement, force, stiffness)
-               again = next_state(law, next, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
-               if (state == state_elastic .or. i < 50) call assertEqual(next, again)     ! a free gap is elastic before it is rigid
-            end do
+      do i = -60, 60
+         displacement = law%clearance*(1.0_wp + 1.0e-3_wp*i)
+         do state = state_free, state_elastic
+            call contact_force(law, state, displacement, force, stiffness)
+            next = next_state(law, by_force, state, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
+            call contact_force(law, next, displacement, force, stiffness)
+            again = next_state(law, by_force, next, force, displacement - depth_of(law, max(force, 0.0_wp)), law%contact)
+            if (state == state_elastic .or. i < 50) call assertEqual(next, again)     ! a free gap is elastic before it is rigid
          end do
-      end associate
+      end do
    end subroutine test_settled
 
    !> Fig. 2: zero, then Gkc, then Gkmax, without a step where they join; the force is the integral of the rigidity.
    subroutine test_force_is_continuous()
       real(wp) :: force, stiffness, other, edge
-      associate (law => by_compression)
-         call contact_force(law, state_free, 0.03_wp, force, stiffness)
-         call assertEqual(0.0_wp, force, message='free')
-         call assertEqual(0.0_wp, stiffness, message='free: gk_min is the solution''s, not the force''s')
-         call contact_force(law, state_elastic, law%clearance, force, stiffness)
-         call assertEqual(0.0_wp, force, message='touching')
-         call contact_force(law, state_elastic, law%clearance + 1.0e-3_wp, force, stiffness)
-         call assertEqual(1000.0_wp, force, 1.0e-9_wp, message='elastic, 1 mm')
-         call assertEqual(law%contact, stiffness)
-         edge = law%clearance*(1.0_wp + law%eps_nmax)
-         call contact_force(law, state_elastic, edge, force, stiffness)
-         call contact_force(law, state_rigid, edge, other, stiffness)
-         call assertEqual(force, other, 1.0e-9_wp, message='where elastic turns to rigid')
-         call assertEqual(law%maximum, stiffness)
-         call contact_force(law, state_rigid, edge + 1.0e-3_wp, other, stiffness)
-         call assertEqual(force + 1.0e4_wp, other, 1.0e-8_wp, message='rigid, 1 mm further')
-         call assertGreaterThan(force, 0.0_wp)
-      end associate
+      call contact_force(law, state_free, 0.03_wp, force, stiffness)
+      call assertEqual(0.0_wp, force, message='free')
+      call assertEqual(0.0_wp, stiffness, message='free: gk_min is the solution''s, not the force''s')
+      call contact_force(law, state_elastic, law%clearance, force, stiffness)
+      call assertEqual(0.0_wp, force, message='touching')
+      call contact_force(law, state_elastic, law%clearance + 1.0e-3_wp, force, stiffness)
+      call assertEqual(1000.0_wp, force, 1.0e-9_wp, message='elastic, 1 mm')
+      call assertEqual(law%contact, stiffness)
+      edge = law%clearance*(1.0_wp + law%eps_nmax)
+      call contact_force(law, state_elastic, edge, force, stiffness)
+      call contact_force(law, state_rigid, edge, other, stiffness)
+      call assertEqual(force, other, 1.0e-9_wp, message='where elastic turns to rigid')
+      call assertEqual(law%maximum, stiffness)
+      call contact_force(law, state_rigid, edge + 1.0e-3_wp, other, stiffness)
+      call assertEqual(force + 1.0e4_wp, other, 1.0e-8_wp, message='rigid, 1 mm further')
+      call assertGreaterThan(force, 0.0_wp)
    end subroutine test_force_is_continuous
 
    subroutine test_names()

@@ -9,7 +9,7 @@ module dg_test_gap_table
    public :: gap_table_suite
 
    type(gap_law_type), parameter :: law = gap_law_type(clearance=0.05_wp, contact=1.0e6_wp, maximum=1.0e7_wp, &
-                                                       eps_n0=1.0e-6_wp, eps_nmax=0.1_wp, r_n0=1.0e-3_wp)
+                                                       eps_nmax=0.1_wp)
 
 contains
 
