@@ -18,7 +18,7 @@
 !> At convergence rho is the wall's stiffness: residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are all settled.
 module dg_equilibrium
    use dg_kinds, only: wp
-   use dg_block_matrix, only: swap_matrices
+   use dg_block_matrix, only: keep_symmetric
    use dg_case_result, only: judged_energy, judged_refused, judged_residual, judged_whole
    use dg_contact_problem, only: is_definite, measure_contacts
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside, outcome_singular
@@ -86,7 +86,7 @@ contains
          if (is_within(it, equations, 0.0_wp)) return
       end if
       call measure(it, equations, trajectory, mesh, gaps, state, .false., work, it%before)
-      if (it%watched) call swap_matrices(equations%matrix, it%energy)
+      if (it%watched) call keep_symmetric(equations%matrix, it%energy)
    end subroutine measure_here
 
    !> Enters the present row in the history.

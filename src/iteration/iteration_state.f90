@@ -1,7 +1,7 @@
 !> The state of the iteration to equilibrium (dg_equilibrium), and what is measured where it is.
 module dg_iteration_state
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, new_block_matrix
+   use dg_block_matrix, only: block_matrix_type, new_symmetric_matrix
    use dg_case_result, only: iteration_type
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
    use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, outcome_exhausted, whole_tangent
@@ -97,7 +97,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
       it%watched = .true.
-      it%energy = new_block_matrix(mesh%nodes)
+      it%energy = new_symmetric_matrix(mesh%nodes)
       allocate (it%lump(6, mesh%nodes), source=0.0_wp)
    end subroutine make_room_to_watch
 

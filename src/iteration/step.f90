@@ -2,7 +2,7 @@
 module dg_step
    use dg_kinds, only: wp
    use dg_assembly, only: add_unsymmetric_part
-   use dg_block_matrix, only: copy_matrix, swap_matrices
+   use dg_block_matrix, only: copy_symmetric, keep_symmetric
    use dg_case_result, only: judged_start
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
    use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular, &
@@ -50,7 +50,7 @@ contains
          if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
-            call swap_matrices(equations%matrix, it%energy)
+            call keep_symmetric(equations%matrix, it%energy)
          end if
       end if
       if (it%watched) call find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
@@ -87,7 +87,7 @@ contains
          do hold = 0, tuning%most_holds
             call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, it%viscosity)
             do
-               call copy_matrix(it%energy, equations%matrix)
+               call copy_symmetric(it%energy, equations%matrix)
                if (live) call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
                call add_viscosity(it%viscosity, it%lump, equations%matrix)
                call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)

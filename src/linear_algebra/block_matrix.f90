@@ -4,7 +4,8 @@ module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
-   public :: block_matrix_type, new_block_matrix, copy_matrix, add_symmetric, swap_matrices, block_product
+   public :: block_matrix_type, new_block_matrix, new_symmetric_matrix, keep_symmetric, copy_symmetric
+   public :: add_symmetric, block_product
    public :: block_size, plane_block_size
 
    integer, parameter :: block_size = 6         !< unknowns of a node in space
@@ -12,7 +13,8 @@ module dg_block_matrix
 
    type :: block_matrix_type
       real(wp), allocatable :: diagonal(:, :, :) !< (b,b,nodes), b unknowns a node
-      real(wp), allocatable :: upper(:, :, :)    !< (b,b,nodes-1): row block n, column block n+1
+      real(wp), allocatable :: upper(:, :, :)    !< (b,b,nodes-1): row block n, column block n+1; of a matrix that is kept as
+                                                 !< symmetric, where lower = transpose(upper), there is none
       real(wp), allocatable :: lower(:, :, :)    !< (b,b,nodes-1): row block n+1, column block n
    end type block_matrix_type
 
@@ -39,14 +41,48 @@ contains
       a = 0.0_wp
    end subroutine clear
 
-   !> to <- from, of the same size.
-   pure subroutine copy_matrix(from, to)
-      type(block_matrix_type), intent(in) :: from
-      type(block_matrix_type), intent(inout) :: to
-      call copy(size(from%diagonal), from%diagonal, to%diagonal)
-      call copy(size(from%upper), from%upper, to%upper)
-      call copy(size(from%lower), from%lower, to%lower)
-   end subroutine copy_matrix
+   !> Room for a symmetric matrix in space.
+   pure function new_symmetric_matrix(nodes) result(matrix)
+      integer, intent(in) :: nodes
+      type(block_matrix_type) :: matrix
+      allocate (matrix%diagonal(block_size, block_size, nodes), matrix%lower(block_size, block_size, nodes - 1), source=0.0_wp)
+   end function new_symmetric_matrix
+
+   !> kept <- matrix, which is symmetric, without its upper blocks.
+   pure subroutine keep_symmetric(matrix, kept)
+      type(block_matrix_type), intent(in) :: matrix
+      type(block_matrix_type), intent(inout) :: kept
+      call copy(size(matrix%diagonal), matrix%diagonal, kept%diagonal)
+      call copy(size(matrix%lower), matrix%lower, kept%lower)
+   end subroutine keep_symmetric
+
+   !> matrix <- kept, in space, its upper blocks as well.
+   pure subroutine copy_symmetric(kept, matrix)
+      type(block_matrix_type), intent(in) :: kept
+      type(block_matrix_type), intent(inout) :: matrix
+      integer :: n
+      call keep_symmetric(kept, matrix)
+      do n = 1, size(kept%lower, 3)
+         call turn_over(kept%lower(:, :, n), matrix%upper(:, :, n))
+      end do
+   end subroutine copy_symmetric
+
+   pure subroutine turn_over(lower, upper)
+      real(wp), intent(in) :: lower(block_size, block_size)
+      real(wp), intent(out) :: upper(block_size, block_size)
+      integer :: i
+      do i = 1, block_size
+         upper(:, i) = lower(i, :)
+      end do
+   end subroutine turn_over
+
+   !> Plain numbers, which go several at a time.
+   pure subroutine copy(n, from, to)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: from(n)
+      real(wp), intent(out) :: to(n)
+      to = from
+   end subroutine copy
 
    !> matrix <- matrix + factor*other of symmetric matrices of the same size; the upper blocks are left as they are.
    pure subroutine add_symmetric(factor, other, matrix)
@@ -63,30 +99,6 @@ contains
       real(wp), intent(inout) :: total(n)
       total = total + factor*other
    end subroutine add
-
-   !> Plain numbers, which go several at a time.
-   pure subroutine copy(n, from, to)
-      integer, intent(in) :: n
-      real(wp), intent(in) :: from(n)
-      real(wp), intent(out) :: to(n)
-      to = from
-   end subroutine copy
-
-   !> Exchanges two matrices at no cost.
-   pure subroutine swap_matrices(a, b)
-      type(block_matrix_type), intent(inout) :: a, b
-      call swap(a%diagonal, b%diagonal)
-      call swap(a%upper, b%upper)
-      call swap(a%lower, b%lower)
-   end subroutine swap_matrices
-
-   pure subroutine swap(a, b)
-      real(wp), allocatable, intent(inout) :: a(:, :, :), b(:, :, :)
-      real(wp), allocatable :: c(:, :, :)
-      call move_alloc(a, c)
-      call move_alloc(b, a)
-      call move_alloc(c, b)
-   end subroutine swap
 
    !> Matrix times vector(b,nodes).
    pure function block_product(matrix, vector) result(product)
