@@ -21,7 +21,7 @@ module dg_block_solver
    integer, parameter :: sides = block_size + 1, load = sides
 
    type :: block_solver_type
-      real(wp), allocatable :: solved(:, :, :, :)  !< V and z = D^-1 of the load, of each pair (pair,6,sides,nodes/2)
+      real(wp), allocatable :: solved(:, :, :, :)  !< V of each pair (pair,6,6,nodes/2); z = D^-1 of the load is kept in x
    end type block_solver_type
 
 contains
@@ -30,35 +30,38 @@ contains
    pure subroutine new_block_solver(nodes, solver)
       integer, intent(in) :: nodes
       type(block_solver_type), intent(out) :: solver
-      allocate (solver%solved(pair, block_size, sides, nodes/2), source=0.0_wp)
+      allocate (solver%solved(pair, block_size, block_size, nodes/2), source=0.0_wp)
    end subroutine new_block_solver
 
    !> Solves; x(6,nodes) is the right-hand side before, the solution after. info = 0: done; > 0: the block of the node that is
-   !> the info-th from one of the ends is singular.
+   !> the info-th from one of the ends is singular, and x is neither.
    pure subroutine block_solve(solver, matrix, x, info)
       type(block_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(inout) :: x(:, :)
       integer, intent(out) :: info
-      real(wp) :: pivot(pair, block_size, sides)   ! pivot blocks and, last, loads
+      real(wp), dimension(pair, block_size, sides) :: pivot, side    ! blocks and, last, loads
       real(wp) :: beside(pair, block_size, block_size)
-      real(wp), dimension(pair, block_size) :: y, next
+      real(wp), dimension(pair, block_size) :: z, y, next
       logical :: regular
       integer :: n, i, mate, middle
       middle = size(x, 2)/2 + 1
       info = 0
       do n = 1, middle - 1
-         call take_pair(matrix, x, n, 2*middle - n, pivot, beside, solver%solved(:, :, :, n))
-         if (n > 1) call subtract_product(beside, solver%solved(:, :, :, n - 1), pivot)
-         solver%solved(:, :, load, n) = pivot(:, :, load)
-         call factor_pair(pivot, solver%solved(:, :, :, n), regular)
+         mate = 2*middle - n
+         call take_pair(matrix, x, n, mate, pivot, beside, side)
+         if (n > 1) call subtract_product(beside, solver%solved(:, :, :, n - 1), z, pivot)
+         side(:, :, load) = pivot(:, :, load)
+         call factor_pair(pivot, side, regular)
          if (.not. regular) then
             info = n
             return
          end if
-         call solve_sides(pivot, solver%solved(:, :, :, n))
+         call solve_sides(pivot, side, solver%solved(:, :, :, n), z)
+         x(:, n) = z(1, :)
+         if (mate <= size(x, 2)) x(:, mate) = z(2, :)
       end do
-      call solve_middle(solver, matrix, middle, x(:, middle), regular)
+      call solve_middle(solver, matrix, middle, z, x(:, middle), regular)
       if (.not. regular) then
          info = middle
          return
@@ -67,9 +70,11 @@ contains
       next(2, :) = x(:, middle)
       do n = middle - 1, 1, -1
          mate = 2*middle - n
+         z(1, :) = x(:, n)
+         z(2, :) = x(:, min(mate, size(x, 2)))
          associate (v => solver%solved(:, :, :, n))
             do i = 1, block_size
-               y(:, i) = v(:, i, load) - v(:, i, 1)*next(:, 1) - v(:, i, 2)*next(:, 2) - v(:, i, 3)*next(:, 3) &
+               y(:, i) = z(:, i) - v(:, i, 1)*next(:, 1) - v(:, i, 2)*next(:, 2) - v(:, i, 3)*next(:, 3) &
                          - v(:, i, 4)*next(:, 4) - v(:, i, 5)*next(:, 5) - v(:, i, 6)*next(:, 6)
             end do
          end associate
@@ -122,21 +127,22 @@ contains
    end subroutine put_side_by_side
 
    !> Solves for the middle node, x its load before, from which and from whose block both halves are taken off.
-   pure subroutine solve_middle(solver, matrix, middle, x, regular)
+   pure subroutine solve_middle(solver, matrix, middle, z, x, regular)
       type(block_solver_type), intent(in) :: solver
       type(block_matrix_type), intent(in) :: matrix
       integer, intent(in) :: middle
+      real(wp), intent(in) :: z(pair, block_size)     !< of the pair before
       real(wp), intent(inout) :: x(block_size)
       logical, intent(out) :: regular
-      real(wp), dimension(pair, block_size, block_size) :: pivot, beside
-      real(wp) :: side(pair, block_size, sides)
+      real(wp), dimension(pair, block_size, block_size) :: pivot, beside, unused
+      real(wp) :: side(pair, block_size, sides), solution(pair, block_size)
       integer :: i
       side = 0.0_wp
       if (middle > 1) then
          beside = 0.0_wp
          beside(1, :, :) = matrix%lower(:, :, middle - 1)
          if (middle < size(matrix%diagonal, 3)) beside(2, :, :) = matrix%upper(:, :, middle)
-         call subtract_product(beside, solver%solved(:, :, :, middle - 1), side)
+         call subtract_product(beside, solver%solved(:, :, :, middle - 1), z, side)
       end if
       pivot(1, :, :) = matrix%diagonal(:, :, middle) + side(1, :, :block_size) + side(2, :, :block_size)
       x = x + side(1, :, load) + side(2, :, load)
@@ -148,22 +154,31 @@ contains
       end do
       call factor_pair(pivot, side, regular)
       if (.not. regular) return
-      call solve_sides(pivot, side)
-      x = side(1, :, load)
+      call solve_sides(pivot, side, unused, solution)
+      x = solution(1, :)
    end subroutine solve_middle
 
-   !> c <- c - a b.
-   pure subroutine subtract_product(a, b, c)
-      real(wp), intent(in) :: a(pair, block_size, block_size), b(pair, block_size, sides)
+   !> c <- c - a [v z].
+   pure subroutine subtract_product(a, v, z, c)
+      real(wp), intent(in), dimension(pair, block_size, block_size) :: a, v
+      real(wp), intent(in) :: z(pair, block_size)
       real(wp), intent(inout) :: c(pair, block_size, sides)
-      integer :: i, j
-      do j = 1, sides
-         do i = 1, block_size
-            c(:, i, j) = c(:, i, j) - a(:, i, 1)*b(:, 1, j) - a(:, i, 2)*b(:, 2, j) - a(:, i, 3)*b(:, 3, j) &
-                         - a(:, i, 4)*b(:, 4, j) - a(:, i, 5)*b(:, 5, j) - a(:, i, 6)*b(:, 6, j)
-         end do
+      integer :: j
+      do j = 1, block_size
+         call subtract_column(a, v(:, :, j), c(:, :, j))
       end do
+      call subtract_column(a, z, c(:, :, load))
    end subroutine subtract_product
+
+   pure subroutine subtract_column(a, b, c)
+      real(wp), intent(in) :: a(pair, block_size, block_size), b(pair, block_size)
+      real(wp), intent(inout) :: c(pair, block_size)
+      integer :: i
+      do i = 1, block_size
+         c(:, i) = c(:, i) - a(:, i, 1)*b(:, 1) - a(:, i, 2)*b(:, 2) - a(:, i, 3)*b(:, 3) &
+                   - a(:, i, 4)*b(:, 4) - a(:, i, 5)*b(:, 5) - a(:, i, 6)*b(:, 6)
+      end do
+   end subroutine subtract_column
 
    !> LU factors of a pair of blocks in place, column by column, with row exchange, in the right-hand sides too; the diagonal of U
    !> is stored inverted. Not regular where a pivot is zero or out of range. Written out, so that the compiler keeps sums in
@@ -284,31 +299,38 @@ contains
       end do
    end subroutine exchange_rows
 
-   !> side <- a^-1 side, a as of factor_pair.
-   pure subroutine solve_sides(a, side)
-      real(wp), intent(in) :: a(pair, block_size, block_size)
-      real(wp), intent(inout) :: side(pair, block_size, sides)
-      real(wp), dimension(pair) :: y1, y2, y3, y4, y5, y6
+   !> [v z] <- a^-1 side, a as of factor_pair.
+   pure subroutine solve_sides(a, side, v, z)
+      real(wp), intent(in) :: a(pair, block_size, block_size), side(pair, block_size, sides)
+      real(wp), intent(out) :: v(pair, block_size, block_size), z(pair, block_size)
       integer :: s
-      do s = 1, sides
-         y1 = side(:, 1, s)
-         y2 = side(:, 2, s) - a(:, 2, 1)*y1
-         y3 = side(:, 3, s) - a(:, 3, 1)*y1 - a(:, 3, 2)*y2
-         y4 = side(:, 4, s) - a(:, 4, 1)*y1 - a(:, 4, 2)*y2 - a(:, 4, 3)*y3
-         y5 = side(:, 5, s) - a(:, 5, 1)*y1 - a(:, 5, 2)*y2 - a(:, 5, 3)*y3 - a(:, 5, 4)*y4
-         y6 = side(:, 6, s) - a(:, 6, 1)*y1 - a(:, 6, 2)*y2 - a(:, 6, 3)*y3 - a(:, 6, 4)*y4 - a(:, 6, 5)*y5
-         y6 = y6*a(:, 6, 6)
-         y5 = (y5 - a(:, 5, 6)*y6)*a(:, 5, 5)
-         y4 = (y4 - a(:, 4, 6)*y6 - a(:, 4, 5)*y5)*a(:, 4, 4)
-         y3 = (y3 - a(:, 3, 6)*y6 - a(:, 3, 5)*y5 - a(:, 3, 4)*y4)*a(:, 3, 3)
-         y2 = (y2 - a(:, 2, 6)*y6 - a(:, 2, 5)*y5 - a(:, 2, 4)*y4 - a(:, 2, 3)*y3)*a(:, 2, 2)
-         y1 = (y1 - a(:, 1, 6)*y6 - a(:, 1, 5)*y5 - a(:, 1, 4)*y4 - a(:, 1, 3)*y3 - a(:, 1, 2)*y2)*a(:, 1, 1)
-         side(:, 1, s) = y1
-         side(:, 2, s) = y2
-         side(:, 3, s) = y3
-         side(:, 4, s) = y4
-         side(:, 5, s) = y5
-         side(:, 6, s) = y6
+      do s = 1, block_size
+         call solve_side(a, side(:, :, s), v(:, :, s))
       end do
+      call solve_side(a, side(:, :, load), z)
    end subroutine solve_sides
+
+   pure subroutine solve_side(a, side, x)
+      real(wp), intent(in) :: a(pair, block_size, block_size), side(pair, block_size)
+      real(wp), intent(out) :: x(pair, block_size)
+      real(wp), dimension(pair) :: y1, y2, y3, y4, y5, y6
+      y1 = side(:, 1)
+      y2 = side(:, 2) - a(:, 2, 1)*y1
+      y3 = side(:, 3) - a(:, 3, 1)*y1 - a(:, 3, 2)*y2
+      y4 = side(:, 4) - a(:, 4, 1)*y1 - a(:, 4, 2)*y2 - a(:, 4, 3)*y3
+      y5 = side(:, 5) - a(:, 5, 1)*y1 - a(:, 5, 2)*y2 - a(:, 5, 3)*y3 - a(:, 5, 4)*y4
+      y6 = side(:, 6) - a(:, 6, 1)*y1 - a(:, 6, 2)*y2 - a(:, 6, 3)*y3 - a(:, 6, 4)*y4 - a(:, 6, 5)*y5
+      y6 = y6*a(:, 6, 6)
+      y5 = (y5 - a(:, 5, 6)*y6)*a(:, 5, 5)
+      y4 = (y4 - a(:, 4, 6)*y6 - a(:, 4, 5)*y5)*a(:, 4, 4)
+      y3 = (y3 - a(:, 3, 6)*y6 - a(:, 3, 5)*y5 - a(:, 3, 4)*y4)*a(:, 3, 3)
+      y2 = (y2 - a(:, 2, 6)*y6 - a(:, 2, 5)*y5 - a(:, 2, 4)*y4 - a(:, 2, 3)*y3)*a(:, 2, 2)
+      y1 = (y1 - a(:, 1, 6)*y6 - a(:, 1, 5)*y5 - a(:, 1, 4)*y4 - a(:, 1, 3)*y3 - a(:, 1, 2)*y2)*a(:, 1, 1)
+      x(:, 1) = y1
+      x(:, 2) = y2
+      x(:, 3) = y3
+      x(:, 4) = y4
+      x(:, 5) = y5
+      x(:, 6) = y6
+   end subroutine solve_side
 end module dg_block_solver
