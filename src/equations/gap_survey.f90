@@ -158,18 +158,19 @@ contains
       end do
    end function deepest
 
-   !> Whether no point of an element can be as far off the axis as so much [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at
-   !> most 4/27 of the length.
+   !> Whether no point of an element can be as far off the axis as so much [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at most 4/27 of
+   !> the length, and two slopes add up to at most the root of twice the sum of their squares. Of the squares a of the farther
+   !> node's offset and b of what slopes add, sqrt(a) + sqrt(b) < r where 2 sqrt(a b) < r^2 - a - b.
    pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, reach) result(out)
       real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie
       real(wp), intent(in) :: length, reach
       logical :: out
-      real(wp), parameter :: largest_slope_shape = 4.0_wp/27.0_wp
-      real(wp) :: square
-      square = max(gap_i(1)**2 + gap_i(2)**2 + gap_i(3)**2, gap_j(1)**2 + gap_j(2)**2 + gap_j(3)**2)
-      out = square < reach**2
-      if (.not. out) return
-      out = sqrt(square) + largest_slope_shape*length*(sqrt(slope_i(1)**2 + slope_i(2)**2 + slope_i(3)**2) &
-                                                       + sqrt(slope_j(1)**2 + slope_j(2)**2 + slope_j(3)**2)) < reach
+      real(wp), parameter :: slope_shape = 2.0_wp*(4.0_wp/27.0_wp)**2
+      real(wp) :: farther, slopes, rest
+      farther = max(gap_i(1)**2 + gap_i(2)**2 + gap_i(3)**2, gap_j(1)**2 + gap_j(2)**2 + gap_j(3)**2)
+      slopes = slope_shape*length**2*(slope_i(1)**2 + slope_i(2)**2 + slope_i(3)**2 &
+                                      + slope_j(1)**2 + slope_j(2)**2 + slope_j(3)**2)
+      rest = reach**2 - farther - slopes
+      out = rest > 0.0_wp .and. 4.0_wp*farther*slopes < rest**2
    end function out_of_reach
 end module dg_gap_survey

@@ -148,7 +148,7 @@ contains
       real(wp), intent(inout) :: force           !< [N]
       real(wp), intent(inout) :: moment          !< [N.m]
       type(soft_totals_type), intent(inout) :: sums
-      real(wp) :: step, angle, offset, normal, middle, n1, n2, n3, n4
+      real(wp) :: step, angle, offset, normal, middle, upper, n1, n2, n3, n4
       type(place_type) :: half_way, there
       type(turn_type) :: turn
       logical :: bent
@@ -180,11 +180,17 @@ contains
          offset = offset - step
          middle = force + piece%weight*(place%depth - half_way%depth) + 0.5_wp*step*piece%drag
          n1 = pressed(piece, place, force)
-         n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
-         n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
-         force = force + piece%weight*(place%depth - there%depth) + step*piece%drag
-         n4 = pressed(piece, there, force + step*piece%axial*n3)
-         normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
+         upper = force + piece%weight*(place%depth - there%depth) + step*piece%drag
+         if (.not. bent .and. (.not. piece%coils .or. min(force, upper + step*piece%axial*n1) >= 0.0_wp)) then
+            normal = step*n1      ! the load across a straight hole knows no axial force
+         else
+            n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
+            n3 = n2
+            if (abs(piece%axial) > 0.0_wp) n3 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n2)
+            n4 = pressed(piece, there, upper + step*piece%axial*n3)
+            normal = step*(n1 + 2.0_wp*n2 + 2.0_wp*n3 + n4)/6.0_wp
+         end if
+         force = upper
          force = force + piece%axial*normal
          moment = moment + piece%rotary*piece%radius*normal
          sums%normal_force = sums%normal_force + normal
