@@ -144,19 +144,21 @@ contains
       if (part /= part_energy) touch%couple_stiffness(l) = lever*contact%stiffness
    end subroutine enter_touch
 
-   !> Of every gap near the wall: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m], and `on`(12,e), what a
-   !> newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change dR adds on*dR to the
-   !> residual, and dR = rho (h + by.d), h what the gap is too deep for its force. The held unknowns of the top have none.
-   pure subroutine find_contact_rows(mesh, loads, gaps, work, by, on)
+   !> Of every gap near the wall, elements first to last: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m],
+   !> and `on`(12,e), what a newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change
+   !> dR adds on*dR to the residual, and dR = rho (h + by.d), h what the gap is too deep for its force. The held unknowns of the
+   !> top have none.
+   pure subroutine find_contact_rows(mesh, loads, gaps, first, last, work, by, on)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: first, last     !< elements
       type(workspace_type), intent(inout) :: work       !< placed and surveyed
-      real(wp), intent(out) :: by(:, :), on(:, :)
+      real(wp), intent(out) :: by(:, first:), on(:, first:)
       type(contact_type) :: contact
       real(wp) :: nodal(12), twisting(2), outward(3)
       integer :: e
-      do e = 1, mesh%elements
+      do e = first, last
          if (work%displacement(e) < near*gaps%law(e)%clearance) then
             on(:, e) = 0.0_wp
             by(:, e) = 0.0_wp
@@ -171,6 +173,7 @@ contains
          on(4, e) = twisting(1)
          on(10, e) = twisting(2)
       end do
+      if (first > 1) return
       on([dof_axial, dof_twist], 1) = 0.0_wp
       by([dof_axial, dof_twist], 1) = 0.0_wp
    end subroutine find_contact_rows

@@ -3,15 +3,15 @@
 !> and a slide must not look like a gap.
 module dg_gap_survey
    use dg_kinds, only: wp
-   use dg_gap_location, only: extremum_of_displacement
-   use dg_gap_state, only: state_free
+   use dg_gap_location, only: bend_of_displacement, extremum_of_displacement
+   use dg_gap_state, only: is_round, state_free
    use dg_gap_table, only: gap_table_type, lone_contacts, move_gap
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: gap_to_axis, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, relocate_gaps
+   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, relocate_gaps
 
    !> What a gap must gain by a move where tool joints touch, over the clearance [-]: a joint would else be held now at one end and
    !> now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere gaps of short
@@ -79,11 +79,21 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(inout) :: work
+      call survey_between(trajectory, mesh, gaps, 1, mesh%elements, work)
+   end subroutine survey_gaps
+
+   !> Measures those of elements first to last.
+   pure subroutine survey_between(trajectory, mesh, gaps, first, last, work)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: first, last
+      type(workspace_type), intent(inout) :: work
       integer :: e
-      do e = 1, mesh%elements
+      do e = first, last
          call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
       end do
-   end subroutine survey_gaps
+   end subroutine survey_between
 
    !> Measures the gap of element e at xi.
    pure subroutine survey_gap(trajectory, mesh, xi, e, work)
@@ -103,7 +113,8 @@ contains
    !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
    !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
    !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds. Next to
-   !> a bit that is held that look is closer (`closely`): see `lone_contacts`.
+   !> a bit that is held that look is closer (`closely`): see `lone_contacts`. A closed gap that stands by itself there is not moved
+   !> at first, where the string is round: it follows the extremum within the iteration from then on (dg_followed_gaps).
    pure subroutine relocate_gaps(trajectory, mesh, threshold, most, closed, closely, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -114,7 +125,7 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
-      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), xi, estimate, scale
+      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), xi, old, estimate, scale
       logical :: changed
       logical :: lone(mesh%elements)
       integer :: e, known
@@ -135,13 +146,21 @@ contains
          if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), gaps%law(e)%clearance)) cycle
          call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
+         old = gaps%xi(e)
          scale = gaps%law(e)%clearance
          if (lone(e)) scale = deepest(gaps, work, e)
          if (mesh%spacing(e) > 0.0_wp .and. estimate - work%displacement(e) < least_gain*gaps%law(e)%clearance) cycle
          call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold*scale, changed)
          if (.not. changed) cycle
-         call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
          moved = moved + 1
+         if (lone(e) .and. gaps%state(e) /= state_free) then
+            gaps%followed(e) = .not. gaps%followed(e)
+            if (gaps%followed(e)) gaps%followed(e) = is_round(gaps%law(e), work%normal(e), &
+               bend_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), old), threshold)
+            if (gaps%followed(e)) gaps%xi(e) = old
+            if (gaps%followed(e)) cycle
+         end if
+         call survey_gap(trajectory, mesh, gaps%xi(e), e, work)
       end do
    end subroutine relocate_gaps
 

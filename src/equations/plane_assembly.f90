@@ -19,7 +19,7 @@ module dg_plane_assembly
    use dg_workspace, only: dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: assemble_in_plane, find_rows_in_plane
+   public :: assemble_in_plane, find_row_in_plane, find_rows_in_plane
 
 contains
 
@@ -113,6 +113,26 @@ contains
       by(row_axial, 1) = 0.0_wp
       on(row_axial, 1) = 0.0_wp
    end subroutine find_rows_in_plane
+
+   !> Those of one gap.
+   pure subroutine find_row_in_plane(mesh, plane, loads, gaps, e, state, work, by, on)
+      type(mesh_type), intent(in) :: mesh
+      type(plane_type), intent(in) :: plane
+      type(load_type), intent(in) :: loads
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(in) :: work       !< placed and surveyed at `state`
+      real(wp), intent(out) :: by(unknowns), on(unknowns)
+      type(plane_node_type) :: i, j
+      i = node_in_plane(plane, mesh%frame(:, 1, e), work%shift(:, e), work%d(:, e), state(:, e))
+      j = node_in_plane(plane, mesh%frame(:, 1, e + 1), work%shift(:, e + 1), work%d(:, e + 1), state(:, e + 1))
+      call plane_gap_rows(contact_in_plane(mesh, plane, loads, gaps%xi(e), e, in_plane(plane, mesh%chord(:, e)) &
+                                           + (j%shift - i%shift), i, j, work), i, j, by, on)
+      if (e > 1) return
+      by(row_axial) = 0.0_wp
+      on(row_axial) = 0.0_wp
+   end subroutine find_row_in_plane
 
    !> Takes an element's weight [N/m], down, off its force, and what it does as directors turn off its tangent. Equivalent nodal
    !> loads are those of hermite_line_load.

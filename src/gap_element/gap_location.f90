@@ -3,7 +3,7 @@ module dg_gap_location
    use dg_kinds, only: wp
    implicit none
    private
-   public :: extremum_of_displacement
+   public :: extremum_of_displacement, bend_of_displacement
 
    !> Places where the displacement is sampled before the largest is refined: a cubic in each plane has at most
    !> five extrema of its magnitude, so eight intervals separate those that matter.
@@ -65,4 +65,20 @@ contains
       xi = 0.5_wp + 0.5_wp*t
       displacement = sqrt(displacement)
    end subroutine extremum_of_displacement
+
+   !> -d2|f_G|/dxi2 at xi [m], for the same element: how round the string is there.
+   pure function bend_of_displacement(gap_i, slope_i, gap_j, slope_j, length, xi) result(bend)
+      real(wp), intent(in) :: gap_i(3), gap_j(3)     !< as of extremum_of_displacement
+      real(wp), intent(in) :: slope_i(3), slope_j(3)
+      real(wp), intent(in) :: length, xi
+      real(wp) :: bend
+      real(wp) :: linear(3), square(3), cubic(3), f(3), first(3), second(3)
+      linear = length*slope_i
+      cubic = 2.0_wp*(gap_i - gap_j) + length*(slope_i + slope_j)
+      square = gap_j - gap_i - linear - cubic
+      f = gap_i + xi*(linear + xi*(square + xi*cubic))
+      first = linear + xi*(2.0_wp*square + 3.0_wp*xi*cubic)
+      second = 2.0_wp*square + 6.0_wp*xi*cubic
+      bend = (dot_product(f, first)**2/dot_product(f, f) - dot_product(first, first) - dot_product(f, second))/norm2(f)
+   end function bend_of_displacement
 end module dg_gap_location

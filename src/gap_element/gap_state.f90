@@ -12,7 +12,7 @@ module dg_gap_state
    implicit none
    private
    public :: state_free, state_elastic, state_rigid, state_name
-   public :: gap_law_type, gap_thresholds_type, next_state, contact_force, depth_of
+   public :: gap_law_type, gap_thresholds_type, next_state, contact_force, depth_of, is_round
 
    integer, parameter :: state_free = 0    !< Eq. 7
    integer, parameter :: state_elastic = 1 !< Eq. 8
@@ -89,4 +89,15 @@ contains
       elastic = law%contact*law%clearance*law%eps_nmax
       depth = law%clearance + min(force, elastic)/law%contact + max(force - elastic, 0.0_wp)/law%maximum
    end function depth_of
+
+   !> Whether the string is so round next to a gap that its place makes a difference: half an element beside it |f| is less by more
+   !> than a part of the depth in the wall.
+   pure function is_round(law, force, bend, part) result(is)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: force
+      real(wp), intent(in) :: bend             !< -d2|f|/dxi2, xi = x/L [m]
+      real(wp), intent(in) :: part             !< [-]
+      logical :: is
+      is = 0.125_wp*bend > part*(depth_of(law, force) - law%clearance)
+   end function is_round
 end module dg_gap_state

@@ -11,6 +11,7 @@ module dg_gap_table
       type(gap_thresholds_type) :: thresholds    !< of all
       real(wp), allocatable :: xi(:)             !< place x0/L [-]
       integer, allocatable :: state(:)           !< state_free, state_elastic, state_rigid
+      logical, allocatable :: followed(:)        !< its place follows the extremum within the iteration
       integer, allocatable :: flips(:)           !< changes of state so far
       integer, allocatable :: moves(:)           !< changes of place so far
    end type gap_table_type
@@ -34,6 +35,7 @@ contains
       allocate (table%law, source=laws)
       allocate (table%xi(n), source=place)
       allocate (table%state(n), source=state_free)
+      allocate (table%followed(n), source=.false.)
       allocate (table%flips(n), table%moves(n), source=0)
    end function new_gap_table
 

@@ -17,6 +17,7 @@ module dg_contact_problem
    use dg_block_matrix, only: block_matrix_type, block_size
    use dg_element_rows, only: add_dyad, add_rows, multiply_rows
    use dg_equations, only: equations_type
+   use dg_followed_gaps, only: follower_type, see_from_extrema
    use dg_gap_action, only: find_contact_rows, load_type
    use dg_gap_state, only: depth_of, state_free, state_rigid
    use dg_gap_table, only: gap_table_type
@@ -43,6 +44,7 @@ module dg_contact_problem
       logical, allocatable :: closed(:)        !< in the linear problem (e)
       real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included; then the residual that a step leads to
                                                !< (unknowns,nodes)
+      type(follower_type), allocatable :: followers(:)   !< gaps whose places are unknowns, too
       integer :: unsettled = 0                 !< gaps that would still open or close when its rounds were over
    end type contact_problem_type
 
@@ -58,6 +60,7 @@ contains
                 problem%deep(mesh%elements), problem%moved(mesh%elements), problem%wanted(mesh%elements), &
                 problem%load(unknowns, mesh%nodes), source=0.0_wp)
       allocate (problem%closed(mesh%elements), source=.false.)
+      allocate (problem%followers(0))
    end subroutine new_contact_problem
 
    !> Rows, penalties and depths at `state`, at which `work` has been placed and surveyed.
@@ -75,13 +78,14 @@ contains
       if (equations%planar) then
          call find_rows_in_plane(mesh, equations%plane, loads, gaps, state, work, problem%by, problem%on)
       else
-         call find_contact_rows(mesh, loads, gaps, work, problem%by, problem%on)
+         call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, problem%by, problem%on)
       end if
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)
          problem%penalty(e) = in_series(wall, soft*mesh%length(e))
          problem%deep(e) = work%displacement(e) - depth_of(gaps%law(e), work%normal(e))
       end do
+      call see_from_extrema(problem%followers, problem%by, problem%on, problem%deep)
    end subroutine measure_contacts
 
    !> problem%load = residual(unknowns,nodes) + rho h on, of the gaps that are closed: the residual were contact forces those that

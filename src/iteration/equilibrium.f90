@@ -52,6 +52,7 @@ contains
       logical :: ended
       work%separate = .true.
       equations%gaps_taken_back = .false.
+      gaps%followed = .false.
       call keep_gaps(gaps, it%kept)
       call place_and_survey(trajectory, mesh, gaps, state, work)
       call judge_gaps(it, trajectory, mesh, .true., gaps, work)
@@ -76,7 +77,7 @@ contains
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
+      type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
       logical :: last
@@ -144,7 +145,7 @@ contains
                end if
                it%rounds = it%rounds + 1
                it%round_start = equations%iterations
-               it%growth = it%numerics%tuning%growth
+               if (any(abs(gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = it%numerics%tuning%growth
                call judge_gaps(it, trajectory, mesh, .false., gaps, work)
                call measure_here(it, equations, trajectory, mesh, gaps, state, work)
                cycle
@@ -160,6 +161,7 @@ contains
          state = it%settled
          work%normal = it%settled_force
          call take_gaps_back(it%settled_gaps, gaps)
+         gaps%followed = .false.
          call take_gaps_back(it%settled_gaps, it%kept)
          equations%gaps_taken_back = .true.
          it%rounds = it%numerics%tuning%most_moves

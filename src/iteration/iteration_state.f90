@@ -5,6 +5,7 @@ module dg_iteration_state
    use dg_case_result, only: iteration_type
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
    use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, outcome_exhausted, whole_tangent
+   use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
    use dg_gap_action, only: load_type
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: relocate_gaps, survey_gaps
@@ -108,7 +109,7 @@ contains
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
+      type(gap_table_type), intent(inout) :: gaps     !< some may no longer follow
       real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: forces_only     !< without the tangent
       type(workspace_type), intent(inout) :: work
@@ -120,9 +121,14 @@ contains
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
          call hold_turn(state, it%held, equations%matrix, it%residual)
+      if (it%rounds > 0) call measure_followers(equations, trajectory, mesh, it%loads, it%numerics%relocation, gaps, state, work, &
+                                                it%problem%followers)
+      if (.not. forces_only) call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .not. it%watched, &
+                                                      equations%matrix)
       call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call find_largest(it%residual, equations%forces, force, moment)
       it%unbalanced = max(force, moment)
+      call add_place_forces(it%problem%followers, it%residual)
       call add_pushes(gaps, it%residual, it%problem)
       call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
       largest = max(it%row%residual_force, it%row%residual_moment)

@@ -4,6 +4,7 @@ module dg_line_search
    use dg_beam_element, only: membrane_length, membrane_step
    use dg_contact_problem, only: in_series
    use dg_equations, only: equations_type, find_tangent, forces_alone, step_in_space
+   use dg_followed_gaps, only: follow_extrema
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
@@ -48,7 +49,7 @@ contains
             it%longer = part*it%longer
             it%slope = part*it%slope
          end do
-         call take_step(it, trajectory, mesh, gaps, work)
+         call take_step(it, equations, trajectory, mesh, gaps, work)
          if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%trial < tuning%calm*equations%force_scale) &
             it%growth = it%growth*tuning%growth
          if (it%growth >= tuning%stiff) it%growth = rigid
@@ -84,6 +85,7 @@ contains
       real(wp) :: soft, deep, linear
       integer :: e
       call move_string(it, equations, trajectory, mesh, work, state)
+      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
       call survey_gaps(trajectory, mesh, gaps, work)
       associate (problem => it%problem)
          do e = 1, mesh%elements
@@ -169,8 +171,9 @@ contains
    end subroutine move_in_space
 
    !> Gives a string that has been moved that share of the change of contact forces that the linear problem has.
-   pure subroutine take_step(it, trajectory, mesh, gaps, work)
+   pure subroutine take_step(it, equations, trajectory, mesh, gaps, work)
       type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(in) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
@@ -178,6 +181,7 @@ contains
       logical :: whole
       integer :: e
       call take_gaps_back(it%kept, gaps)
+      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
       whole = .not. it%share < 1.0_wp
       do e = 1, mesh%elements
          work%normal(e) = it%old_force(e) + it%share*(it%problem%wanted(e) - it%old_force(e))

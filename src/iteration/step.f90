@@ -7,6 +7,7 @@ module dg_step
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
    use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular, &
                            step_in_space
+   use dg_followed_gaps, only: add_place_forces, add_place_stiffness
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_watch, margin_of, rigid
@@ -50,6 +51,8 @@ contains
          if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
             call make_room_to_watch(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
+            call add_place_forces(it%problem%followers, it%residual)
+            call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .false., equations%matrix)
             call keep_symmetric(equations%matrix, it%energy)
          end if
       end if
@@ -88,7 +91,10 @@ contains
             call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, it%viscosity)
             do
                call copy_symmetric(it%energy, equations%matrix)
-               if (live) call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
+               if (live) then
+                  call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
+                  call add_place_stiffness(it%problem%unknowns, it%problem%followers, .false., .true., equations%matrix)
+               end if
                call add_viscosity(it%viscosity, it%lump, equations%matrix)
                call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
                call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)

@@ -152,7 +152,7 @@ contains
       work%separate = .true.
       work%normal = 0.0_wp
       allocate (by(6, mesh%elements), on(6, mesh%elements), spatial_by(12, mesh%elements), spatial_on(12, mesh%elements))
-      call find_contact_rows(mesh, loads, gaps, work, spatial_by, spatial_on)
+      call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, spatial_by, spatial_on)
       call find_rows_in_plane(mesh, plane, loads, gaps, state, work, by, on)
       ways = 0.0_wp
       do i = 0, 1

@@ -12,8 +12,10 @@ module dg_test_tangent
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: arc_at, frame_on_arc, interpolation_minimum_curvature, new_trajectory, point_on_arc, trajectory_type
+   use dg_equations, only: equations_type
+   use dg_followed_gaps, only: add_place_stiffness, follower_type, measure_followers
    use dg_gap_action, only: find_contact_rows
-   use dg_gap_survey, only: survey_gaps
+   use dg_gap_survey, only: survey_between, survey_gaps
    use dg_workspace, only: new_workspace, place_nodes, workspace_type
    implicit none
    private
@@ -37,6 +39,7 @@ contains
       call suite%addTest(TestMethod('friction_makes_it_whole', friction_makes_it_whole))
       call suite%addTest(TestMethod('forces_alone_are_the_same', forces_alone_are_the_same))
       call suite%addTest(TestMethod('contact_rows_match_differences', contact_rows_match_differences))
+      call suite%addTest(TestMethod('followed_gap_matches_differences', followed_gap_matches_differences))
    end function tangent_suite
 
    !> K0 + KN + Ksigma is the derivative of the internal force.
@@ -281,7 +284,7 @@ contains
          if (kind > 1) mesh%rotary = 0.0_wp
          work%normal = [(1000.0_wp + 100.0_wp*e, e=1, mesh%elements)]
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, ignored)
-         call find_contact_rows(mesh, loads, gaps, work, by, on)
+         call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, by, on)
          do e = 1, mesh%elements
             if (gaps%state(e) == state_free) cycle
             closed = closed + 1
@@ -312,6 +315,96 @@ contains
       end do
       call assertTrue(closed > 6, message='closed gaps')
    end subroutine contact_rows_match_differences
+
+   !> A gap whose place is at the extremum of its element wherever the string moves, its force held: the residual's differences are
+   !> the tangent with what following adds. That adds a tenth of it or more, and without friction it is symmetric.
+   subroutine followed_gap_matches_differences()
+      type(trajectory_type) :: trajectory
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(load_type) :: loads
+      type(workspace_type) :: work
+      type(equations_type) :: equations
+      type(block_matrix_type) :: matrix, ignored
+      type(follower_type), allocatable :: followers(:)
+      real(wp), allocatable :: state(:, :), residual(:, :), other(:, :), before(:, :), dense(:, :)
+      integer, parameter :: e = 3, first = 6*(e - 1)
+      real(wp), parameter :: bulge = 0.02_wp     ! slope at its ends [-]
+      real(wp) :: outward(2), plain(12, 12), difference(12, 2), worst
+      integer :: kind, i, j
+      call curved_string(trajectory, mesh, gaps, loads, state)
+      outward = state(2:3, e)/norm2(state(2:3, e))
+      state(5:6, e) = bulge*outward
+      state(5:6, e + 1) = -bulge*outward
+      call new_workspace(mesh, work)
+      matrix = new_block_matrix(mesh%nodes)
+      ignored = new_block_matrix(mesh%nodes)
+      allocate (residual, other, before, mold=state)
+      work%separate = .true.
+      work%normal = [(20000.0_wp + 100.0_wp*j, j=1, mesh%elements)]
+      do kind = 1, 2
+         if (kind == 2) then
+            mesh%rotary = 0.0_wp
+            mesh%axial = 0.0_wp
+         end if
+         gaps%followed = .false.
+         gaps%followed(e) = .true.
+         call find_place(state)
+         call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
+         dense = to_dense(matrix)
+         plain = dense(first + 1:first + 12, first + 1:first + 12)
+         call measure_followers(equations, trajectory, mesh, loads, 0.0_wp, gaps, state, work, followers)
+         call assertEqual(1, size(followers))
+         if (size(followers) /= 1) return
+         call assertLessThan(abs(followers(1)%ahead), 1.0e-3_wp, message='at the extremum')
+         call add_place_stiffness(6, followers, .true., .true., matrix)
+         dense = to_dense(matrix)
+         associate (block => dense(first + 1:first + 12, first + 1:first + 12))
+            worst = maxval(abs(block(:, 2:3) - plain(:, 2:3)))/maxval(abs(plain(2:3, 2:3)))
+            call assertTrue(worst > 0.1_wp, message='following adds a part')
+            if (kind == 2) call assertLessThan(maxval(abs(block - plain - transpose(block - plain)))/maxval(abs(block - plain)), &
+                                               1.0e-3_wp, message='asymmetry')
+            do i = 1, 12
+               do j = 1, 2
+                  other = state
+                  associate (unknown => other(mod(i - 1, 6) + 1, e + (i - 1)/6))
+                     unknown = unknown + merge(step, -step, j == 1)
+                  end associate
+                  call place_nodes(mesh, other, work)
+                  call find_place(other)
+                  call assemble_at(trajectory, mesh, loads, gaps, other, .false., work, before, ignored)
+                  difference(:, j) = [before(:, e), before(:, e + 1)]
+               end do
+               difference(:, 1) = (difference(:, 1) - difference(:, 2))/(2.0_wp*step)
+               worst = 0.0_wp
+               do j = 1, 12
+                  worst = max(worst, abs(difference(j, 1) - block(j, i))/sqrt(abs(block(i, i)*block(j, j))))
+               end do
+               call assertLessThan(worst, 1.0e-4_wp, message='residual by unknown')
+            end do
+         end associate
+      end do
+
+   contains
+
+      !> Puts the gap where |f| is largest, by Newton's method with differences.
+      subroutine find_place(there)
+         real(wp), contiguous, intent(in) :: there(:, :)
+         real(wp), parameter :: beside = 1.0e-3_wp
+         real(wp) :: f(-1:1), place
+         integer :: k, m
+         call place_nodes(mesh, there, work)
+         do m = 1, 8
+            place = gaps%xi(e)
+            do k = -1, 1
+               gaps%xi(e) = place + k*beside
+               call survey_between(trajectory, mesh, gaps, e, e, work)
+               f(k) = work%displacement(e)
+            end do
+            gaps%xi(e) = place + 0.5_wp*beside*(f(1) - f(-1))/(2.0_wp*f(0) - f(1) - f(-1))
+         end do
+      end subroutine find_place
+   end subroutine followed_gap_matches_differences
 
    subroutine assemble_at(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix)
       type(trajectory_type), intent(in) :: trajectory

@@ -1,0 +1,158 @@
+!> Gaps that follow the extremum of their element (Eq. 2) within the iteration: their places x0 are unknowns, too.
+!>
+!> A contact that stands by itself carries its load R at the place where |f| is largest. When it is moved there the string tilts
+!> about it, and the extremum goes the other way by kappa times the move, kappa = -R C/|f''|, C the string's flexibility in turning.
+!> In sharp bends |kappa| is above 1, and a gap that is moved time and again swings ever farther. Here x0 is found together with the
+!> string: to first order, with a prime for the derivative by x,
+!>   K d + on dR + R on' dx = -r,      f' + by'.d + f'' dx = 0.
+!> dx is eliminated as dR is (dg_contact_problem): it adds R/|f''| on' by'^T to K, for the energy a spring that resists the string's
+!> turn at the contact, and R on' f'/|f''| to r. Newton's method so converges quadratically in all unknowns. Where the string is
+!> far from round for its depth in the wall, its place makes no difference, and the gap is left where it is.
+module dg_followed_gaps
+   use dg_kinds, only: wp
+   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_element_rows, only: add_dyad
+   use dg_equations, only: equations_type
+   use dg_gap_action, only: find_contact_rows, load_type
+   use dg_gap_state, only: is_round, state_free
+   use dg_gap_survey, only: survey_between
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type
+   use dg_plane_assembly, only: find_row_in_plane
+   use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: workspace_type
+   implicit none
+   private
+   public :: follower_type, measure_followers, add_place_forces, add_place_stiffness, see_from_extrema, follow_extrema
+
+   !> Derivatives along the element by central differences over so much of it [-].
+   real(wp), parameter :: beside = 0.005_wp
+   !> The farthest that a place may be expected from its gap [-]: where |f| is straighter, f'' is taken to be as large as that.
+   real(wp), parameter :: farthest = 0.5_wp
+
+   !> A gap that follows; x is x/L.
+   type :: follower_type
+      integer :: e                        !< its element
+      real(wp) :: force                   !< R [N]
+      real(wp) :: bend                    !< -f'' > 0 [m]
+      real(wp) :: ahead                   !< f'/|f''|: how far the extremum is from the gap, were the string to stay [-]
+      real(wp) :: by(2*block_size)        !< by' [-, m]
+      real(wp) :: on(2*block_size)        !< on' [-, m]
+   end type follower_type
+
+contains
+
+   !> Finds what the gaps that follow add to the linear problem. One at an end of its element that wants to go beyond stays there.
+   pure subroutine measure_followers(equations, trajectory, mesh, loads, relocation, gaps, state, work, followers)
+      type(equations_type), intent(in) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      real(wp), intent(in) :: relocation      !< as of is_round
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work    !< placed and surveyed
+      type(follower_type), allocatable, intent(inout) :: followers(:)
+      type(follower_type) :: one
+      real(wp) :: by(2*block_size, 2), on(2*block_size, 2), f(2), slope, bend, place
+      integer :: e, s, n
+      if (allocated(followers)) deallocate (followers)
+      allocate (followers(0))
+      do e = 1, mesh%elements
+         if (.not. gaps%followed(e) .or. gaps%state(e) == state_free .or. .not. work%normal(e) > 0.0_wp) cycle
+         n = 2*equations%unknowns
+         place = gaps%xi(e)
+         by = 0.0_wp
+         on = 0.0_wp
+         do s = 1, 2
+            gaps%xi(e) = place + merge(-beside, beside, s == 1)
+            call survey_between(trajectory, mesh, gaps, e, e, work)
+            f(s) = work%displacement(e)
+            if (equations%planar) then
+               call find_row_in_plane(mesh, equations%plane, loads, gaps, e, state, work, by(:n, s), on(:n, s))
+            else
+               call find_contact_rows(mesh, loads, gaps, e, e, work, by(:, s:s), on(:, s:s))
+            end if
+         end do
+         gaps%xi(e) = place
+         call survey_between(trajectory, mesh, gaps, e, e, work)
+         slope = (f(2) - f(1))/(2.0_wp*beside)
+         bend = (2.0_wp*work%displacement(e) - f(1) - f(2))/beside**2
+         if ((place <= 0.0_wp .and. slope < 0.0_wp) .or. (place >= 1.0_wp .and. slope > 0.0_wp)) cycle
+         gaps%followed(e) = is_round(gaps%law(e), work%normal(e), bend, relocation)
+         if (.not. gaps%followed(e)) cycle
+         bend = max(bend, abs(slope)/farthest)
+         one%e = e
+         one%force = work%normal(e)
+         one%bend = bend
+         one%ahead = slope/bend
+         one%by = (by(:, 2) - by(:, 1))/(2.0_wp*beside)
+         one%on = (on(:, 2) - on(:, 1))/(2.0_wp*beside)
+         followers = [followers, one]
+      end do
+   end subroutine measure_followers
+
+   !> Adds to a residual (unknowns,nodes) what contact forces do at the extrema and not at the gaps.
+   pure subroutine add_place_forces(followers, residual)
+      type(follower_type), intent(in) :: followers(:)
+      real(wp), intent(inout) :: residual(:, :)
+      integer :: i, n
+      n = size(residual, 1)
+      do i = 1, size(followers)
+         associate (a => followers(i))
+            residual(:, a%e) = residual(:, a%e) + (a%force*a%ahead)*a%on(:n)
+            residual(:, a%e + 1) = residual(:, a%e + 1) + (a%force*a%ahead)*a%on(n + 1:2*n)
+         end associate
+      end do
+   end subroutine add_place_forces
+
+   !> Adds to a tangent what gaps do by following: the energy's part, the rest, which is friction's, or both.
+   pure subroutine add_place_stiffness(unknowns, followers, energy, rest, matrix)
+      integer, intent(in) :: unknowns            !< of a node
+      type(follower_type), intent(in) :: followers(:)
+      logical, intent(in) :: energy, rest
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp) :: on(2*unknowns), by(2*unknowns)
+      integer :: i
+      do i = 1, size(followers)
+         by = followers(i)%by(:2*unknowns)
+         on = 0.0_wp
+         if (energy) on = by
+         if (rest) on = on + (followers(i)%on(:2*unknowns) - by)
+         call add_dyad(followers(i)%force/followers(i)%bend, on, by, followers(i)%e, matrix)
+      end do
+   end subroutine add_place_stiffness
+
+   !> Rows and depths as they are at the extrema.
+   pure subroutine see_from_extrema(followers, by, on, deep)
+      type(follower_type), intent(in) :: followers(:)
+      real(wp), intent(inout) :: by(:, :), on(:, :), deep(:)   !< of all gaps
+      integer :: i, n
+      n = size(by, 1)
+      do i = 1, size(followers)
+         associate (a => followers(i))
+            by(:, a%e) = by(:, a%e) + a%ahead*a%by(:n)
+            on(:, a%e) = on(:, a%e) + a%ahead*a%on(:n)
+            deep(a%e) = deep(a%e) + 0.5_wp*a%bend*a%ahead**2
+         end associate
+      end do
+   end subroutine see_from_extrema
+
+   !> Moves the gaps that follow to where a share of the linear problem's step has them.
+   pure subroutine follow_extrema(followers, step, share, places, xi)
+      type(follower_type), intent(in) :: followers(:)
+      real(wp), intent(in) :: step(:, :)       !< that share of it (unknowns,nodes)
+      real(wp), intent(in) :: share
+      real(wp), intent(in) :: places(:)        !< of all gaps before the step
+      real(wp), intent(inout) :: xi(:)         !< after it
+      integer :: i, n
+      real(wp) :: turn
+      n = size(step, 1)
+      do i = 1, size(followers)
+         associate (a => followers(i))
+            turn = dot_product(a%by(:n), step(:, a%e)) + dot_product(a%by(n + 1:2*n), step(:, a%e + 1))
+            xi(a%e) = max(0.0_wp, min(1.0_wp, places(a%e) + share*a%ahead + turn/a%bend))
+         end associate
+      end do
+   end subroutine follow_extrema
+end module dg_followed_gaps
