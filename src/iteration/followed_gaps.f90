@@ -6,8 +6,8 @@
 !> string: to first order, with a prime for the derivative by x,
 !>   K d + on dR + R on' dx = -r,      f' + by'.d + f'' dx = 0.
 !> dx is eliminated as dR is (dg_contact_problem): it adds R/|f''| on' by'^T to K, for the energy a spring that resists the string's
-!> turn at the contact, and R on' f'/|f''| to r. Newton's method so converges quadratically in all unknowns. Where the string is
-!> far from round for its depth in the wall, its place makes no difference, and the gap is left where it is.
+!> turn at the contact, and R on' f'/|f''| to r. Newton's method so converges quadratically in all unknowns. Where the string is so
+!> straight next to the contact that the place makes no difference, the gap is left where it is.
 module dg_followed_gaps
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -55,9 +55,10 @@ contains
       type(follower_type), allocatable, intent(inout) :: followers(:)
       type(follower_type) :: one
       real(wp) :: by(2*block_size, 2), on(2*block_size, 2), f(2), slope, bend, place
-      integer :: e, s, n
+      integer :: e, s, n, found
       if (allocated(followers)) deallocate (followers)
-      allocate (followers(0))
+      allocate (followers(count(gaps%followed)))
+      found = 0
       do e = 1, mesh%elements
          if (.not. gaps%followed(e) .or. gaps%state(e) == state_free .or. .not. work%normal(e) > 0.0_wp) cycle
          n = 2*equations%unknowns
@@ -88,8 +89,10 @@ contains
          one%ahead = slope/bend
          one%by = (by(:, 2) - by(:, 1))/(2.0_wp*beside)
          one%on = (on(:, 2) - on(:, 1))/(2.0_wp*beside)
-         followers = [followers, one]
+         found = found + 1
+         followers(found) = one
       end do
+      followers = followers(:found)
    end subroutine measure_followers
 
    !> Adds to a residual (unknowns,nodes) what contact forces do at the extrema and not at the gaps.
