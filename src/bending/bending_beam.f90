@@ -74,11 +74,26 @@ contains
    pure subroutine set_elements(beam)
       type(bending_beam_type), intent(inout) :: beam
       integer :: e
+      if (any(abs(beam%lateral) > 0.0_wp)) then      ! what points out of the plane is round-off
+         call lay_in_plane(beam%lateral, beam%down)
+         call lay_in_plane(beam%lateral, beam%curvature)
+         call lay_in_plane(beam%lateral, beam%bend)
+      end if
       do e = 1, size(beam%ei)
          call set_element(beam%md(e + 1) - beam%md(e), beam%ei(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
                           beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
       end do
    end subroutine set_elements
+
+   !> Leaves of vectors across the hole what lies along a direction.
+   pure subroutine lay_in_plane(lateral, vectors)
+      real(wp), intent(in) :: lateral(2)
+      real(wp), intent(inout) :: vectors(:, :)
+      integer :: i
+      do i = 1, size(vectors, 2)
+         vectors(:, i) = (lateral(1)*vectors(1, i) + lateral(2)*vectors(2, i))*lateral
+      end do
+   end subroutine lay_in_plane
 
    !> How the wall presses on tool joints at a shape.
    pure subroutine press_points(beam, offset, push)

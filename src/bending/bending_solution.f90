@@ -184,12 +184,13 @@ contains
       end do
    end subroutine add_points
 
-   !> What the tolerance of the residual leaves of moments [N.m]: smaller ones are none. A string that rests on a straight wall has
-   !> none, and to be small or large against round-off says nothing.
+   !> What the tolerance of the residual, or the round-off of the weight, leaves of moments [N.m]: smaller ones are none. A string
+   !> that rests on a straight wall, or hangs in a vertical hole, has none, and to be small or large against round-off says nothing.
    pure function least_moment(beam) result(moment)
       type(bending_beam_type), intent(in) :: beam      !< with its elements set
       real(wp) :: moment
-      moment = tolerance*largest_load(beam)*maxval(beam%element%length)
+      moment = max(tolerance*largest_load(beam), epsilon(1.0_wp)*maxval(abs(beam%weight)*beam%element%length)) &
+               *maxval(beam%element%length)
    end function least_moment
 
    !> Largest load across the hole on a node [N].
@@ -205,6 +206,8 @@ contains
          above = beam%element(e)%load(5:6)
       end do
       load = max(load, maxval(abs(above)))
+      ! in a plane the residual is along it, and so is the load
+      if (any(abs(beam%lateral) > 0.0_wp)) load = load/maxval(abs(beam%lateral))
    end function largest_load
 
    !> The shape that a part of a step leads to.

@@ -98,8 +98,7 @@ contains
       y(3:4, :) = slope
       found = .false.
       if (model%numerics%tuning%start_bent) then
-         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, beam)
-         beam%lateral = start%lateral
+         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, start%lateral, beam)
          call bend_start(mesh, wall, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
