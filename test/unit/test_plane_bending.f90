@@ -117,9 +117,9 @@ contains
    !> Nothing holds a string without weight and tension that touches nowhere.
    subroutine test_none()
       type(bending_beam_type) :: beam
-      real(wp) :: y(4, 8)
+      real(wp) :: y(4, 12)
       logical :: found
-      beam = string_of(8, 0.0_wp)
+      beam = string_of(12, 0.0_wp)
       beam%point = [integer ::]
       beam%point_law = [gap_law_type ::]
       beam%element%law%clearance = 10.0_wp
