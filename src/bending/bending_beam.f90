@@ -26,7 +26,7 @@ module dg_bending_beam
    implicit none
    private
    public :: bending_beam_type, bent_type, node_unknowns
-   public :: set_elements, press_points, find_forces, length_of
+   public :: set_elements, is_planar, press_points, find_forces, length_of
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
@@ -74,7 +74,7 @@ contains
    pure subroutine set_elements(beam)
       type(bending_beam_type), intent(inout) :: beam
       integer :: e
-      if (any(abs(beam%lateral) > 0.0_wp)) then      ! what points out of the plane is round-off
+      if (is_planar(beam)) then      ! what points out of the plane is round-off
          call lay_in_plane(beam%lateral, beam%down)
          call lay_in_plane(beam%lateral, beam%curvature)
          call lay_in_plane(beam%lateral, beam%bend)
@@ -84,6 +84,13 @@ contains
                           beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
       end do
    end subroutine set_elements
+
+   !> Whether the beam stays in a plane.
+   pure function is_planar(beam) result(planar)
+      type(bending_beam_type), intent(in) :: beam
+      logical :: planar
+      planar = any(abs(beam%lateral) > 0.0_wp)
+   end function is_planar
 
    !> Leaves of vectors across the hole what lies along a direction.
    pure subroutine lay_in_plane(lateral, vectors)

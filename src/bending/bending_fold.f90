@@ -4,7 +4,7 @@
 !> that is none. A beam that stays in a plane is turned into it: its nodes have offset and slope in the plane alone.
 module dg_bending_fold
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, node_unknowns
+   use dg_bending_beam, only: bending_beam_type, is_planar, node_unknowns
    use dg_bending_pair, only: beam_pair_type, pair, pair_push_type, put_element
    use dg_plane_bending, only: plane_unknowns, turn_into_plane
    implicit none
@@ -17,7 +17,6 @@ module dg_bending_fold
    type :: folded_beam_type
       integer :: middle = 0                          !< number of the middle node
       integer :: unknowns = node_unknowns            !< of a node; plane_unknowns in a plane
-      real(wp) :: lateral(2) = 0.0_wp                !< direction of the plane
       type(beam_pair_type), allocatable :: pairs(:)  !< (middle-1)
       real(wp), allocatable :: viscous(:, :)         !< of the beam; of the middle node in the upper half alone (2,middle) [N/m]
       integer, allocatable :: fixed(:, :)            !< how many of a node's unknowns, from the first on, stay (2,middle)
@@ -36,7 +35,6 @@ contains
       middle = nodes/2 + 1
       folded%middle = middle
       folded%unknowns = unknowns_of(beam)
-      folded%lateral = beam%lateral
       allocate (folded%pairs(middle - 1), folded%viscous(pair, middle), folded%fixed(pair, middle), folded%plain(middle))
       allocate (folded%point(pair, middle), source=0)
       do n = 1, middle
@@ -72,7 +70,7 @@ contains
    pure function unknowns_of(beam) result(unknowns)
       type(bending_beam_type), intent(in) :: beam
       integer :: unknowns
-      unknowns = merge(plane_unknowns, node_unknowns, any(abs(beam%lateral) > 0.0_wp))
+      unknowns = merge(plane_unknowns, node_unknowns, is_planar(beam))
    end function unknowns_of
 
    !> Folds offsets and slopes.

@@ -8,7 +8,7 @@
 !> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
+   use dg_bending_beam, only: bending_beam_type, is_planar, node_unknowns, press_points
    use dg_bending_element, only: add_action, contact_places, wall_push_type
    use dg_bending_elimination, only: newton_step
    use dg_bending_fold, only: fold_beam, fold_shape, folded_beam_type, half_of, unfold_forces, unfold_shape, unknowns_of
@@ -207,7 +207,7 @@ contains
       end do
       load = max(load, maxval(abs(above)))
       ! in a plane the residual is along it, and so is the load
-      if (any(abs(beam%lateral) > 0.0_wp)) load = load/maxval(abs(beam%lateral))
+      if (is_planar(beam)) load = load/maxval(abs(beam%lateral))
    end function largest_load
 
    !> The shape that a part of a step leads to.

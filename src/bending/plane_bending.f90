@@ -5,19 +5,15 @@
 !> a pair are as in dg_bending_pair.
 module dg_plane_bending
    use dg_kinds, only: wp
-   use dg_bending_element, only: contact_places, contact_slope, contact_value
-   use dg_bending_pair, only: beam_pair_type, pair, pair_push_type
+   use dg_bending_element, only: contact_places
+   use dg_bending_pair, only: a1, a2, a3, a4, b1, b2, b3, b4, beam_pair_type, pair, pair_push_type, sa1, sa2, sa3, sa4, sb1, sb2, &
+                              sb3, sb4
    implicit none
    private
    public :: turn_into_plane, plane_action, plane_stiffness, raise_plane_moments, plane_unknowns
 
    !> Unknowns of a node: offset [m], slope [-].
    integer, parameter :: plane_unknowns = 2
-
-   real(wp), parameter :: a1 = contact_value(1, 1), a2 = contact_value(2, 1), a3 = contact_value(3, 1), a4 = contact_value(4, 1)
-   real(wp), parameter :: b1 = contact_value(1, 2), b2 = contact_value(2, 2), b3 = contact_value(3, 2), b4 = contact_value(4, 2)
-   real(wp), parameter :: sa1 = contact_slope(1, 1), sa2 = contact_slope(2, 1), sa3 = contact_slope(3, 1), sa4 = contact_slope(4, 1)
-   real(wp), parameter :: sb1 = contact_slope(1, 2), sb2 = contact_slope(2, 2), sb3 = contact_slope(3, 2), sb4 = contact_slope(4, 2)
 
 contains
 
