@@ -56,7 +56,7 @@ contains
       call keep_gaps(gaps, it%kept)
       call place_and_survey(trajectory, mesh, gaps, state, work)
       call judge_gaps(it, trajectory, mesh, .true., gaps, work)
-      call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
       do
          call enter_row(it, equations, gaps, work)
          call judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
@@ -72,21 +72,22 @@ contains
 
    !> Measures the state for good. Where the step before began next to an equilibrium forces are measured alone at first: most such
    !> states are the last, and want no tangent. The stability of a string that is watched is judged by its tangent.
-   pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, work)
+   pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, stepped, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(in) :: state(:, :)
+      logical, intent(in) :: stepped       !< a step has just been taken
       type(workspace_type), intent(inout) :: work
       logical :: last
       last = .not. it%watched .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
       if (last) then
-         call measure(it, equations, trajectory, mesh, gaps, state, .true., work, it%before)
+         call measure(it, equations, trajectory, mesh, gaps, state, .true., stepped, work)
          if (is_within(it, equations, 0.0_wp)) return
       end if
-      call measure(it, equations, trajectory, mesh, gaps, state, .false., work, it%before)
+      call measure(it, equations, trajectory, mesh, gaps, state, .false., stepped, work)
       if (it%watched) call keep_symmetric(equations%matrix, it%energy)
    end subroutine measure_here
 
@@ -147,7 +148,7 @@ contains
                it%round_start = equations%iterations
                if (any(abs(gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = it%numerics%tuning%growth
                call judge_gaps(it, trajectory, mesh, .false., gaps, work)
-               call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+               call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
                cycle
             end if
          end if
@@ -169,7 +170,7 @@ contains
          call place_and_survey(trajectory, mesh, gaps, state, work)
          call judge_gaps(it, trajectory, mesh, .false., gaps, work)
          it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
-         call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+         call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
       end if
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
       if (ended) it%outcome = outcome_exhausted
@@ -217,7 +218,7 @@ contains
          if (taken) then
             it%row%judged = judged_whole
             if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
-            call measure_here(it, equations, trajectory, mesh, gaps, state, work)
+            call measure_here(it, equations, trajectory, mesh, gaps, state, .true., work)
             call ease_viscosity(tuning, it%raised <= tuning%until_definite, it%viscosity)
             it%raised = tuning%until_definite
          else

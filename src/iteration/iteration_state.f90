@@ -18,7 +18,7 @@ module dg_iteration_state
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, place_and_survey, go_back
-   public :: judge_gaps, move_gaps, rigid
+   public :: judge_gaps, move_gaps, rigid, stiffen_walls
 
    !> What rho grows by where it is the wall's own [-].
    real(wp), parameter :: rigid = 1.0e30_wp
@@ -103,8 +103,9 @@ contains
    end subroutine make_room_to_watch
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
-   !> that are too deep. The tangent is the energy's where the string is watched.
-   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, work, largest)
+   !> that are too deep. The tangent is the energy's where the string is watched; where it is not, walls get stiffer here after a
+   !> step.
+   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, stepped, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -112,8 +113,8 @@ contains
       type(gap_table_type), intent(inout) :: gaps     !< some may no longer follow
       real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: forces_only     !< without the tangent
+      logical, intent(in) :: stepped         !< a step has just been taken
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(out) :: largest
       real(wp) :: force, moment
       integer :: wanted
       wanted = merge(energy_tangent, whole_tangent, it%watched)
@@ -125,14 +126,28 @@ contains
                                                 it%problem%followers)
       if (.not. forces_only) call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .not. it%watched, &
                                                       equations%matrix)
-      call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call find_largest(it%residual, equations%forces, force, moment)
       it%unbalanced = max(force, moment)
+      if (stepped .and. .not. it%watched) call stiffen_walls(it, equations, gaps, it%unbalanced)
+      call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
       call add_place_forces(it%problem%followers, it%residual)
       call add_pushes(gaps, it%residual, it%problem)
       call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
-      largest = max(it%row%residual_force, it%row%residual_moment)
+      it%before = max(it%row%residual_force, it%row%residual_moment)
    end subroutine measure
+
+   !> rho grows after a step in which few gaps changed and that leaves a small residual.
+   pure subroutine stiffen_walls(it, equations, gaps, left)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(in) :: equations
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: left           !< largest residual [N, N.m]
+      associate (tuning => it%numerics%tuning)
+         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. left < tuning%calm*equations%force_scale) &
+            it%growth = it%growth*tuning%growth
+         if (it%growth >= tuning%stiff) it%growth = rigid
+      end associate
+   end subroutine stiffen_walls
 
    !> Largest force and moment of a right-hand side.
    pure subroutine find_largest(load, forces, force, moment)

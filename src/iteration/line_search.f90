@@ -8,7 +8,7 @@ module dg_line_search
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
-   use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, rigid
+   use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, stiffen_walls
    use dg_mesh, only: mesh_type
    use dg_node_moves, only: move_across, slide_along, slide_on
    use dg_trajectory, only: trajectory_type
@@ -19,8 +19,9 @@ module dg_line_search
 
 contains
 
-   !> Shortens the step until the slope along it is no longer uphill, or the residual is less than before it, and takes it.
-   subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
+   !> Takes the step. Where the string is watched the step is shortened at first until the slope along it is no longer uphill, or the
+   !> residual is less than before it. Where it is not, steps are taken as they are: none of them was ever worth shortening.
+   pure subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -35,25 +36,27 @@ contains
       it%old_force = work%normal
       call keep_gaps(gaps, it%kept)
       equations%iterations = equations%iterations + 1
-      it%slope = slope_at_start(it, equations, work%normal)
       call find_lengths(equations, mesh, work, state, it%length, it%longer)
-      associate (tuning => it%numerics%tuning)
-         do search = 0, tuning%most_searches
-            call try_step(it, equations, trajectory, mesh, gaps, state, work)
-            if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
-                search == tuning%most_searches .or. it%trial < it%before) exit
-            call go_back(it, trajectory, mesh, gaps, state, work)
-            part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
-            it%share = part*it%share
-            equations%step = part*equations%step
-            it%longer = part*it%longer
-            it%slope = part*it%slope
-         end do
-         call take_step(it, equations, trajectory, mesh, gaps, work)
-         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. it%trial < tuning%calm*equations%force_scale) &
-            it%growth = it%growth*tuning%growth
-         if (it%growth >= tuning%stiff) it%growth = rigid
-      end associate
+      if (it%watched) then
+         it%slope = slope_at_start(it, equations, work%normal)
+         associate (tuning => it%numerics%tuning)
+            do search = 0, tuning%most_searches
+               call try_step(it, equations, trajectory, mesh, gaps, state, work)
+               if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
+                   search == tuning%most_searches .or. it%trial < it%before) exit
+               call go_back(it, trajectory, mesh, gaps, state, work)
+               part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
+               it%share = part*it%share
+               equations%step = part*equations%step
+               it%longer = part*it%longer
+               it%slope = part*it%slope
+            end do
+         end associate
+      else
+         call move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
+      end if
+      call take_step(it, equations, trajectory, mesh, gaps, work)
+      if (it%watched) call stiffen_walls(it, equations, gaps, it%trial)
    end subroutine search_along
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
@@ -74,7 +77,7 @@ contains
 
    !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
    !> problem has there, and softly on what is off it.
-   subroutine try_step(it, equations, trajectory, mesh, gaps, state, work)
+   pure subroutine try_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -84,9 +87,7 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp) :: soft, deep, linear
       integer :: e
-      call move_string(it, equations, trajectory, mesh, work, state)
-      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
-      call survey_gaps(trajectory, mesh, gaps, work)
+      call move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
       associate (problem => it%problem)
          do e = 1, mesh%elements
             soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
@@ -104,6 +105,20 @@ contains
       it%slope_after = energy_slope(equations, it%problem%load)
       it%trial = maxval(abs(it%problem%load))
    end subroutine try_step
+
+   !> Moves the string by the step, gaps that follow with it, and measures gaps there.
+   pure subroutine move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      call move_string(it, equations, trajectory, mesh, work, state)
+      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
+      call survey_gaps(trajectory, mesh, gaps, work)
+   end subroutine move_and_survey
 
    !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which
    !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
