@@ -2,7 +2,7 @@
 module dg_equations
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_matrix_type, block_size, new_block_matrix, plane_block_size
+   use dg_block_matrix, only: block_matrix_type, block_size, make_matrix_room, plane_block_size
    use dg_case_result, only: iteration_type
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: linear_solver_type, new_linear_solver
@@ -69,7 +69,7 @@ contains
       type(equations_type), intent(inout) :: equations
       integer, intent(in) :: kind          !< of linear solver
       integer, intent(in) :: nodes
-      equations%matrix = new_block_matrix(nodes, equations%unknowns)
+      call make_matrix_room(nodes, equations%unknowns, equations%matrix)
       call new_linear_solver(kind, nodes, equations%solver, equations%unknowns)
       if (allocated(equations%step)) deallocate (equations%step)
       allocate (equations%step(equations%unknowns, nodes), source=0.0_wp)

@@ -5,7 +5,7 @@ module dg_gap_survey
    use dg_kinds, only: wp
    use dg_gap_location, only: bend_of_displacement, extremum_of_displacement
    use dg_gap_state, only: is_round, state_free
-   use dg_gap_table, only: gap_table_type, lone_contacts, move_gap
+   use dg_gap_table, only: gain_to_move, gap_table_type, lone_contacts, move_gap
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: gap_to_axis, trajectory_type
    use dg_workspace, only: workspace_type
@@ -143,12 +143,13 @@ contains
          end if
          call node_lie(trajectory, mesh, work, e + 1, gap_j, slope_j)
          known = e + 1
-         if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), gaps%law(e)%clearance)) cycle
+         scale = gaps%law(e)%clearance
+         if (lone(e)) scale = deepest(gaps, work, e)
+         if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), &
+                          max(gaps%law(e)%clearance, work%displacement(e) + gain_to_move(gaps, e, threshold*scale)))) cycle
          call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
          old = gaps%xi(e)
-         scale = gaps%law(e)%clearance
-         if (lone(e)) scale = deepest(gaps, work, e)
          if (mesh%spacing(e) > 0.0_wp .and. estimate - work%displacement(e) < least_gain*gaps%law(e)%clearance) cycle
          call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold*scale, changed)
          if (.not. changed) cycle

@@ -4,7 +4,7 @@ module dg_gap_table
    use dg_gap_state, only: gap_law_type, gap_thresholds_type, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
+   public :: gap_table_type, new_gap_table, gain_to_move, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -59,10 +59,7 @@ contains
       table%moves = kept%moves
    end subroutine take_gaps_back
 
-   !> Moves a gap to the extremum x0 = xi L (Eq. 2). The paper puts x0 where the element "is to make first contact": a
-   !> free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by
-   !> `threshold`. The threshold doubles with every move made, free or closed: an element that wants
-   !> contact at two places would otherwise hand its one gap to and fro for ever.
+   !> Moves a gap to the extremum x0 = xi L (Eq. 2) where the string is so much deeper there as gain_to_move asks for.
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
@@ -71,14 +68,26 @@ contains
       real(wp), intent(in) :: at_gap        !< |f| at the present place [m]
       real(wp), intent(in) :: threshold     !< [m]
       logical, intent(out) :: moved
-      real(wp) :: least
-      least = 2.0_wp**min(table%moves(e), most_doublings)
-      if (table%state(e) == state_free) least = least - 1.0_wp
-      moved = at_extremum - at_gap > least*threshold
+      moved = at_extremum - at_gap > gain_to_move(table, e, threshold)
       if (.not. moved) return
       table%xi(e) = xi
       table%moves(e) = table%moves(e) + 1
    end subroutine move_gap
+
+   !> How much deeper the string must be at the extremum than at a gap for the gap to move there [m]. The paper puts x0 where the
+   !> element "is to make first contact": a free gap goes to the extremum at once the first time, a closed one only when the string
+   !> is deeper there by `threshold`. The threshold doubles with every move made, free or closed: an element that wants contact at
+   !> two places would otherwise hand its one gap to and fro for ever.
+   pure function gain_to_move(table, e, threshold) result(gain)
+      type(gap_table_type), intent(in) :: table
+      integer, intent(in) :: e
+      real(wp), intent(in) :: threshold     !< [m]
+      real(wp) :: gain
+      real(wp) :: least
+      least = 2.0_wp**min(table%moves(e), most_doublings)
+      if (table%state(e) == state_free) least = least - 1.0_wp
+      gain = least*threshold
+   end function gain_to_move
 
    !> Gaps whose contacts stand by themselves, and the open ones next to them: one gap or two next to each other, open ones beyond.
    !> Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes no difference that

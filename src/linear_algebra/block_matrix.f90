@@ -4,7 +4,7 @@ module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
-   public :: block_matrix_type, new_block_matrix, new_symmetric_matrix, keep_symmetric, copy_symmetric
+   public :: block_matrix_type, make_matrix_room, new_block_matrix, new_symmetric_matrix, keep_symmetric, copy_symmetric
    public :: add_symmetric, block_product
    public :: block_size, plane_block_size
 
@@ -20,6 +20,16 @@ module dg_block_matrix
 
 contains
 
+   !> Room for the matrix of so many nodes, for an assembly that puts in every number.
+   pure subroutine make_matrix_room(nodes, unknowns, matrix)
+      integer, intent(in) :: nodes
+      integer, intent(in) :: unknowns             !< of a node
+      type(block_matrix_type), intent(out) :: matrix
+      integer :: b
+      b = unknowns
+      allocate (matrix%diagonal(b, b, nodes), matrix%upper(b, b, nodes - 1), matrix%lower(b, b, nodes - 1))
+   end subroutine make_matrix_room
+
    !> A zero matrix for so many nodes.
    pure function new_block_matrix(nodes, unknowns) result(matrix)
       integer, intent(in) :: nodes
@@ -28,7 +38,7 @@ contains
       integer :: b
       b = block_size
       if (present(unknowns)) b = unknowns
-      allocate (matrix%diagonal(b, b, nodes), matrix%upper(b, b, nodes - 1), matrix%lower(b, b, nodes - 1))
+      call make_matrix_room(nodes, b, matrix)
       call clear(size(matrix%diagonal), matrix%diagonal)
       call clear(size(matrix%upper), matrix%upper)
       call clear(size(matrix%lower), matrix%lower)
@@ -41,11 +51,11 @@ contains
       a = 0.0_wp
    end subroutine clear
 
-   !> Room for a symmetric matrix in space.
+   !> Room for a symmetric matrix in space, for keep_symmetric.
    pure function new_symmetric_matrix(nodes) result(matrix)
       integer, intent(in) :: nodes
       type(block_matrix_type) :: matrix
-      allocate (matrix%diagonal(block_size, block_size, nodes), matrix%lower(block_size, block_size, nodes - 1), source=0.0_wp)
+      allocate (matrix%diagonal(block_size, block_size, nodes), matrix%lower(block_size, block_size, nodes - 1))
    end function new_symmetric_matrix
 
    !> kept <- matrix, which is symmetric, without its upper blocks.

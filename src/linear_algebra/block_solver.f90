@@ -30,7 +30,7 @@ contains
    pure subroutine new_block_solver(nodes, solver)
       integer, intent(in) :: nodes
       type(block_solver_type), intent(out) :: solver
-      allocate (solver%solved(pair, block_size, block_size, nodes/2), source=0.0_wp)
+      allocate (solver%solved(pair, block_size, block_size, nodes/2))
    end subroutine new_block_solver
 
    !> Solves; x(6,nodes) is the right-hand side before, the solution after. info = 0: done; > 0: the block of the node that is
