@@ -10,7 +10,7 @@ module dg_sweep_picture
    use dg_job, only: model_name
    use dg_load_case, only: block_way, operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
    use dg_rig, only: indicated_load, rig_type
-   use dg_sweep, only: at_operation, sweep_type
+   use dg_sweep, only: at_operation, point_at, point_count, point_type, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -61,7 +61,7 @@ contains
       hookload = curves(trim(merge('weight_indicator', 'hookload        ', rig%given)), 'measured_hookload', .false.)
       torque = curves('torque', 'measured_torque', .true.)
       ! other factors put it a hair's breadth beside
-      if (yields) call add_series(hookload, yield_curve(pulling(sweep), friction_test(sweep, size(sweep%frictions))), &
+      if (yields) call add_series(hookload, yield_curve(pulling(sweep), size(sweep%frictions)), &
                                   yield_look, '')
       call add_limits(hookload, torque, limits, units, rig, sweep, results_file('sweep_'//sweep%name), &
                       column_header(column_named(sweep_columns, 'bit_depth'), units))
@@ -82,32 +82,30 @@ contains
                                      abs(at_operation(sweep%tob, operation)) > 0.0_wp)) cycle
             do friction = 1, size(sweep%frictions)
                if (is_pushed(sweep%operations(operation)) .and. .not. turning) &
-                  call add_series(series, locked(operation, friction_test(sweep, friction)), locked_look(operation), '')
-               call add_series(series, curve(operation, friction_test(sweep, friction), column), &
+                  call add_series(series, locked(operation, friction), locked_look(operation), '')
+               call add_series(series, curve(operation, friction, column), &
                                marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
             end do
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
-               curve(operation, friction_test(sweep, 1), measured), measured_look(operation), '')
+               curve(operation, 1, measured), measured_look(operation), '')
          end do
       end function curves
 
       !> Depths at which the string locks up, at what is shown of an empty hook.
-      pure function locked(operation, test) result(using)
-         integer, intent(in) :: operation
-         character(*), intent(in) :: test
+      pure function locked(operation, friction) result(using)
+         integer, intent(in) :: operation, friction
          character(:), allocatable :: using
          real(wp) :: slack
          slack = 0.0_wp
          if (rig%given) slack = indicated_load(rig, sweep%operations(operation), 0.0_wp)
-         using = results_file('sweep_'//sweep%name)//" using (stuck('"//trim(operation_name(sweep%operations(operation)))//"', "// &
-            test//', '//to_text(slack/units%force, digits)//")):(column('"// &
+         using = rows(operation, friction)//" using (stuck('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            friction_test(sweep, friction)//', '//to_text(slack/units%force, digits)//")):(column('"// &
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function locked
 
       !> Hook load at which the string yields, as the panel shows hook loads.
-      pure function yield_curve(operation, test) result(using)
-         integer, intent(in) :: operation
-         character(*), intent(in) :: test
+      pure function yield_curve(operation, friction) result(using)
+         integer, intent(in) :: operation, friction
          character(:), allocatable :: using
          real(wp) :: empty, slope
          real(wp), parameter :: unit_load = 1.0e6_wp      ! what a rig shows is linear in the hook load
@@ -117,21 +115,39 @@ contains
             empty = indicated_load(rig, sweep%operations(operation), 0.0_wp)
             slope = (indicated_load(rig, sweep%operations(operation), unit_load) - empty)/unit_load
          end if
-         using = results_file('sweep_'//sweep%name)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
-            test//', '//to_text(empty/units%force, digits)//' + '//to_text(slope, digits)//"*(column('"// &
-            column_header(column_named(sweep_columns, 'hookload'), units)//"') + column('"// &
+         using = rows(operation, friction)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            friction_test(sweep, friction)//', '//to_text(empty/units%force, digits)//' + '//to_text(slope, digits)// &
+            "*(column('"//column_header(column_named(sweep_columns, 'hookload'), units)//"') + column('"// &
             column_header(column_named(sweep_columns, 'overpull_margin'), units)//"')))):(column('"// &
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function yield_curve
 
-      pure function curve(operation, test, column) result(using)
-         integer, intent(in) :: operation
-         character(*), intent(in) :: test, column
+      pure function curve(operation, friction, column) result(using)
+         integer, intent(in) :: operation, friction
+         character(*), intent(in) :: column
          character(:), allocatable :: using
-         using = results_file('sweep_'//sweep%name)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
-            test//", column('"//column_header(column_named(sweep_columns, column), units)//"'))):(column('"// &
-            column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
+         using = rows(operation, friction)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+            friction_test(sweep, friction)//", column('"//column_header(column_named(sweep_columns, column), units)// &
+            "'))):(column('"//column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function curve
+
+      !> The file, and the rows of a curve in it: gnuplot looks at each row of a file for each curve, and 1,300 rows for 22 curves
+      !> took it longer than all the rest of the picture.
+      pure function rows(operation, friction) result(text)
+         integer, intent(in) :: operation, friction
+         character(:), allocatable :: text
+         type(point_type) :: point
+         integer :: i, first, last
+         first = 0
+         last = 0
+         do i = 1, point_count(sweep)
+            point = point_at(sweep, i)
+            if (sweep%models(point%model) /= model .or. point%operation /= operation .or. point%friction /= friction) cycle
+            if (first == 0) first = i
+            last = i
+         end do
+         text = results_file('sweep_'//sweep%name)//' every ::'//to_text(first - 1)//'::'//to_text(last - 1)
+      end function rows
    end subroutine sweep_script
 
    !> The operation of a sweep whose overpull is shown: the first that pulls, else the first.
