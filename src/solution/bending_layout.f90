@@ -2,6 +2,7 @@
 module dg_bending_layout
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns, set_elements
+   use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
@@ -10,7 +11,7 @@ module dg_bending_layout
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: lying_type, find_lying, find_breaks, new_beam, wants_bit, near_bit
+   public :: lying_type, find_lying, find_breaks, stands_alone, new_beam, wants_bit, near_bit
 
    !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
@@ -87,17 +88,18 @@ contains
       end do
    end subroutine find_lying
 
-   !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, and
-   !> where a bend begins or ends beside the string as it has slid. With the longest element that each of them asks for.
-   pure subroutine find_breaks(model, mesh, gaps, lying, breaks, longest)
+   !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, where
+   !> a bend begins or ends beside the string as it has slid, and where contacts stand alone. With the longest element that each of them asks for.
+   pure subroutine find_breaks(model, mesh, gaps, lying, alone, breaks, longest)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(lying_type), intent(in) :: lying
+      logical, intent(in) :: alone                       !< contacts that stand alone are among them
       real(wp), allocatable, intent(out) :: breaks(:)    !< increasing [m]
       real(wp), allocatable, intent(out) :: longest(:)   !< huge where a break asks for nothing [m]
       real(wp) :: scale, largest, jump, place, share, bends(2, size(model%trajectory%arcs))
-      integer :: e, n, arc, count, k
+      integer :: e, n, arc, count, before, k
       associate (arcs => model%trajectory%arcs)
          largest = tiny(1.0_wp)
          do arc = 1, size(arcs)
@@ -133,6 +135,7 @@ contains
                cycle
             end if
             ! bends that begin beside this element as it lies
+            before = count
             do while (arc < size(arcs))
                place = arcs(arc + 1)%md
                if (place > mesh%md(n + 1) + lying%slide(n + 1)) exit
@@ -155,6 +158,12 @@ contains
                   longest(count) = scale
                end if
             end do
+            ! a contact that stands alone bends the string most where it stands
+            if (alone .and. count == before .and. stands_alone(mesh, gaps, n)) then
+               count = count + 1
+               breaks(count) = mesh%md(n) + gaps%xi(n)*mesh%length(n)
+               longest(count) = huge(1.0_wp)
+            end if
          end do
          breaks = breaks(:count)
          longest = longest(:count)
@@ -180,9 +189,26 @@ contains
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       logical :: is
-      is = mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp .and. &
-           gaps%xi(e)*mesh%length(e) > sliver .and. (1.0_wp - gaps%xi(e))*mesh%length(e) > sliver
+      is = mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp .and. is_between(mesh, gaps, e)
    end function is_point
+
+   !> Whether the contact of an element stands by itself between its ends, at the extremum that its gap follows.
+   elemental function stands_alone(mesh, gaps, e) result(does)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      logical :: does
+      does = gaps%followed(e) .and. gaps%state(e) /= state_free .and. is_between(mesh, gaps, e)
+   end function stands_alone
+
+   !> Whether a gap is not next to an end of its element.
+   pure function is_between(mesh, gaps, e) result(is)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      logical :: is
+      is = gaps%xi(e)*mesh%length(e) > sliver .and. (1.0_wp - gaps%xi(e))*mesh%length(e) > sliver
+   end function is_between
 
    !> Whether two positive numbers differ by a change that counts.
    pure function differ(a, b) result(yes)

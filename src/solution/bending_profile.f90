@@ -14,7 +14,7 @@ module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
    use dg_bending_element, only: moments_of_shape
-   use dg_bending_layout, only: find_breaks, find_lying, lying_type, near_bit, new_beam, wants_bit
+   use dg_bending_layout, only: find_breaks, find_lying, lying_type, near_bit, new_beam, stands_alone, wants_bit
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: clock_in_hole, contact_scale, merge_rows
    use dg_bending_solution, only: least_moment, solve_bending
@@ -76,17 +76,22 @@ contains
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
-      real(wp), allocatable :: breaks(:), longest(:), nodes(:), scale(:)
-      integer :: attempt
+      real(wp), allocatable :: breaks(:), longest(:), nodes(:), other(:), scale(:)
+      integer :: attempt, e
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
       lying%lateral = lateral
       if (.not. any(lying%bends)) return
-      call find_breaks(model, mesh, gaps, lying, breaks, longest)
+      call find_breaks(model, mesh, gaps, lying, .true., breaks, longest)
       allocate (nodes, source=graded_nodes(breaks, longest))
+      if (any(stands_alone(mesh, gaps, [(e, e=1, mesh%elements)]))) then
+         call find_breaks(model, mesh, gaps, lying, .false., breaks, longest)
+         allocate (other, source=graded_nodes(breaks, longest))
+      end if
       deallocate (breaks, longest, lying%load)
-      do attempt = 1, 2
-         lying%anchored = attempt == 2
+      do attempt = 1, merge(4, 2, allocated(other))
+         lying%anchored = mod(attempt, 2) == 0
+         if (attempt == 3) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
          call bend_again(model, mesh, gaps, work, lying, nodes, beam, bent, result%moment_error)
          if (.not. is_missing(result%moment_error)) exit
       end do
@@ -175,7 +180,7 @@ contains
    end subroutine solve_anchored
 
    !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
-   !> of the largest, or `most_proofs` times. `error` is the last change; it is missing where no equilibrium was found.
+   !> of the largest, or `most_proofs` times. `error` is the last change; it is missing where no equilibrium was found, or one that is not the analysis' string.
    subroutine prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -204,7 +209,11 @@ contains
          call move_alloc(shape, y)
          call new_beam(model, mesh, gaps, work, lying, finer, beam)
          call solve_anchored(mesh, lying, beam, y, merge(firmly, settled, bit), found)
-         if (.not. found) return
+         if (found) found = departure(mesh, lying%y, beam%md, y) <= farthest
+         if (.not. found) then
+            error = missing
+            return
+         end if
          call move_alloc(moments, before)
          call recover_moments(beam, y, bent, moments, differences)
          error = maxval(abs(moments(kept) - before))/largest_of(beam, moments)
