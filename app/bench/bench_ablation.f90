@@ -16,7 +16,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 38
+   integer, parameter :: numbers = 40
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -168,6 +168,8 @@ contains
       case (35); call change('refused', tuning%refused, never, changed)
       case (36); call change('nearly', tuning%nearly, 0.0_wp, changed)
       case (37); call change('long', tuning%attempt(4)%reach, 1.0_wp, changed)
+      case (38); call change('more_moves', tuning%more_moves, 0, changed)
+      case (39); call change('astray', tuning%astray, 0.0_wp, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

@@ -11,12 +11,21 @@ module dg_gap_survey
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, relocate_gaps
+   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, move_rule_type, relocate_gaps
 
    !> What a gap must gain by a move where tool joints touch, over the clearance [-]: a joint would else be held now at one end and
    !> now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere gaps of short
    !> elements want their places as they are: three times the iterations with elements of 1 m.
    real(wp), parameter :: least_gain = 0.0025_wp
+
+   !> Which gaps may move, and how far.
+   type :: move_rule_type
+      real(wp) :: threshold = 0.0_wp       !< of move_gap, relative to the clearance [-]
+      real(wp) :: most = huge(1.0_wp)      !< no gap moves to where the string is farther outside, over the clearance [-]
+      real(wp) :: least = 0.0_wp           !< no gap moves that is less deeper there than this [m]
+      logical :: closed = .false.          !< closed ones, too
+      logical :: closely = .false.         !< contacts that stand by themselves by a part of their penetration, not of the clearance
+   end type move_rule_type
 
 contains
 
@@ -115,13 +124,10 @@ contains
    !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds. Next to
    !> a bit that is held that look is closer (`closely`): see `lone_contacts`. A closed gap that stands by itself there is not moved
    !> at first, where the string is round: it follows the extremum within the iteration from then on (dg_followed_gaps).
-   pure subroutine relocate_gaps(trajectory, mesh, threshold, most, closed, closely, gaps, work, moved)
+   pure subroutine relocate_gaps(trajectory, mesh, rule, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: threshold          !< relative to the clearance [-]
-      real(wp), intent(in) :: most               !< no gap moves to where the string is farther outside, over the clearance [-]
-      logical, intent(in) :: closed
-      logical, intent(in) :: closely             !< at contacts that stand by themselves
+      type(move_rule_type), intent(in) :: rule
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
@@ -131,10 +137,10 @@ contains
       integer :: e, known
       moved = 0
       lone = .false.
-      if (closely) lone = lone_contacts(gaps%state) .and. .not. mesh%spacing > 0.0_wp
+      if (rule%closely) lone = lone_contacts(gaps%state) .and. .not. mesh%spacing > 0.0_wp
       known = 0                    ! node whose offset stands in gap_j
       do e = 1, mesh%elements
-         if (.not. (closed .or. gaps%state(e) == state_free) .or. mesh%centralizer(e)) cycle
+         if (.not. (rule%closed .or. gaps%state(e) == state_free) .or. mesh%centralizer(e)) cycle
          if (known == e) then
             gap_i = gap_j
             slope_i = slope_j
@@ -146,18 +152,19 @@ contains
          scale = gaps%law(e)%clearance
          if (lone(e)) scale = deepest(gaps, work, e)
          if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), &
-                          max(gaps%law(e)%clearance, work%displacement(e) + gain_to_move(gaps, e, threshold*scale)))) cycle
+                          max(gaps%law(e)%clearance, work%displacement(e) + gain_to_move(gaps, e, rule%threshold*scale)))) cycle
          call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, estimate)
-         if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + most)*gaps%law(e)%clearance) cycle
+         if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + rule%most)*gaps%law(e)%clearance) cycle
+         if (estimate - work%displacement(e) < rule%least) cycle
          old = gaps%xi(e)
          if (mesh%spacing(e) > 0.0_wp .and. estimate - work%displacement(e) < least_gain*gaps%law(e)%clearance) cycle
-         call move_gap(gaps, e, xi, estimate, work%displacement(e), threshold*scale, changed)
+         call move_gap(gaps, e, xi, estimate, work%displacement(e), rule%threshold*scale, changed)
          if (.not. changed) cycle
          moved = moved + 1
          if (lone(e) .and. gaps%state(e) /= state_free) then
             gaps%followed(e) = .not. gaps%followed(e)
             if (gaps%followed(e)) gaps%followed(e) = is_round(gaps%law(e), work%normal(e), &
-               bend_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), old), threshold)
+               bend_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), old), rule%threshold)
             if (gaps%followed(e)) gaps%xi(e) = old
             if (gaps%followed(e)) cycle
          end if

@@ -23,6 +23,7 @@ module dg_equilibrium
    use dg_contact_problem, only: is_definite, measure_contacts
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside, outcome_singular
    use dg_gap_state, only: state_free
+   use dg_gap_survey, only: move_rule_type
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
    use dg_interruption, only: is_interrupted
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
@@ -117,8 +118,10 @@ contains
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: ended
       type(outside_type) :: outside
+      type(move_rule_type) :: rule
       logical :: there, stable
       ended = .false.
+      rule = move_rule_type(closed=.true., closely=.true.)
       do while (is_within(it, equations, it%numerics%tuning%nearly))
          there = is_within(it, equations, 0.0_wp)
          if (there .and. it%watched) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
@@ -135,12 +138,17 @@ contains
                return
             end if
          end if
-         if (it%rounds < it%numerics%tuning%most_moves) then
+         if (may_move(it, there)) then
             call keep_gaps(gaps, it%kept)
-            call move_gaps(it, trajectory, mesh, huge(1.0_wp), .true., .true., gaps, work)
+            rule%least = merge(0.0_wp, it%numerics%tuning%astray, it%rounds < it%numerics%tuning%most_moves)
+            call move_gaps(it, trajectory, mesh, rule, gaps, work)
             if (it%row%moves > 0) then
-               if (there .or. it%rounds == 0) then     ! an equilibrium, or where gaps first touched
-                  it%settled = state
+               if (it%rounds == it%numerics%tuning%most_moves + it%numerics%tuning%more_moves) then      ! it did not help
+                  call take_back(it, equations, trajectory, mesh, gaps, state, work)
+                  exit
+               end if
+               if ((there .or. it%rounds == 0) .and. it%rounds <= it%numerics%tuning%most_moves) then
+                  it%settled = state                   ! an equilibrium, or where gaps first touched
                   it%settled_force = work%normal
                   call keep_gaps(it%kept, it%settled_gaps)
                end if
@@ -158,23 +166,45 @@ contains
          return
       end do
       if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. &
-          equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
-         state = it%settled
-         work%normal = it%settled_force
-         call take_gaps_back(it%settled_gaps, gaps)
-         gaps%followed = .false.
-         call take_gaps_back(it%settled_gaps, it%kept)
-         equations%gaps_taken_back = .true.
-         it%rounds = it%numerics%tuning%most_moves
-         it%growth = rigid
-         call place_and_survey(trajectory, mesh, gaps, state, work)
-         call judge_gaps(it, trajectory, mesh, .false., gaps, work)
-         it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
-         call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
-      end if
+          equations%iterations >= it%round_start + it%numerics%tuning%longest_round) &
+         call take_back(it, equations, trajectory, mesh, gaps, state, work)
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
+
+   !> Whether gaps may move once more. After so many rounds it is the last look, at equilibrium, at those that are far from where the
+   !> string is deepest.
+   pure function may_move(it, there) result(may)
+      type(equilibrium_type), intent(in) :: it
+      logical, intent(in) :: there           !< in equilibrium
+      logical :: may
+      associate (tuning => it%numerics%tuning)
+         may = it%rounds < tuning%most_moves .or. (there .and. it%rounds <= tuning%most_moves + tuning%more_moves)
+      end associate
+   end function may_move
+
+   !> Back to the equilibrium before gaps moved; from here on none moves.
+   subroutine take_back(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      state = it%settled
+      work%normal = it%settled_force
+      call take_gaps_back(it%settled_gaps, gaps)
+      gaps%followed = .false.
+      call take_gaps_back(it%settled_gaps, it%kept)
+      equations%gaps_taken_back = .true.
+      it%rounds = huge(it%rounds)
+      it%growth = rigid
+      call place_and_survey(trajectory, mesh, gaps, state, work)
+      call judge_gaps(it, trajectory, mesh, .false., gaps, work)
+      it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
+      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
+   end subroutine take_back
 
    !> Whether an equilibrium is so near: by the residual and the forces of gaps that opened or closed, walls at their own stiffness.
    pure function is_within(it, equations, part) result(is)

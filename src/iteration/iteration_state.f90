@@ -8,7 +8,7 @@ module dg_iteration_state
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
    use dg_gap_action, only: load_type
    use dg_gap_state, only: depth_of, next_state, state_free
-   use dg_gap_survey, only: relocate_gaps, survey_gaps
+   use dg_gap_survey, only: move_rule_type, relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
    use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_straight_down, mesh_type
@@ -249,7 +249,8 @@ contains
       real(wp) :: deep
       integer :: e, next
       it%row%moves = 0
-      if (relocate) call move_gaps(it, trajectory, mesh, it%numerics%tuning%gently, it%row%flips == 0, .false., gaps, work)
+      if (relocate) call move_gaps(it, trajectory, mesh, move_rule_type(most=it%numerics%tuning%gently, closed=it%row%flips == 0), &
+                                   gaps, work)
       it%row%flips = 0
       it%flipped = 0.0_wp
       do e = 1, mesh%elements
@@ -267,17 +268,18 @@ contains
       end do
    end subroutine judge_gaps
 
-   !> Moves gaps to where the string is deepest (Eq. 2).
-   pure subroutine move_gaps(it, trajectory, mesh, most, closed, closely, gaps, work)
+   !> Moves gaps to where the string is deepest (Eq. 2), by a rule whose threshold is that of the deck.
+   pure subroutine move_gaps(it, trajectory, mesh, rule, gaps, work)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: most               !< as of relocate_gaps
-      logical, intent(in) :: closed, closely     !< the same
+      type(move_rule_type), intent(in) :: rule
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
+      type(move_rule_type) :: ours
       it%row%moves = 0
-      if (it%numerics%gap_location == gap_at_extremum) &
-         call relocate_gaps(trajectory, mesh, it%numerics%relocation, most, closed, closely, gaps, work, it%row%moves)
+      ours = rule
+      ours%threshold = it%numerics%relocation
+      if (it%numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, ours, gaps, work, it%row%moves)
    end subroutine move_gaps
 end module dg_iteration_state

@@ -98,7 +98,8 @@ contains
          real(wp) :: slack
          slack = 0.0_wp
          if (rig%given) slack = indicated_load(rig, sweep%operations(operation), 0.0_wp)
-         using = rows(operation, friction)//" using (stuck('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+         using = rows_of(sweep, model, operation, friction)//" using (stuck('"// &
+            trim(operation_name(sweep%operations(operation)))//"', "// &
             friction_test(sweep, friction)//', '//to_text(slack/units%force, digits)//")):(column('"// &
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function locked
@@ -115,7 +116,8 @@ contains
             empty = indicated_load(rig, sweep%operations(operation), 0.0_wp)
             slope = (indicated_load(rig, sweep%operations(operation), unit_load) - empty)/unit_load
          end if
-         using = rows(operation, friction)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+         using = rows_of(sweep, model, operation, friction)//" using (pick('"// &
+            trim(operation_name(sweep%operations(operation)))//"', "// &
             friction_test(sweep, friction)//', '//to_text(empty/units%force, digits)//' + '//to_text(slope, digits)// &
             "*(column('"//column_header(column_named(sweep_columns, 'hookload'), units)//"') + column('"// &
             column_header(column_named(sweep_columns, 'overpull_margin'), units)//"')))):(column('"// &
@@ -126,29 +128,32 @@ contains
          integer, intent(in) :: operation, friction
          character(*), intent(in) :: column
          character(:), allocatable :: using
-         using = rows(operation, friction)//" using (pick('"//trim(operation_name(sweep%operations(operation)))//"', "// &
+         using = rows_of(sweep, model, operation, friction)//" using (pick('"// &
+            trim(operation_name(sweep%operations(operation)))//"', "// &
             friction_test(sweep, friction)//", column('"//column_header(column_named(sweep_columns, column), units)// &
             "'))):(column('"//column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
       end function curve
-
-      !> The file, and the rows of a curve in it: gnuplot looks at each row of a file for each curve, and 1,300 rows for 22 curves
-      !> took it longer than all the rest of the picture.
-      pure function rows(operation, friction) result(text)
-         integer, intent(in) :: operation, friction
-         character(:), allocatable :: text
-         type(point_type) :: point
-         integer :: i, first, last
-         first = 0
-         last = 0
-         do i = 1, point_count(sweep)
-            point = point_at(sweep, i)
-            if (sweep%models(point%model) /= model .or. point%operation /= operation .or. point%friction /= friction) cycle
-            if (first == 0) first = i
-            last = i
-         end do
-         text = results_file('sweep_'//sweep%name)//' every ::'//to_text(first - 1)//'::'//to_text(last - 1)
-      end function rows
    end subroutine sweep_script
+
+   !> The file, and the rows of a curve in it: gnuplot looks at each row of a file for each curve, and 1,300 rows for 22 curves took
+   !> it longer than all the rest of the picture.
+   pure function rows_of(sweep, model, operation, friction) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: model          !< number of the model
+      integer, intent(in) :: operation, friction      !< numbers of them in the sweep
+      character(:), allocatable :: text
+      type(point_type) :: point
+      integer :: i, first, last
+      first = 0
+      last = 0
+      do i = 1, point_count(sweep)
+         point = point_at(sweep, i)
+         if (sweep%models(point%model) /= model .or. point%operation /= operation .or. point%friction /= friction) cycle
+         if (first == 0) first = i
+         last = i
+      end do
+      text = results_file('sweep_'//sweep%name)//' every ::'//to_text(first - 1)//'::'//to_text(last - 1)
+   end function rows_of
 
    !> The operation of a sweep whose overpull is shown: the first that pulls, else the first.
    pure function pulling(sweep) result(operation)

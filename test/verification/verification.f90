@@ -34,6 +34,7 @@ contains
       use dg_test_operations, only: operations_suite
       use dg_test_assemblies, only: assemblies_suite
       use dg_test_hard_cases, only: hard_cases_suite
+      use dg_test_lone_contacts, only: lone_contacts_suite
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
       use dg_test_columns, only: columns_suite
@@ -66,6 +67,7 @@ contains
       call suite%addTest(operations_suite())
       call suite%addTest(assemblies_suite())
       call suite%addTest(hard_cases_suite())
+      call suite%addTest(lone_contacts_suite())
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())
       call suite%addTest(columns_suite())
