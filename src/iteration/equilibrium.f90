@@ -12,8 +12,8 @@
 !>      clearance. What is still longer than one clearance is shortened to it.
 !>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
 !>      axial forces of the linear problem: an axial stiffness would make kilonewtons of the square of a lateral step.
-!>   4. The step is shortened while the slope along it of the energy, friction's forces frozen, is uphill at its end. Walls press
-!>      there with the force of the linear problem, and softly on what is off it.
+!>   4. The step of a string that is watched is shortened while the slope along it of the energy, friction's forces frozen, is
+!>      uphill at its end. Walls press there with the force of the linear problem, and softly on what is off it.
 !>   5. A step that leads uphill for all that, and leaves no less residual, is refused, and viscosity raised.
 !> At convergence rho is the wall's stiffness: residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are all settled.
 module dg_equilibrium

@@ -95,8 +95,8 @@ contains
       if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
       if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-         call add_message(result, 'gaps that were moved to where the string lies deepest found no equilibrium there and stand '// &
-                          'where they first touched: '//touched)
+         call add_message(result, 'gaps that were moved to where the string lies deepest found no better equilibrium '// &
+                          'there and stand where they stood before: '//touched)
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
          if (outside%elements > 0) call add_outside(model%units, outside, result)
