@@ -172,8 +172,7 @@ contains
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
 
-   !> Whether gaps may move once more. After so many rounds it is the last look, at equilibrium, at those that are far from where the
-   !> string is deepest.
+   !> Whether gaps may move once more, or are looked at for the last time: after more_moves rounds, at equilibrium.
    pure function may_move(it, there) result(may)
       type(equilibrium_type), intent(in) :: it
       logical, intent(in) :: there           !< in equilibrium

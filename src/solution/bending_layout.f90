@@ -89,7 +89,8 @@ contains
    end subroutine find_lying
 
    !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, where
-   !> a bend begins or ends beside the string as it has slid, and where contacts stand alone. With the longest element that each of them asks for.
+   !> a bend begins or ends beside the string as it has slid, and where contacts stand alone. With the longest element that each of
+   !> them asks for.
    pure subroutine find_breaks(model, mesh, gaps, lying, alone, breaks, longest)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
