@@ -180,8 +180,8 @@ contains
    end subroutine solve_anchored
 
    !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
-   !> of the largest, or `most_proofs` times. `error` is the last change. It is missing where no equilibrium was found, or one that is
-   !> not the analysis' string.
+   !> of the largest, or `most_proofs` times. `error` is the last change. It is missing where no equilibrium was found, or one that
+   !> is not the analysis' string.
    subroutine prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
