@@ -38,7 +38,7 @@ module dg_equations
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< of all attempts so far
-      logical :: gaps_taken_back = .false.        !< moved gaps found no equilibrium: they are where they were
+      logical :: gaps_taken_back = .false.        !< moved gaps found no better equilibrium: they are where they were
    end type equations_type
 
 contains

@@ -121,9 +121,9 @@ contains
 
    !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
    !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
-   !> stay where they first touched unless the string is far deeper elsewhere, which one look at the end finds. Next to
-   !> a bit that is held that look is closer (`closely`): see `lone_contacts`. A closed gap that stands by itself there is not moved
-   !> at first, where the string is round: it follows the extremum within the iteration from then on (dg_followed_gaps).
+   !> stay where they first touched unless the string is far deeper elsewhere, which looks near the equilibrium find. Contacts that
+   !> stand by themselves are then looked at more closely (`closely`): see `lone_contacts`. The gap of one of them is not moved at
+   !> first, where the string is round: it follows the extremum within the iteration from then on (dg_followed_gaps).
    pure subroutine relocate_gaps(trajectory, mesh, rule, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh

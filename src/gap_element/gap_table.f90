@@ -47,6 +47,7 @@ contains
       kept%state = table%state
       kept%flips = table%flips
       kept%moves = table%moves
+      kept%followed = table%followed
    end subroutine keep_gaps
 
    !> Puts the gaps back to what keep_gaps remembered.
@@ -57,6 +58,7 @@ contains
       table%state = kept%state
       table%flips = kept%flips
       table%moves = kept%moves
+      table%followed = kept%followed
    end subroutine take_gaps_back
 
    !> Moves a gap to the extremum x0 = xi L (Eq. 2) where the string is so much deeper there as gain_to_move asks for.

@@ -107,7 +107,7 @@ contains
 
    !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; there, but outside the hole; or with
    !> its iterations used up. Elements are cut and gaps are moved when the equilibrium is near: what Newton's last steps change is
-   !> too little for either. Gaps that moved and find no equilibrium are taken back.
+   !> too little for either. Gaps that moved and find no equilibrium, or stay far off for all that, are taken back.
    subroutine judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -145,7 +145,7 @@ contains
             if (it%row%moves > 0) then
                if (it%rounds == it%numerics%tuning%most_moves + it%numerics%tuning%more_moves) then      ! it did not help
                   call take_back(it, equations, trajectory, mesh, gaps, state, work)
-                  exit
+                  cycle
                end if
                if ((there .or. it%rounds == 0) .and. it%rounds <= it%numerics%tuning%most_moves) then
                   it%settled = state                   ! an equilibrium, or where gaps first touched
@@ -165,10 +165,19 @@ contains
          ended = .true.
          return
       end do
-      if (it%rounds > 0 .and. .not. equations%gaps_taken_back .and. &
-          equations%iterations >= it%round_start + it%numerics%tuning%longest_round) &
-         call take_back(it, equations, trajectory, mesh, gaps, state, work)
       ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
+      if (it%rounds > 0 .and. .not. equations%gaps_taken_back) then
+         if (ended .and. it%rounds > it%numerics%tuning%most_moves .and. .not. is_interrupted()) then
+            ! it was in equilibrium before these
+            call take_back(it, equations, trajectory, mesh, gaps, state, work)
+            if (is_within(it, equations, 0.0_wp)) then
+               it%outcome = outcome_converged
+               return
+            end if
+         else if (equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
+            call take_back(it, equations, trajectory, mesh, gaps, state, work)
+         end if
+      end if
       if (ended) it%outcome = outcome_exhausted
    end subroutine judge_equilibrium
 
@@ -182,7 +191,7 @@ contains
       end associate
    end function may_move
 
-   !> Back to the equilibrium before gaps moved; from here on none moves.
+   !> Back to where the string was before its gaps last moved; from here on none moves.
    subroutine take_back(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -194,7 +203,6 @@ contains
       state = it%settled
       work%normal = it%settled_force
       call take_gaps_back(it%settled_gaps, gaps)
-      gaps%followed = .false.
       call take_gaps_back(it%settled_gaps, it%kept)
       equations%gaps_taken_back = .true.
       it%rounds = huge(it%rounds)

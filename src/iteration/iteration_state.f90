@@ -61,7 +61,7 @@ module dg_iteration_state
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
-      real(wp), allocatable :: settled(:, :), settled_force(:)   !< where the string was before gaps moved
+      real(wp), allocatable :: settled(:, :), settled_force(:)   !< where the string was before gaps last moved
       type(gap_table_type) :: settled_gaps
    end type equilibrium_type
 

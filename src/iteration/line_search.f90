@@ -20,8 +20,8 @@ module dg_line_search
 contains
 
    !> Takes the step. Where the string is watched the step is shortened at first, until the slope along it is no longer uphill or
-   !> the residual is less than before it. Where it is not, steps are taken as they are: of 394 cases one took 12 iterations so,
-   !> and not 10.
+   !> the residual is less than before it. Where it is not, steps are taken as they are: of 394 cases one needs more
+   !> iterations this way, 12 instead of 10.
    pure subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations

@@ -10,7 +10,7 @@ module dg_sweep_picture
    use dg_job, only: model_name
    use dg_load_case, only: block_way, operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
    use dg_rig, only: indicated_load, rig_type
-   use dg_sweep, only: at_operation, point_at, point_count, point_type, sweep_type
+   use dg_sweep, only: at_operation, point_number, point_type, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
@@ -142,17 +142,9 @@ contains
       integer, intent(in) :: model          !< number of the model
       integer, intent(in) :: operation, friction      !< numbers of them in the sweep
       character(:), allocatable :: text
-      type(point_type) :: point
-      integer :: i, first, last
-      first = 0
-      last = 0
-      do i = 1, point_count(sweep)
-         point = point_at(sweep, i)
-         if (sweep%models(point%model) /= model .or. point%operation /= operation .or. point%friction /= friction) cycle
-         if (first == 0) first = i
-         last = i
-      end do
-      text = results_file('sweep_'//sweep%name)//' every ::'//to_text(first - 1)//'::'//to_text(last - 1)
+      integer :: first
+      first = point_number(sweep, point_type(findloc(sweep%models, model, dim=1), operation, friction, 1))
+      text = results_file('sweep_'//sweep%name)//' every ::'//to_text(first - 1)//'::'//to_text(first + size(sweep%depths) - 2)
    end function rows_of
 
    !> The operation of a sweep whose overpull is shown: the first that pulls, else the first.

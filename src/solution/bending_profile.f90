@@ -87,6 +87,7 @@ contains
       if (any(stands_alone(mesh, gaps, [(e, e=1, mesh%elements)]))) then
          call find_breaks(model, mesh, gaps, lying, .false., breaks, longest)
          allocate (other, source=graded_nodes(breaks, longest))
+         if (size(other) == size(nodes)) deallocate (other)       ! none of them has a node of its own
       end if
       deallocate (breaks, longest, lying%load)
       do attempt = 1, merge(4, 2, allocated(other))

@@ -15,7 +15,7 @@ module dg_test_pictures
    use dg_hookload_picture, only: hookload_script
    use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe
    use dg_line_list, only: line_list_type
-   use dg_job, only: job_type, model_soft
+   use dg_job, only: job_type, model_mcge, model_soft
    use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
       optional_real
    use dg_limits_file, only: limits_columns
@@ -236,6 +236,7 @@ contains
       field_force = units%force
       field_moment = units%moment
       sweep%name = 'broom'
+      sweep%models = [model_mcge, model_soft]
       sweep%operations = [operation_trip_out, operation_rotary_drilling]
       sweep%frictions = given([0.1_wp, 0.25_wp])
       sweep%depths = [100.0_wp, 2000.0_wp]
@@ -244,6 +245,8 @@ contains
       call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
       call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
+      call assertTrue(has_text(lines, "every ::10::11 using (pick('trip_out', abs(column('friction') - 0.25) < 1e-9, "), &
+                      message='its rows of the file, from 0 on: after the eight of the other model and two of the other factor')
       call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
       call assertFalse(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"), &
                        message='no torque going up')
