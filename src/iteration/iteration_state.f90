@@ -47,8 +47,10 @@ module dg_iteration_state
       real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
       real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
       real(wp) :: unbalanced = 0.0_wp         !< the same without pushes
+      ! of a string that is watched
       real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
+      ! of any string
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
       real(wp) :: old_growth = 1.0_wp
       real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]

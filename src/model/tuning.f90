@@ -89,7 +89,7 @@ module dg_tuning
       !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more strings are moved in
       !> vain, 125 more iterations of 340 decks.
       real(wp) :: astray = 3.0e-3_wp
-      !> Iterations after which a string whose gaps have so moved is given up, and taken back to its equilibrium before.
+      !> Iterations after its gaps last moved at which a string is given up, and taken back to where it was before.
       integer :: longest_round = 25
 
       ! ---- viscosity (dg_viscosity, dg_step)
@@ -118,7 +118,7 @@ module dg_tuning
       logical :: keep_lengths = .true.
       !> Nodes so far off the axis, over the lesser clearance next to them, are turned about it [-].
       real(wp) :: turned_beyond = 0.3_wp
-      !> A slope at a step's end over that at its start from which the step is shortened [-].
+      !> A slope at a step's end over that at its start from which the step of a string that is watched is shortened [-].
       real(wp) :: uphill = 0.3_wp
       !> Times that it is shortened.
       integer :: most_searches = 3
