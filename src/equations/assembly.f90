@@ -192,7 +192,10 @@ contains
       if (.not. row%closed(l)) work%normal(e) = 0.0_wp
       if (allocated(mesh%bend)) call add_own_bend(mesh, l, row, work, force, matrix)
       if (row%closed(l)) call add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
-      if (allocated(work%end_force)) work%end_force(:, e) = force(1:6)
+      if (allocated(work%end_force)) then
+         work%end_force(:, e) = force(1:6)
+         work%node_torque(e:e + 1) = [twisting(1), -twisting(2)]
+      end if
    end subroutine finish_element
 
    !> Adds the bend of an element that has one.

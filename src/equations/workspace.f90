@@ -33,6 +33,7 @@ module dg_workspace
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
       real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, element loads taken off (6,e)
+      real(wp), allocatable :: node_torque(:)       !< in the string at a node, friction of its elements taken off (nodes) [N.m]
       ! of the whole string
       real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
       real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
@@ -78,14 +79,14 @@ contains
       if (allocated(work%end_force)) return
       m = mesh%elements
       allocate (work%contact_force(3, m), work%contact_moment(3, m), work%end_force(6, m), work%node_force(6, mesh%nodes), &
-                source=0.0_wp)
+                work%node_torque(mesh%nodes), source=0.0_wp)
    end subroutine make_room_for_recovery
 
    !> Gives back all but what the moments along the string ask for once its forces have been told.
    pure subroutine keep_for_moments(work)
       type(workspace_type), intent(inout) :: work
       deallocate (work%membrane_length, work%gap, work%axis_tangent, work%axis_curvature, work%displacement, work%axial)
-      deallocate (work%node_force, work%contact_force, work%contact_moment, work%end_force)
+      deallocate (work%node_force, work%contact_force, work%contact_moment, work%end_force, work%node_torque)
    end subroutine keep_for_moments
 
    !> Displacements and directors (dg_director) in space axes from the unknowns state(6,nodes).

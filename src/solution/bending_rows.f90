@@ -28,13 +28,14 @@ contains
       real(wp), intent(in) :: scale(:)                !< see contact_scale
       type(profile_type), intent(inout) :: profile    !< on entry of the analysis, on return of the beam
       type(profile_type) :: own
-      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), across(2)
+      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), above(size(beam%md)), across(2)
       logical :: kept(size(beam%md))
       integer, allocatable :: rows(:)
       integer :: n, o, row
       call choose_moments(mesh, beam, bent%forces, profile%bending, moment, kept)
       rows = pack([(n, n=1, size(kept))], kept)
       side_force = side_forces(mesh, work, beam, bent, scale, rows)
+      above = contact_above(mesh, beam, bent)
       own = profile
       profile = new_profile(size(rows))
       do row = 1, size(rows)
@@ -44,7 +45,7 @@ contains
          profile%md(row) = beam%md(n)
          call put_place(trajectory, mesh%arc(o), row, profile)
          profile%axial(row) = beam%axial(n)
-         profile%torque(row) = (1.0_wp - share)*own%torque(o) + share*own%torque(o + 1)
+         profile%torque(row) = (1.0_wp - above(n))*own%torque(o) + above(n)*own%torque(o + 1)
          profile%bending(row) = moment(n)
          profile%side_force(row) = side_force(n)
          if (beam%held(n)) then       ! a node of the mesh
@@ -136,6 +137,36 @@ contains
          per_metre(rows(row)) = 2.0_wp*per_metre(rows(row))/(beam%md(lower) - beam%md(upper))
       end do
    end function side_forces
+
+   !> What part of the contact of its element of the analysis a node of the beam has above it [-]: there the torque has fallen by
+   !> that part. Of an element without contact it is the part of its length.
+   pure function contact_above(mesh, beam, bent) result(above)
+      type(mesh_type), intent(in) :: mesh
+      type(bending_beam_type), intent(in) :: beam
+      type(bent_type), intent(in) :: bent
+      real(wp) :: above(size(beam%md))
+      real(wp) :: contact(size(beam%ei)), total(mesh%elements)
+      integer :: e, p
+      contact = sum(bent%pressed, dim=1)
+      do p = 1, size(bent%points)      ! between the two elements that meet there
+         contact(beam%point(p) - 1:beam%point(p)) = contact(beam%point(p) - 1:beam%point(p)) + 0.5_wp*bent%points(p)
+      end do
+      total = 0.0_wp
+      do e = 1, size(contact)
+         above(e) = total(beam%owner(e))
+         total(beam%owner(e)) = total(beam%owner(e)) + contact(e)
+      end do
+      do e = 1, size(contact)
+         associate (o => beam%owner(e))
+            if (total(o) > 0.0_wp) then
+               above(e) = above(e)/total(o)
+            else
+               above(e) = (beam%md(e) - mesh%md(o))/mesh%length(o)
+            end if
+         end associate
+      end do
+      above(size(above)) = 1.0_wp
+   end function contact_above
 
    !> Contact forces at the nodes of the beam [N]. They are distributed as the beam has them, and scaled to the sum of the
    !> analysis. The force of a tool joint is spread over its element of the analysis. Where the string is not bent again they are

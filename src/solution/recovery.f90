@@ -19,7 +19,7 @@ contains
 
    !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial and shear force
    !> and bending moment are those of the cross-section at the node: end forces with the element's own loads taken off, the
-   !> mean of both sides. Side force is the gaps' contact force over their length, shared by both ends.
+   !> mean of both sides. Torque is the same on both. Side force is the gaps' contact force over their length, shared by both ends.
    pure subroutine recover_profile(trajectory, mesh, gaps, work, profile)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -53,7 +53,6 @@ contains
             e = n - 1
             sides = sides + 1
             profile%axial(n) = profile%axial(n) + dot_product(upper(1:3), work%d(:, n))
-            profile%torque(n) = profile%torque(n) - work%torque(e)
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
             profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
@@ -62,13 +61,12 @@ contains
             e = n
             sides = sides + 1
             profile%axial(n) = profile%axial(n) - dot_product(lower(1:3), work%d(:, n))
-            profile%torque(n) = profile%torque(n) - work%torque(e)
             profile%side_force(n) = profile%side_force(n) + 0.5_wp*work%normal(e)
             share = share + 0.5_wp*mesh%length(e)
             profile%gap_state(n) = max(profile%gap_state(n), gaps%state(e))
          end if
          profile%axial(n) = profile%axial(n)/sides
-         profile%torque(n) = profile%torque(n)/sides
+         profile%torque(n) = work%node_torque(n)
          profile%bending(n) = norm2(cross(work%d(:, n), upper(4:6) - lower(4:6)))/sides
          across = (upper(1:3) - lower(1:3))/sides
          profile%shear(n) = norm2(across - dot_product(across, work%d(:, n))*work%d(:, n))

@@ -1,8 +1,8 @@
 !> Contacts that stand alone: where they are and how they bend the string. The wells were made by an independent reviewer; what is
 !> expected is what the same program finds on elements of a quarter of a metre to two metres.
 module dg_test_lone_contacts
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type, result_converged
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type, contact_blades, result_converged
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_file_system, only: write_text_file
@@ -28,6 +28,7 @@ contains
       call suite%addTest(TestMethod('place', test_place))
       call suite%addTest(TestMethod('moment', test_moment))
       call suite%addTest(TestMethod('other_equilibrium', test_other_equilibrium))
+      call suite%addTest(TestMethod('torque_at_blades', test_torque_at_blades))
    end function lone_contacts_suite
 
    !> A short assembly turns through enlarged parts of a bend of 16 deg/30 m. Once a contact of 3 kN stood at one end of its element
@@ -99,6 +100,60 @@ contains
       if (.not. is_missing(result%moment_error)) &
          call assertGreaterThan(maxval(result%profile%displacement), 0.01_wp, message='proven: of the string that was found')
    end subroutine test_other_equilibrium
+
+   !> An assembly on three blades turns in a straight hole. At each blade the torque falls by coefficient, radius and force, over the
+   !> metre below and above it; at the top it is that of the summary, at the bit none. Once a row had the mean torque of the
+   !> elements beside it: a tenth of the whole off at a blade, and at the top another than the summary.
+   subroutine test_torque_at_blades()
+      real(wp), parameter :: friction = 0.3_wp, blade = 0.5_wp*0.2143_wp
+      real(wp), parameter :: within = 0.02_wp       ! blades and collars beside them, which touch nothing there
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: result
+      real(wp) :: fall
+      integer :: i, blades
+      allocate (deck(0))
+      call append_text(deck, "&trajectory md = 0.0, 400.0, inc = 2*70.0, azi = 2*30.0 /")
+      call append_text(deck, "&hole diameter = 215.9, friction = 0.3 /")
+      call append_text(deck, "&fluid density = 1200.0 /")
+      call append_text(deck, "&component name = 'bit', kind = 'bit', length = 0.25, od = 165.1, id = 60.0 /")
+      do i = 1, 3
+         call append_text(deck, "&component name = 'collar', kind = 'collar', length = 9.0, od = 165.1, id = 71.4 /")
+         call append_text(deck, "&component name = 'blades', kind = 'stabilizer', length = 1.0, od = 165.1, id = 71.4, "// &
+                          "joint_od = 214.3 /")
+      end do
+      call append_text(deck, "&component name = 'collar', kind = 'collar', length = 18.0, od = 165.1, id = 71.4 /")
+      call append_text(deck, "&component name = 'pipe', od = 127.0, id = 108.6, mass = 31.9, joint_od = 168.3 /")
+      call append_text(deck, "&boundary bit_lateral = 'free' /")
+      call append_text(deck, "&load_case name = 'c', operation = 'rotate_off_bottom', bit_depth = 400.0 /")
+      call solve_deck(deck, 0.0_wp, .false., result)
+      blades = 0
+      associate (p => result%profile, contacts => result%contacts)
+         call assertRelativelyEqual(result%torque, p%torque(1), 1.0e-9_wp, message='top')
+         call assertLessThan(abs(p%torque(size(p%md))), 1.0e-6_wp*result%torque, message='bit')
+         do i = 1, size(contacts)
+            if (contacts(i)%kind /= contact_blades) cycle
+            blades = blades + 1
+            fall = torque_at(contacts(i)%md - 1.0_wp) - torque_at(contacts(i)%md + 1.0_wp)
+            call note('torque lost at blades, over coefficient times radius times force, less one', &
+                      fall/(friction*blade*contacts(i)%force) - 1.0_wp)
+            call assertRelativelyEqual(friction*blade*contacts(i)%force, fall, within, message='at blades')
+         end do
+      end associate
+      call assertEqual(3, blades, message='blades that touch')
+
+   contains
+
+      !> By a straight line between rows.
+      pure function torque_at(md) result(torque)
+         real(wp), intent(in) :: md
+         real(wp) :: torque
+         integer :: n
+         associate (p => result%profile)
+            n = max(1, min(size(p%md) - 1, count(p%md <= md)))
+            torque = p%torque(n) + (p%torque(n + 1) - p%torque(n))*(md - p%md(n))/(p%md(n + 1) - p%md(n))
+         end associate
+      end function torque_at
+   end subroutine test_torque_at_blades
 
    subroutine add_holes(deck, bottom, diameter)
       type(text_type), allocatable, intent(inout) :: deck(:)
