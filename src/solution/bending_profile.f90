@@ -14,10 +14,11 @@ module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
    use dg_bending_element, only: moments_of_shape
+   use dg_bending_equilibrium, only: is_near, solve_anchored
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, near_bit, new_beam, stands_alone, wants_bit
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
    use dg_bending_rows, only: clock_in_hole, contact_scale, merge_rows
-   use dg_bending_solution, only: least_moment, solve_bending
+   use dg_bending_solution, only: least_moment
    use dg_case_result, only: case_result_type
    use dg_contact_edges, only: moments_of_misplacing
    use dg_contact_list, only: list_contacts
@@ -56,9 +57,6 @@ module dg_bending_profile
    real(wp), parameter :: firmly = 1.0e-6_wp
    !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp
-   !> Largest distance of the beam from the string of the analysis, over the clearance [-]. Next to an instability, as of a free
-   !> end under a large load, the beam may find another equilibrium; that is not taken.
-   real(wp), parameter :: farthest = 0.8_wp
    !> No element becomes shorter than this by halving, except to prove a mesh [m].
    real(wp), parameter :: shortest = 0.01_wp
 
@@ -160,25 +158,10 @@ contains
          if (.not. found) return
          call recover_moments(beam, y, bent, moments, differences)
       end do
-      if (departure(mesh, lying%y, beam%md, y) > farthest) return
+      if (.not. is_near(mesh, lying, beam%md, y)) return
       error = maxval(differences)/largest_of(beam, moments)
       if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
    end subroutine bend_again
-
-   !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string.
-   subroutine solve_anchored(mesh, lying, beam, y, settled, found)
-      type(mesh_type), intent(in) :: mesh
-      type(lying_type), intent(in) :: lying
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(inout) :: y(:, :)
-      real(wp), intent(in) :: settled
-      logical, intent(out) :: found
-      if (lying%anchored) then
-         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, lying%y, beam%md))
-      else
-         call solve_bending(beam, y, settled, found)
-      end if
-   end subroutine solve_anchored
 
    !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
    !> of the largest, or `most_proofs` times. `error` is the last change. It is missing where no equilibrium was found, or one that
@@ -211,7 +194,7 @@ contains
          call move_alloc(shape, y)
          call new_beam(model, mesh, gaps, work, lying, finer, beam)
          call solve_anchored(mesh, lying, beam, y, merge(firmly, settled, bit), found)
-         if (found) found = departure(mesh, lying%y, beam%md, y) <= farthest
+         if (found) found = is_near(mesh, lying, beam%md, y)
          if (.not. found) then
             error = missing
             return
@@ -222,23 +205,6 @@ contains
          if (error <= proven) return
       end do
    end subroutine prove
-
-   !> Largest distance of the beam from the string of the analysis at the nodes of the mesh, over the clearance there [-].
-   pure function departure(mesh, before, nodes, y) result(share)
-      type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: before(:, :)          !< by the analysis (4,mesh%nodes) [m, -]
-      real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them (n), (4,n) [m, -]
-      real(wp) :: share
-      integer :: m, n, e
-      share = 0.0_wp
-      m = 1
-      do n = 1, size(nodes)
-         if (nodes(n) < mesh%md(m)) cycle
-         e = min(m, mesh%elements)
-         share = max(share, length_of(y(1:2, n) - before(1:2, m))/maxval(mesh%clearance(max(m - 1, 1):e)))
-         m = min(m + 1, mesh%nodes)
-      end do
-   end function departure
 
    !> Halves elements, and solves the beam again about them: each neighbourhood by itself, between nodes that are held. Where one
    !> finds no equilibrium, the shape there stays that of the longer elements.

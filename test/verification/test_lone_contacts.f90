@@ -1,5 +1,6 @@
-!> Contacts that stand alone: where they are and how they bend the string. The wells were made by an independent reviewer; what is
-!> expected is what the same program finds on elements of a quarter of a metre to two metres.
+!> Contacts that stand alone, stiff walls and bits with little room: where the string touches and how it bends there. The wells were
+!> made by independent reviewers; what is expected is statics, or what the same program finds on elements of a quarter of a metre to
+!> two metres.
 module dg_test_lone_contacts
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, contact_blades, result_converged
@@ -12,6 +13,7 @@ module dg_test_lone_contacts
    use dg_model, only: model_type
    use dg_read_deck, only: read_deck
    use dg_static_analysis, only: solve_static_analysis
+   use dg_study_comparison, only: compare_lines
    use dg_test_wells, only: note
    use dg_text, only: append_text, text_type
    implicit none
@@ -29,6 +31,8 @@ contains
       call suite%addTest(TestMethod('moment', test_moment))
       call suite%addTest(TestMethod('other_equilibrium', test_other_equilibrium))
       call suite%addTest(TestMethod('torque_at_blades', test_torque_at_blades))
+      call suite%addTest(TestMethod('stiff_wall', test_stiff_wall))
+      call suite%addTest(TestMethod('tight_bit', test_tight_bit))
    end function lone_contacts_suite
 
    !> A short assembly turns through enlarged parts of a bend of 16 deg/30 m. Once a contact of 3 kN stood at one end of its element
@@ -101,8 +105,8 @@ contains
          call assertGreaterThan(maxval(result%profile%displacement), 0.01_wp, message='proven: of the string that was found')
    end subroutine test_other_equilibrium
 
-   !> An assembly on three blades turns in a straight hole. At each blade the torque falls by coefficient, radius and force, over the
-   !> metre below and above it; at the top it is that of the summary, at the bit none. Once a row had the mean torque of the
+   !> An assembly on three blades turns in a straight hole. At each blade the torque falls by coefficient, radius and force, over
+   !> the metre below and above it; at the top it is that of the summary, at the bit none. Once a row had the mean torque of the
    !> elements beside it: a tenth of the whole off at a blade, and at the top another than the summary.
    subroutine test_torque_at_blades()
       real(wp), parameter :: friction = 0.3_wp, blade = 0.5_wp*0.2143_wp
@@ -154,6 +158,64 @@ contains
          end associate
       end function torque_at
    end subroutine test_torque_at_blades
+
+   !> Coiled tubing pulled along a wall of 1e7 kN/m2. Once no equilibrium was found on short elements: moments were 83 % of the
+   !> largest off, with a message.
+   subroutine test_stiff_wall()
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, "&trajectory md = 0, 309.69217, 837.59659, 1281.13791, inc = 0, 0, 70.38726, 70.38726, "// &
+                       "azi = 4*104.13631 /")
+      call append_text(deck, "&hole diameter = 159.0, friction = 0.2, wall_stiffness = 1.0e7 /")
+      call append_text(deck, "&fluid density = 1000 /")
+      call append_text(deck, "&component name = 'tool', kind = 'motor', od = 60.96, id = 25.0, length = 4.0, mass = 12.0 /")
+      call append_text(deck, "&component name = 'coiled tubing', od = 50.8, id = 42.9 /")
+      call append_text(deck, "&boundary top_lateral = 'free', bit_lateral = 'free' /")
+      call append_text(deck, "&load_case name = 'c', operation = 'trip_out', bit_depth = 1281.13791 /")
+      call compare_moments(deck, 1.0_wp)
+   end subroutine test_stiff_wall
+
+   !> A packed assembly whose free bit has a quarter of a millimetre of room. On short elements it lies on the other side of that
+   !> room. Once this half millimetre was taken for another equilibrium: moments were 32 % of the largest off, with a message.
+   subroutine test_tight_bit()
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, "&trajectory md = 0, 300, inc = 87, 87, azi = 0, 0 /")
+      call append_text(deck, "&hole diameter = 311.2, friction = 0.0 /")
+      call append_text(deck, "&fluid density = 1000 /")
+      call append_text(deck, "&component name = 'bit', kind = 'bit', od = 193, id = 50, length = 0.35, "// &
+                       "joint_od = 311.2, mass = 223 /")
+      call append_text(deck, "&component name = 'st1', kind = 'stabilizer', od = 203.2, id = 71.4, mass = 234, length = 0.4, "// &
+                       "joint_od = 308 /")
+      call append_text(deck, "&component name = 'dc1', kind = 'collar', od = 203.2, id = 71.4, mass = 223, length = 1.5 /")
+      call append_text(deck, "&component name = 'st2', kind = 'stabilizer', od = 203.2, id = 71.4, mass = 234, length = 1.0, "// &
+                       "joint_od = 309.6 /")
+      call append_text(deck, "&component name = 'dc2', kind = 'collar', od = 203.2, id = 71.4, mass = 223, length = 9 /")
+      call append_text(deck, "&component name = 'st3', kind = 'stabilizer', od = 203.2, id = 71.4, mass = 234, length = 1.0, "// &
+                       "joint_od = 286.2 /")
+      call append_text(deck, "&component name = 'dc3', kind = 'collar', od = 203.2, id = 71.4, mass = 223, length = 60 /")
+      call append_text(deck, "&component name = 'dp', od = 149.2, id = 130.8, mass = 37.5, joint_od = 177.8 /")
+      call append_text(deck, "&boundary bit_lateral = 'free' /")
+      call append_text(deck, "&load_case name = 'c', operation = 'trip_in', bit_depth = 300 /")
+      call compare_moments(deck, 0.5_wp)
+   end subroutine test_tight_bit
+
+   !> Moments of a deck at the default settings are found, and are those of elements so long.
+   subroutine compare_moments(deck, length)
+      type(text_type), intent(in) :: deck(:)
+      real(wp), intent(in) :: length       !< [m]
+      type(case_result_type) :: result, fine
+      real(wp) :: worst, rms, largest
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call solve_deck(deck, length, .false., fine)
+      largest = maxval(fine%profile%bending)
+      call compare_lines(result%profile%md, result%profile%bending, fine%profile%md, fine%profile%bending, worst, rms)
+      call note('moment off, root mean square, over the largest', rms/largest)
+      call note('moment off at worst, over the largest', worst/largest)
+      call assertFalse(is_missing(result%moment_error), message='moments found')
+      call assertLessThan(rms, 0.01_wp*largest, message='moments, root mean square')
+      call assertRelativelyEqual(largest, maxval(result%profile%bending), 0.03_wp, message='largest moment')
+   end subroutine compare_moments
 
    subroutine add_holes(deck, bottom, diameter)
       type(text_type), allocatable, intent(inout) :: deck(:)
