@@ -51,8 +51,10 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(outside_type), intent(out) :: outside
-      logical, intent(out), optional :: cut(:)       !< elements that stand outside by more than is told where their gap does not:
-                                                     !< shorter ones help, as it is not the wall that gives way
+      !> Elements that shorter ones help: they stand outside by more than is told where their gap does not, so that it is not the
+      !> wall that gives way; or their gap presses the wall in by as much while one end does not touch it, as of a blade that
+      !> tilts: the wall of the whole element then stands against one edge.
+      logical, intent(out), optional :: cut(:)
       real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, &
                   pressed_in
       integer :: e, arc
@@ -71,7 +73,8 @@ contains
          excess = sqrt(gap(1)**2 + gap(2)**2 + gap(3)**2)/mesh%clearance(e) - 1.0_wp
          if (.not. is_told(excess, mesh, e)) cycle
          pressed_in = max(work%displacement(e)/mesh%clearance(e) - 1.0_wp, 0.0_wp)
-         if (present(cut)) cut(e) = is_told(excess - pressed_in, mesh, e)
+         if (present(cut)) cut(e) = is_told(excess - pressed_in, mesh, e) .or. &
+            (is_told(pressed_in, mesh, e) .and. min(norm2(gap_i), norm2(gap_j)) < mesh%clearance(e))
          outside%elements = outside%elements + 1
          if (excess <= outside%excess) cycle
          outside%excess = excess

@@ -33,6 +33,7 @@ contains
       call suite%addTest(TestMethod('torque_at_blades', test_torque_at_blades))
       call suite%addTest(TestMethod('stiff_wall', test_stiff_wall))
       call suite%addTest(TestMethod('tight_bit', test_tight_bit))
+      call suite%addTest(TestMethod('tilted_blade', test_tilted_blade))
    end function lone_contacts_suite
 
    !> A short assembly turns through enlarged parts of a bend of 16 deg/30 m. Once a contact of 3 kN stood at one end of its element
@@ -199,6 +200,33 @@ contains
       call append_text(deck, "&load_case name = 'c', operation = 'trip_in', bit_depth = 300 /")
       call compare_moments(deck, 0.5_wp)
    end subroutine test_tight_bit
+
+   !> A motor with a bend of 2 deg within a blade, whose edge presses two tenths of a millimetre into the wall. Once the wall of the
+   !> whole element stood against that edge: sum of contact 26 % too large.
+   subroutine test_tilted_blade()
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: result, fine
+      allocate (deck(0))
+      call append_text(deck, "&trajectory md = 0, 100, inc = 2.5, 2.5, azi = 0, 0 /")
+      call append_text(deck, "&hole diameter = 155.6, friction = 0.3, wall_stiffness = 1.0e6 /")
+      call append_text(deck, "&fluid density = 0 /")
+      call append_text(deck, "&component name = 'bit', kind = 'bit', od = 114.665, id = 50, length = 0.25, joint_od = 155.6, "// &
+                       "mass = 69 /")
+      call append_text(deck, "&component name = 'housing', kind = 'motor', od = 124.3, id = 50, length = 1.6 /")
+      call append_text(deck, "&component name = 'st1', kind = 'stabilizer', od = 120.7, id = 57.2, mass = 72.45, length = 0.4, "// &
+                       "joint_od = 152.4, bend = 2.0, bend_position = 0.2 /")
+      call append_text(deck, "&component name = 'motor', kind = 'motor', od = 124.3, id = 50, length = 7 /")
+      call append_text(deck, "&component name = 'st2', kind = 'stabilizer', od = 120.7, id = 57.2, mass = 72.45, length = 0.4, "// &
+                       "joint_od = 152.4 /")
+      call append_text(deck, "&component name = 'mwd', kind = 'mwd', od = 120.7, id = 57.2, mass = 58.65, length = 10 /")
+      call append_text(deck, "&component name = 'dp', od = 101.6, id = 84.8, mass = 22.5, joint_od = 133.4 /")
+      call append_text(deck, "&boundary bit_lateral = 'free' /")
+      call append_text(deck, "&load_case name = 'c', operation = 'trip_in', bit_depth = 100 /")
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call solve_deck(deck, 0.02_wp, .false., fine)
+      call note('sum of contact over that on elements of 0.02 m, less one', result%normal_force/fine%normal_force - 1.0_wp)
+      call assertRelativelyEqual(fine%normal_force, result%normal_force, 0.02_wp, message='sum of contact')
+   end subroutine test_tilted_blade
 
    !> Moments of a deck at the default settings are found, and are those of elements so long.
    subroutine compare_moments(deck, length)
