@@ -11,7 +11,7 @@ module dg_bending_layout
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: lying_type, find_lying, find_breaks, stands_alone, new_beam, wants_bit, near_bit
+   public :: lying_type, find_lying, find_breaks, stands_alone, new_beam
 
    !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
@@ -23,10 +23,9 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Length of elements at edges of blades and at bends where side force and tilt of the bit are wanted, and how far above the bit;
-   !> so far above each held bit moments are looked at more closely [m]. An element feels the wall at a fifth of its length from its
-   !> end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up to 0.1 m its edge stood 0.23 mm in a rigid wall
-   !> unfelt, and the side force was 15 % too small.
+   !> Length of elements at edges of blades and at bends, and how far above the bit they have it [m]. An element feels the wall at a
+   !> fifth of its length from its end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up to 0.1 m its edge
+   !> stood 0.23 mm in a rigid wall unfelt, and the side force was 15 % too small.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
    !> Clearance of an element whose contact is that of a point alone [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
@@ -45,15 +44,6 @@ module dg_bending_layout
    end type lying_type
 
 contains
-
-   !> Whether side force and tilt of the bit are wanted to half a per cent: of a bent string, and where it is asked where an
-   !> assembly drills to.
-   pure function wants_bit(model, mesh) result(wants)
-      type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      logical :: wants
-      wants = model%numerics%steers .or. allocated(mesh%bend)
-   end function wants_bit
 
    !> Reads off an analysis where its string lies, and which of its elements are bent again.
    pure subroutine find_lying(model, mesh, work, profile, lying)
@@ -78,7 +68,7 @@ contains
          lying%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
       end do
       ! the spring that holds the bit in the analysis gives way by some hundredths of a millimetre: as much as tilts it by a percent
-      if (wants_bit(model, mesh) .and. model%boundary%bit_centred) lying%y(1:2, mesh%nodes) = 0.0_wp
+      if (model%boundary%bit_centred) lying%y(1:2, mesh%nodes) = 0.0_wp
       do e = 1, mesh%elements
          first = max(e - 1, 1)
          last = min(e + 1, mesh%elements)
@@ -127,7 +117,7 @@ contains
                   bending_length(mesh%ei(e), lying%axial(n), mesh%clearance(e), max(lying%load(e), mesh%weight(e))), &
                   bending_length(mesh%ei(k), lying%axial(n), mesh%clearance(k), max(lying%load(k), mesh%weight(k))))
             end if
-            if (is_edge(model, mesh, n)) longest(count) = min(longest(count), edge_length)
+            if (is_edge(mesh, n)) longest(count) = min(longest(count), edge_length)
             if (n == mesh%nodes) exit
             if (is_point(mesh, gaps, n)) then
                count = count + 1
@@ -171,13 +161,12 @@ contains
       end associate
    end subroutine find_breaks
 
-   !> Whether a blade or a bend begins or ends at a node next to a bit whose side force and tilt are wanted.
-   pure function is_edge(model, mesh, n) result(is)
-      type(model_type), intent(in) :: model
+   !> Whether a blade or a bend begins or ends at a node next to the bit.
+   pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
       logical :: is
-      is = wants_bit(model, mesh) .and. n > 1 .and. n < mesh%nodes
+      is = n > 1 .and. n < mesh%nodes
       if (is) is = mesh%md(mesh%nodes) - mesh%md(n) < near_bit
       if (.not. is) return
       is = differ(mesh%clearance(n - 1), mesh%clearance(n))

@@ -10,7 +10,7 @@ module dg_bending_rows
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: clock_in_hole, contact_scale, merge_rows
+   public :: alike, clock_in_hole, contact_scale, merge_rows
 
    !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
