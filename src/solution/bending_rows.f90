@@ -28,7 +28,7 @@ contains
       real(wp), intent(in) :: scale(:)                !< see contact_scale
       type(profile_type), intent(inout) :: profile    !< on entry of the analysis, on return of the beam
       type(profile_type) :: own
-      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), above(size(beam%md)), across(2)
+      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), above(size(beam%md)), weight, across(2)
       logical :: kept(size(beam%md))
       integer, allocatable :: rows(:)
       integer :: n, o, row
@@ -44,7 +44,8 @@ contains
          share = (beam%md(n) - mesh%md(o))/mesh%length(o)
          profile%md(row) = beam%md(n)
          call put_place(trajectory, mesh%arc(o), row, profile)
-         profile%axial(row) = beam%axial(n)
+         weight = mesh%weight(o)*mesh%chord(3, o)
+         profile%axial(row) = own%axial(o) - share*weight - above(n)*(own%axial(o) - own%axial(o + 1) - weight)
          profile%torque(row) = (1.0_wp - above(n))*own%torque(o) + above(n)*own%torque(o + 1)
          profile%bending(row) = moment(n)
          profile%side_force(row) = side_force(n)
@@ -138,8 +139,8 @@ contains
       end do
    end function side_forces
 
-   !> What part of the contact of its element of the analysis a node of the beam has above it [-]: there the torque has fallen by
-   !> that part. Of an element without contact it is the part of its length.
+   !> What part of the contact of its element of the analysis a node of the beam has above it [-]: friction has made that part of
+   !> its torque and axial force there. Of an element without contact it is the part of its length.
    pure function contact_above(mesh, beam, bent) result(above)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
