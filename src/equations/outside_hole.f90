@@ -51,9 +51,9 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(outside_type), intent(out) :: outside
-      !> Elements that shorter ones help: they stand outside by more than is told where their gap does not, so that it is not the
-      !> wall that gives way; or their gap presses the wall in by as much while one end does not touch it, as of a blade that
-      !> tilts: the wall of the whole element then stands against one edge.
+      !> Elements to be cut. They stand outside by more than is told where their gap does not: it is not the wall that gives way.
+      !> Or their gap presses the wall in by as much while one end does not touch it, as where a blade tilts or contact ends: the
+      !> wall of the whole element would stand against one edge.
       logical, intent(out), optional :: cut(:)
       real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, &
                   pressed_in

@@ -65,7 +65,7 @@ module dg_limits_file
       column_type('largest_bending', quantity_moment, 'moment along the string'), &
       column_type('largest_bending_md', quantity_length, 'where'), &
       column_type('bending_error', quantity_percent, 'how far moments may be off, of the largest: what two recoveries or two '// &
-         'meshes differ by; empty where they were not looked at closely'), &
+         'meshes differ by, and half a per cent; empty where they were not looked at closely'), &
       column_type('largest_von_mises', quantity_stress, 'equivalent stress along the string'), &
       column_type('von_mises_error', quantity_percent, 'how far it may be off for that'), &
       column_type('wob_yield', quantity_force, 'weight on bit at which a compressed part of the string yields, bending and '// &

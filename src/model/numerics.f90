@@ -39,7 +39,6 @@ module dg_numerics
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
       logical :: moments = .false.             !< moments along the string are found on elements short enough for them
-      logical :: steers = .false.              !< side force and tilt of the bit are wanted to half a per cent
       logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
       logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
       logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it

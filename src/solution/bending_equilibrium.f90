@@ -79,8 +79,8 @@ contains
       end if
    end subroutine solve_once
 
-   !> Whether the beam is at the string of the analysis: at the nodes of the mesh where that is compressed. A string that is not has
-   !> one equilibrium.
+   !> Whether the beam is at the string of the analysis: at the nodes of the mesh where that is compressed. In tension a string has
+   !> one equilibrium, unless friction or a large torque make another.
    pure function is_near(mesh, lying, nodes, y) result(is)
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying

@@ -23,9 +23,11 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Length of elements at edges of blades and at bends, and how far above the bit they have it [m]. An element feels the wall at a
-   !> fifth of its length from its end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up to 0.1 m its edge
-   !> stood 0.23 mm in a rigid wall unfelt, and the side force was 15 % too small.
+   !> A tool joint stands at the node that was made for it: so close [m].
+   real(wp), parameter :: same_place = 1.0e-6_wp
+   !> Length of elements where clearance changes or a bend begins or ends, and how far above the bit they have it [m]. An element
+   !> feels the wall at a fifth of its length from its end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up
+   !> to 0.1 m its edge stood 0.23 mm in a rigid wall unfelt, and the side force was 15 % too small.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
    !> Clearance of an element whose contact is that of a point alone [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
@@ -161,7 +163,7 @@ contains
       end associate
    end subroutine find_breaks
 
-   !> Whether a blade or a bend begins or ends at a node next to the bit.
+   !> Whether clearance changes, as at a blade's end, or a bend begins or ends at a node next to the bit.
    pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
@@ -276,7 +278,7 @@ contains
          if (is_point(mesh, gaps, o)) then
             beam%element(e)%law%clearance = out_of_reach
             if (e > 1) then
-               if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < 0.5_wp*sliver) then
+               if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < same_place) then
                   beam%point = [beam%point, e]
                   beam%point_owner = [beam%point_owner, o]
                end if

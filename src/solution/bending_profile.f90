@@ -44,7 +44,7 @@ module dg_bending_profile
    !> most `most_proofs` times.
    real(wp), parameter :: proven = 0.005_wp
    integer, parameter :: most_proofs = 3
-   !> No element at the edge of a blade is halved to less than half of this [m]: with parts of a quarter of a millimetre
+   !> No element is halved to less than half of this to prove a mesh [m]: with parts of a quarter of a millimetre
    !> numbers ran away.
    real(wp), parameter :: finest = 4.0e-3_wp
    !> Number of elements on each side of halved ones that are solved again with them.

@@ -119,7 +119,6 @@ contains
       call copy_without_cases(model, probe%model)
       probe%model%cases(1) = model%cases(case_index)
       probe%model%numerics%moments = .true.             ! side force and tilt are those of short elements
-      probe%model%numerics%steers = .true.
       associate (case => probe%model%cases(1), trajectory => model%trajectory)
          case%bend_stands = .true.
          probe%length = min(length, case%bit_depth - trajectory%md(1))

@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('stiff_wall', test_stiff_wall))
       call suite%addTest(TestMethod('tight_bit', test_tight_bit))
       call suite%addTest(TestMethod('tilted_blade', test_tilted_blade))
+      call suite%addTest(TestMethod('joints_one_by_one', test_joints_one_by_one))
    end function lone_contacts_suite
 
    !> A short assembly turns through enlarged parts of a bend of 16 deg/30 m. Once a contact of 3 kN stood at one end of its element
@@ -227,6 +228,31 @@ contains
       call note('sum of contact over that on elements of 0.02 m, less one', result%normal_force/fine%normal_force - 1.0_wp)
       call assertRelativelyEqual(fine%normal_force, result%normal_force, 0.02_wp, message='sum of contact')
    end subroutine test_tilted_blade
+
+   !> Tool joints that touch one by one, moments proven on elements of some millimetres beside them: the area under the side force
+   !> of the rows is the sum of contact. Once each node next to a joint counted as that joint, and a quarter of the area was lost.
+   subroutine test_joints_one_by_one()
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: result
+      real(wp) :: area
+      integer :: n
+      allocate (deck(0))
+      call append_text(deck, "&trajectory md = 0.0, 300.0, 600.0, 1000.0, inc = 0.0, 0.0, 50.0, 50.0, azi = 4*30.0 /")
+      call append_text(deck, "&hole diameter = 215.9, friction = 0.3 /")
+      call append_text(deck, "&fluid density = 1200.0 /")
+      call append_text(deck, "&component name = 'bit', kind = 'bit', length = 0.25, od = 165.1, id = 60.0 /")
+      call append_text(deck, "&component name = 'collar', kind = 'collar', length = 18.0, od = 165.1, id = 71.4 /")
+      call append_text(deck, "&component name = 'pipe', od = 127.0, id = 108.6, mass = 31.9, joint_od = 168.3 /")
+      call append_text(deck, "&load_case name = 'c', operation = 'trip_out', bit_depth = 1000.0 /")
+      call append_text(deck, "&solver tool_joints = 'discrete' /")
+      call solve_deck(deck, 0.0_wp, .true., result)
+      associate (p => result%profile)
+         n = size(p%md)
+         area = 0.5_wp*sum((p%side_force(2:) + p%side_force(:n - 1))*(p%md(2:) - p%md(:n - 1)))
+      end associate
+      call note('area under the side force over the sum of contact, less one', area/result%normal_force - 1.0_wp)
+      call assertRelativelyEqual(result%normal_force, area, 1.0e-6_wp, message='area under the side force')
+   end subroutine test_joints_one_by_one
 
    !> Moments of a deck at the default settings are found, and are those of elements so long.
    subroutine compare_moments(deck, length)
