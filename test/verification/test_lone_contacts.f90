@@ -57,11 +57,10 @@ contains
       call append_text(deck, "&component name = 'dp', od = 127.0, id = 108.6, mass = 31.9, joint_od = 168.3 /")
       call append_text(deck, "&boundary bit_lateral = 'free' /")
       call append_text(deck, "&load_case name = 'c', operation = 'rotate_off_bottom', bit_depth = 459.55 /")
-      call solve_deck(deck, 0.0_wp, .false., result)
-      call solve_deck(deck, 2.0_wp, .false., fine)
+      call solve_both(deck, 2.0_wp, result, fine)
       call note('torque over that on elements of 2 m, less one', result%torque/fine%torque - 1.0_wp)
       call assertRelativelyEqual(fine%torque, result%torque, 5.0e-3_wp, message='torque')
-      call assertRelativelyEqual(fine%normal_force, result%normal_force, 5.0e-3_wp, message='sum of contact')
+      call compare_contact(result, fine, 5.0e-3_wp)
    end subroutine test_place
 
    !> Pipe in a near-vertical hole with a kick of 5 deg within 8 m. Its largest moment is at a contact in the middle of an element
@@ -223,11 +222,26 @@ contains
       call append_text(deck, "&component name = 'dp', od = 101.6, id = 84.8, mass = 22.5, joint_od = 133.4 /")
       call append_text(deck, "&boundary bit_lateral = 'free' /")
       call append_text(deck, "&load_case name = 'c', operation = 'trip_in', bit_depth = 100 /")
-      call solve_deck(deck, 0.0_wp, .false., result)
-      call solve_deck(deck, 0.02_wp, .false., fine)
-      call note('sum of contact over that on elements of 0.02 m, less one', result%normal_force/fine%normal_force - 1.0_wp)
-      call assertRelativelyEqual(fine%normal_force, result%normal_force, 0.02_wp, message='sum of contact')
+      call solve_both(deck, 0.02_wp, result, fine)
+      call compare_contact(result, fine, 0.02_wp)
    end subroutine test_tilted_blade
+
+   !> A deck at the default settings, and on elements so long.
+   subroutine solve_both(deck, length, result, fine)
+      type(text_type), intent(in) :: deck(:)
+      real(wp), intent(in) :: length       !< [m]
+      type(case_result_type), intent(out) :: result, fine
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call solve_deck(deck, length, .false., fine)
+   end subroutine solve_both
+
+   !> The sum of contact is that on finer elements.
+   subroutine compare_contact(result, fine, within)
+      type(case_result_type), intent(in) :: result, fine
+      real(wp), intent(in) :: within       !< of it [-]
+      call note('sum of contact over that on fine elements, less one', result%normal_force/fine%normal_force - 1.0_wp)
+      call assertRelativelyEqual(fine%normal_force, result%normal_force, within, message='sum of contact')
+   end subroutine compare_contact
 
    !> Tool joints that touch one by one, moments proven on elements of some millimetres beside them: the area under the side force
    !> of the rows is the sum of contact. Once each node next to a joint counted as that joint, and a quarter of the area was lost.
@@ -260,8 +274,7 @@ contains
       real(wp), intent(in) :: length       !< [m]
       type(case_result_type) :: result, fine
       real(wp) :: worst, rms, largest
-      call solve_deck(deck, 0.0_wp, .false., result)
-      call solve_deck(deck, length, .false., fine)
+      call solve_both(deck, length, result, fine)
       largest = maxval(fine%profile%bending)
       call compare_lines(result%profile%md, result%profile%bending, fine%profile%md, fine%profile%bending, worst, rms)
       call note('moment off, root mean square, over the largest', rms/largest)
