@@ -11,6 +11,7 @@ module dg_bent_start
    use dg_bending_beam, only: bending_beam_type, set_elements
    use dg_bending_solution, only: solve_bending
    use dg_gap_state, only: gap_law_type
+   use dg_hardened_walls, only: solve_with_hardened_walls
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_model, only: model_type
    use dg_trajectory, only: arc_at, frame_on_arc
@@ -81,9 +82,12 @@ contains
 
    !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are, against walls of a stiffness, and
    !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
-   pure subroutine bend_start(mesh, wall, beam, y, pressed, found)
+   !> A string in tension has one equilibrium: walls are hardened from soft to their own. A compressed one may lie buckled, and would
+   !> leave its coils on soft walls: it is bent against its own walls first.
+   pure subroutine bend_start(mesh, wall, begin, beam, y, pressed, found)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
+      real(wp), intent(in) :: begin                 !< stiffness of walls that y has been bent against; 0: none [N/m2]
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
@@ -94,7 +98,9 @@ contains
          beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
       end do
       bent = y
-      call solve_bending(beam, bent, settled, found, anchor=y, pressed=pressed)
+      found = .false.
+      if (any(beam%viscous > 0.0_wp)) call solve_bending(beam, bent, settled, found, anchor=y, pressed=pressed)
+      if (.not. found) call solve_with_hardened_walls(beam, begin, bent, settled, found, anchor=y, pressed=pressed)
       if (found) y = bent
    end subroutine bend_start
 

@@ -99,11 +99,11 @@ contains
       found = .false.
       if (model%numerics%tuning%start_bent) then
          call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, start%lateral, beam)
-         call bend_start(mesh, wall, beam, y, forces, found)
+         call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
          bent = y
-         call bend_start(mesh, mesh%wall, beam, bent, hard, sharp)
+         call bend_start(mesh, mesh%wall, maxval(wall), beam, bent, hard, sharp)
          if (sharp) then
             forces = hard
             if (lies_outside(model%numerics%tuning%start_outside, mesh, y)) y = bent
