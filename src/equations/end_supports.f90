@@ -13,10 +13,9 @@ module dg_end_supports
    private
    public :: end_action, set_loads
 
-   !> Support springs at centred ends over the wall's greatest stiffness per metre [m], and the stiffest such wall [N/m2]: stiff
-   !> enough to hold the string within micrometres of the axis, not so stiff as to spoil the matrix. A support's force follows from
-   !> its node's place, whose round-off would press with kilonewtons at more.
-   real(wp), parameter :: support_length = 1.0_wp, stiffest = 1.0e9_wp
+   !> Stiffness of the support of a centred end [N/m]. A support is a constraint, not a wall: 100 kN move it by 0.01 mm. Its force
+   !> follows from its node's place, and is known to 0.1 N.
+   real(wp), parameter :: end_stiffness = 1.0e10_wp
 
 contains
 
@@ -51,12 +50,10 @@ contains
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: fraction
       type(load_type), intent(out) :: loads
-      real(wp) :: support
-      support = min(max(model%numerics%gk_max, model%numerics%gk_contact), stiffest)*support_length
       loads%wob = fraction*load_case%wob
       loads%tob = fraction*load_case%tob
       loads%friction_scale = fraction
-      if (model%boundary%top_centred) loads%top_support = support
-      if (model%boundary%bit_centred) loads%bit_support = support
+      if (model%boundary%top_centred) loads%top_support = end_stiffness
+      if (model%boundary%bit_centred) loads%bit_support = end_stiffness
    end subroutine set_loads
 end module dg_end_supports

@@ -66,7 +66,7 @@ contains
       type(model_type) :: model
       type(case_result_type) :: result
       real(wp), parameter :: w = 100.0_wp, pull = 3.0e5_wp, tolerance = 1.0e-5_wp
-      real(wp), parameter :: support = 1.0e9_wp   !< stiffness of the ends' supports [N/m]: they yield by 1e-6 m
+      real(wp), parameter :: support = 1.0e10_wp   !< stiffness of the ends' supports [N/m]: they yield by 1e-7 m
       integer, parameter :: middle = elements/2 + 1
       real(wp) :: ei, fade, sag, moment, t, q
       ei = stiffness()
