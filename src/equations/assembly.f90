@@ -249,7 +249,7 @@ contains
       e = row%first + l - 1
       call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal, contact%axial, contact%rotary, &
                           contact%climbing, contact%radius, force, moment)
-      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
+      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
                            moment, nodal, twisting)
       if (contact%sliding) then
          call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
@@ -263,6 +263,8 @@ contains
       if (.not. allocated(work%contact_force)) return
       work%contact_force(:, e) = force
       work%contact_moment(:, e) = moment
+      if (.not. contact%rotary > 0.0_wp) work%contact_moment(:, e) = moment - contact%direction &
+                                         *(dot_product(moment, contact%direction)/dot_product(contact%direction, contact%direction))
       if (contact%sliding) then
          work%contact_force(:, e) = force + push
          work%contact_moment(:, e) = moment + cross(contact%direction, bend)

@@ -32,11 +32,12 @@ module dg_gap_action
    !> Contact at a gap.
    type :: contact_type
       real(wp) :: shape(4), slope(4)        !< N and dN/dx there
+      real(wp) :: share(2)                  !< of both nodes in friction's torque; zero where the string does not rotate [-]
       real(wp) :: direction(3)              !< r' of the string
       real(wp) :: axial, rotary             !< friction coefficients
       real(wp) :: climbing                  !< what stands for the rotary one in the force
       real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
-      logical :: sliding                    !< it is such a couple: the string slides without turning, or whirls
+      logical :: sliding                    !< it is such a couple: the string slides without turning, and is near a helix
       type(turning_type) :: turning         !< friction's torque where the string whirls
       real(wp) :: normal                    !< R [N]
       real(wp) :: stiffness                 !< its derivative by |f| [N/m]
@@ -69,8 +70,11 @@ contains
          contact%turning%lever = contact%rotary*mesh%radius(e)
          contact%rotary = 0.0_wp
       end if
-      ! A string that slides without turning takes axial friction's moment as a couple that bends it.
-      contact%sliding = .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
+      ! Axial friction bends a string that does not rotate, and leaves its torque as it is: that of the bit.
+      contact%share = 0.0_wp
+      if (contact%rotary > 0.0_wp) contact%share = [1.0_wp - gaps%xi(e), gaps%xi(e)]
+      ! Axial friction's moment as a couple, where a helix is near: as a plain moment it winds sliding helices up.
+      contact%sliding = work%climb(e) < 1.0_wp .and. .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
       contact%normal = work%normal(e)
       if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
@@ -124,8 +128,7 @@ contains
       touch%rotary(l) = contact%rotary
       touch%climbing(l) = contact%climbing
       touch%radius(l) = contact%radius
-      touch%share(l, 1) = 1.0_wp - gaps%xi(e)
-      touch%share(l, 2) = gaps%xi(e)
+      touch%share(l, :) = contact%share
       touch%shape(l, :) = contact%shape
       touch%slope(l, :) = contact%slope
       if (part /= part_rest) then
@@ -165,7 +168,7 @@ contains
             cycle
          end if
          call find_contact(mesh, loads, gaps, e, work, contact)
-         call unit_force(mesh, gaps, e, work, contact, nodal, twisting)
+         call unit_force(mesh, e, work, contact, nodal, twisting)
          outward = work%gap(:, e)*(1.0_wp/work%displacement(e))
          call rows_of_node(mesh%frame(:, :, e), work%d(:, e), nodal(1:6), outward, contact%shape(1:2), on(1:6, e), by(1:6, e))
          call rows_of_node(mesh%frame(:, :, e + 1), work%d(:, e + 1), nodal(7:12), outward, contact%shape(3:4), on(7:12, e), &
@@ -206,9 +209,8 @@ contains
 
    !> What a contact force of 1 N adds to the forces on (x_i, d_i, x_j, d_j) and to the torques at both nodes, internal less
    !> external.
-   pure subroutine unit_force(mesh, gaps, e, work, contact, nodal, twisting)
+   pure subroutine unit_force(mesh, e, work, contact, nodal, twisting)
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       type(workspace_type), intent(in) :: work
       type(contact_type), intent(inout) :: contact
@@ -218,7 +220,7 @@ contains
       integer :: a
       call contact_action(work%gap(:, e), work%axis_tangent(:, e), 1.0_wp, contact%axial, contact%rotary, contact%climbing, &
                           contact%radius, action, moment)
-      call gap_nodal_force(gaps%xi(e), contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
+      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
                            moment, nodal, twisting)
       nodal = -nodal
       twisting = -twisting

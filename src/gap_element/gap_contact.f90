@@ -9,12 +9,11 @@
 !>   d|f| = n.dr,  dn = (tau tau + (1 - chi) t t)/|f| dr,  dt = chi k t.dr,  dtau = chi (k x n) t.dr - n tau.dr/|f|
 !> Friction makes the derivative unsymmetric.
 !>
-!> A string that does not rotate takes M_GA as a couple that bends it, P = -dV/dr' and F = -dV/dr of V = r R a d.n with
-!> the string's unit tangent d = r'/|r'|: the same moment d x P = -r R a tau to first order, and in addition
-!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a coiled string that turns as a whole about
-!> the hole: in a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's
-!> circumferential stiction does; F_tau, some percent of R, is the least that takes it. A rotating string's friction
-!> is used up circumferentially, so that it keeps the plain M.
+!> Near a helix a string that does not rotate takes M_GA as a couple that bends it, P = -dV/dr' and F = -dV/dr of V = r R a d.n with
+!> the string's unit tangent d = r'/|r'|. That is the same moment d x P = -r R a tau to first order, and in addition
+!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as a whole about the hole: in
+!> a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's circumferential stiction does. F_tau,
+!> some percent of R, is the least that takes it. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
    use dg_lanes, only: lanes
@@ -147,7 +146,7 @@ contains
       end do
    end subroutine moment_tangents
 
-   !> The couple of axial friction on a string that does not rotate: F_tau on the point and P on r'.
+   !> The couple of axial friction on a string that is near a helix and does not rotate: F_tau on the point and P on r'.
    pure subroutine couple_action(gap, tangent, direction, couple, force, bend)
       real(wp), intent(in) :: gap(3), tangent(3)
       real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised

@@ -29,8 +29,8 @@ module dg_gap_element
 contains
 
    !> Nodal force(12) on (x_i, d_i, x_j, d_j) and twisting(2) on (phi_i, phi_j) [N, N.m], Eq. 6.
-   pure subroutine gap_nodal_force(xi, shape, slope, d_i, d_j, direction, force, moment, nodal, twisting)
-      real(wp), intent(in) :: xi                   !< x0/L
+   pure subroutine gap_nodal_force(share, shape, slope, d_i, d_j, direction, force, moment, nodal, twisting)
+      real(wp), intent(in) :: share(2)             !< of the nodes in M along the string: 1 - xi and xi, or zero
       real(wp), intent(in) :: shape(4), slope(4)   !< N and dN/dx at xi
       real(wp), intent(in) :: d_i(3), d_j(3)       !< nodal directors
       real(wp), intent(in) :: direction(3)         !< r' at xi, not normalised
@@ -47,10 +47,10 @@ contains
          nodal(3*a - 1) = shape(a)*force(2) + slope(a)*bend(2)
          nodal(3*a) = shape(a)*force(3) + slope(a)*bend(3)
       end do
-      nodal(4:6) = nodal(4:6) + (1.0_wp - xi)*product_of(twist, d_i)
-      nodal(10:12) = nodal(10:12) + xi*product_of(twist, d_j)
-      twisting(1) = (1.0_wp - xi)*sum(twist*d_i)
-      twisting(2) = xi*sum(twist*d_j)
+      nodal(4:6) = nodal(4:6) + share(1)*product_of(twist, d_i)
+      nodal(10:12) = nodal(10:12) + share(2)*product_of(twist, d_j)
+      twisting(1) = share(1)*sum(twist*d_i)
+      twisting(2) = share(2)*sum(twist*d_j)
    end subroutine gap_nodal_force
 
    !> Derivatives of gap_nodal_force and of a sliding string's couple at gaps side by side, from those of force, moment and couple

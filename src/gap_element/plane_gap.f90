@@ -1,8 +1,8 @@
 !> A gap element on a string that stays in a plane and does not rotate: what Eqs. 4, 5, 6 and 11 of the paper leave there.
 !>
 !> The string is off the hole axis by f = sigma |f| along p, a quarter turn from the axis' tangent t at the foot, sigma = 1 or -1.
-!> Of dg_gap_contact's F there remains F = R (-sigma p + a t), of its moment the couple P = -c/|r'| (n.q) q on r', c = r R a and q a
-!> quarter turn from the string's tangent d: d.tau = 0, so that nothing pushes out of the plane and nothing twists.
+!> Of dg_gap_contact's F there remains F = R (-sigma p + a t), of its moment the bend P = -sigma c/|r'| q on r', c = r R a and q a
+!> quarter turn from the string's tangent d: nothing pushes out of the plane and nothing twists.
 !>
 !> Innermost loop: quarter turns and the work on directors are written out, since calls into other modules are not inlined.
 module dg_plane_gap
@@ -35,31 +35,29 @@ contains
       logical, intent(in) :: wanted                     !< the tangent is
       real(wp), intent(inout) :: force(unknowns), stiffness(unknowns, unknowns)
       real(wp), dimension(unknowns) :: by_t, by_p, by_d, by_q, left_t, left_p, left_d, left_q
-      real(wp) :: side, stretch, along_t, along_p, across, aslant, couple, bend, bent, chi, turned
+      real(wp) :: side, stretch, along_t, along_p, bend, chi, turned
       integer :: c
       associate (t => contact%tangent)
          side = sign(1.0_wp, t(1)*contact%gap(2) - t(2)*contact%gap(1))
          call find_motions(t, contact%shape, i, j, by_t, by_p)
-         call find_bending(contact, i, j, stretch, across, aslant, by_d, by_q)
+         call find_bending(contact, i, j, stretch, by_d, by_q)
          along_t = normal_force*contact%axial
          along_p = -normal_force*side
-         couple = along_t*contact%radius
-         bend = -couple*stretch*side*across
+         bend = -side*along_t*contact%radius*stretch
          force = force - along_t*by_t - along_p*by_p - bend*by_q
          if (.not. wanted) return
          chi = 1.0_wp/(1.0_wp - (contact%curvature(1)*contact%gap(1) + contact%curvature(2)*contact%gap(2)))
          turned = chi*(contact%curvature(2)*t(1) - contact%curvature(1)*t(2))     ! of the normal with the foot
-         bent = couple*stretch*side
          ! the tangent is a sum of these by the motions along t, d and q
-         left_t = (along_t*turned)*by_p + (side*turned)*(normal_force*by_t - (bent*side*aslant)*by_q)
-         left_d = (bent*stretch*across)*by_q
-         left_q = (bent*stretch)*(aslant*by_q + across*by_d)
+         left_t = (along_t*turned)*by_p + (side*turned*normal_force)*by_t
+         left_d = -(bend*stretch)*by_q
+         left_q = -(bend*stretch)*by_d
          do c = 1, unknowns
             stiffness(:, c) = stiffness(:, c) - left_t*by_t(c) - left_d*by_d(c) - left_q*by_q(c)
          end do
          if (normal_stiffness > 0.0_wp) then
             left_p = normal_stiffness*((contact%axial*side)*by_t - by_p &
-                                       - (contact%axial*contact%radius*stretch*across)*by_q)
+                                       - (contact%axial*contact%radius*stretch)*by_q)
             do c = 1, unknowns
                stiffness(:, c) = stiffness(:, c) - left_p*by_p(c)
             end do
@@ -80,25 +78,23 @@ contains
       type(plane_node_type), intent(in) :: i, j
       real(wp), intent(out) :: by(unknowns), on(unknowns)
       real(wp), dimension(unknowns) :: by_t, by_p, by_d, by_q
-      real(wp) :: side, stretch, across, aslant
+      real(wp) :: side, stretch
       side = sign(1.0_wp, contact%tangent(1)*contact%gap(2) - contact%tangent(2)*contact%gap(1))
       call find_motions(contact%tangent, contact%shape, i, j, by_t, by_p)
-      call find_bending(contact, i, j, stretch, across, aslant, by_d, by_q)
+      call find_bending(contact, i, j, stretch, by_d, by_q)
       by = side*by_p
-      on = by - contact%axial*by_t + (contact%axial*contact%radius*stretch*side*across)*by_q
+      on = by - contact%axial*by_t + (contact%axial*contact%radius*stretch*side)*by_q
    end subroutine plane_gap_rows
 
-   !> How friction's couple goes by r': 1/|r'|, p.q and p.d, and motions of r' along d and q.
-   pure subroutine find_bending(contact, i, j, stretch, across, aslant, by_d, by_q)
+   !> How friction's bend goes by r': 1/|r'|, and motions of r' along d and q.
+   pure subroutine find_bending(contact, i, j, stretch, by_d, by_q)
       type(plane_contact_type), intent(in) :: contact
       type(plane_node_type), intent(in) :: i, j
-      real(wp), intent(out) :: stretch, across, aslant
+      real(wp), intent(out) :: stretch
       real(wp), intent(out) :: by_d(unknowns), by_q(unknowns)
       real(wp) :: d(2)
       stretch = 1.0_wp/sqrt(contact%direction(1)**2 + contact%direction(2)**2)
       d = contact%direction*stretch
-      across = contact%tangent(1)*d(1) + contact%tangent(2)*d(2)
-      aslant = contact%tangent(1)*d(2) - contact%tangent(2)*d(1)
       call find_motions(d, contact%slope, i, j, by_d, by_q)
    end subroutine find_bending
 

@@ -43,7 +43,8 @@ contains
       real(wp), intent(out) :: nodal(12), twisting(2)
       real(wp) :: point(3), direction(3)
       call axis_at(y, place, point, direction)
-      call gap_nodal_force(place, hermite_value(place, length), hermite_slope(place, length), y(4:6), y(10:12), direction, f, m, &
+      call gap_nodal_force([1.0_wp - place, place], hermite_value(place, length), hermite_slope(place, length), y(4:6), &
+                           y(10:12), direction, f, m, &
                            nodal, twisting)
    end subroutine nodal_at
 
