@@ -17,8 +17,8 @@ module dg_walls
    real(wp), parameter :: round_off_of_places = far*epsilon(1.0_wp)
    !> The same of offsets from the hole axis [m].
    real(wp), parameter :: round_off_of_offsets = epsilon(1.0_wp)
-   !> The same of an element's shape, times 12 EI/L^3: collars in an element of 4 mm, between a station and the end of a component,
-   !> have 0.1 N of it [m].
+   !> The same of an element's shape, times 12 EI/L^3, for each metre that the string slides, at least one: collars in an element of
+   !> 4 mm, between a station and the end of a component, have 0.1 N of it [-].
    real(wp), parameter :: round_off_of_shapes = 4.0_wp*epsilon(1.0_wp)
    !> The loosest that the iteration works with [-]: what is left at many nodes adds up in the sum of contact.
    real(wp), parameter :: loosest = 1.0e-6_wp
@@ -50,9 +50,11 @@ contains
       type(load_type), intent(in) :: loads   !< with the supports
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance(2)
-      real(wp) :: walls, places
+      real(wp) :: walls, places, slide
       walls = maxval(gaps%law%maximum)/force_scale
-      tolerance = max(min(numerics%tolerance, loosest), round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
+      slide = max(1.0_wp, force_scale*sum(mesh%length/mesh%ea))
+      tolerance = max(min(numerics%tolerance, loosest), &
+                      slide*round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
       places = max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places
       tolerance(1) = max(tolerance(1), places*walls)
       tolerance(2) = max(tolerance(2), round_off_of_offsets*walls, places*max(loads%top_support, loads%bit_support)/force_scale)

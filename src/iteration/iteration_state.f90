@@ -13,6 +13,7 @@ module dg_iteration_state
    use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_round_wall, only: smooth_room
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
    implicit none
@@ -58,6 +59,7 @@ module dg_iteration_state
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
       real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
+      real(wp), allocatable :: room(:)        !< smoothed clearance, where the string is watched (nodes) [m]
       real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
       real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
@@ -91,6 +93,7 @@ contains
       allocate (it%residual(unknowns, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
                 it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
+      allocate (it%room(0))
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
       if (watched) call make_room_to_watch(mesh, it)
    end subroutine new_equilibrium
@@ -100,6 +103,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
       it%watched = .true.
+      it%room = smooth_room(mesh%length, mesh%clearance)
       it%energy = new_symmetric_matrix(mesh%nodes)
       allocate (it%lump(6, mesh%nodes), source=0.0_wp)
    end subroutine make_room_to_watch

@@ -133,7 +133,7 @@ contains
       real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: slide, chord(3), tangent(3), curvature(3)
       integer :: n, e
-      call move_across(it%numerics%tuning%turned_beyond, it%watched, mesh, it%offset, it%share, it%across, state)
+      call move_across(it%watched, it%room, it%offset, it%share, it%across, state)
       slide = 0.0_wp
       do n = 1, mesh%nodes
          if (.not. equations%planar) state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)

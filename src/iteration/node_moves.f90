@@ -2,6 +2,7 @@
 module dg_node_moves
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
+   use dg_round_wall, only: round_move
    use dg_trajectory, only: foot_offset, gap_to_axis, point_on_arc, trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
@@ -50,39 +51,25 @@ contains
       across(3:4) = step(dof_slope_1:dof_slope_2) - slide*k
    end subroutine split
 
-   !> Moves the nodes across the hole. Where that is wanted (`turning`), what moves a node across its offset from the hole axis is
-   !> a turn about that axis: offset and slope turn by the move over the radius. To first order it is the plain sum; along straight
-   !> lines a string on a round wall could only creep. A tool joint's both ends turn: a joint between an
-   !> end on an arc and one on a straight line is bent by the micrometres by which these differ.
-   pure subroutine move_across(beyond, turning, mesh, offset, share, across, state)
-      real(wp), intent(in) :: beyond             !< nodes so far off the axis are turned, over the lesser clearance next to them [-]
+   !> Moves the nodes across the hole, where that is wanted (`turning`) around it (dg_round_wall).
+   pure subroutine move_across(turning, room, offset, share, across, state)
       logical, intent(in) :: turning
-      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: room(:)                    !< of smooth_room, by node; not read without turning [m]
       real(wp), contiguous, intent(in) :: offset(:, :)   !< of the nodes at `state` (2,nodes) [m]
       real(wp), intent(in) :: share                      !< of `across` that is taken [-]
       real(wp), contiguous, intent(in) :: across(:, :)
       real(wp), contiguous, intent(inout) :: state(:, :)
-      real(wp) :: move(2), slope(2), square, along, turn
-      logical :: turns
+      real(wp) :: moved(2)
       integer :: n
-      do n = 1, mesh%nodes
-         move = share*across(1:2, n)
-         slope = state(dof_slope_1:dof_slope_2, n)
-         turns = .false.
+      do n = 1, size(state, 2)
+         moved = share*across(1:2, n)
          if (turning) then
-            square = offset(1, n)**2 + offset(2, n)**2
-            turns = square > (beyond*minval(mesh%clearance(max(1, n - 1):min(n, mesh%elements))))**2
-         end if
-         if (turns) then
-            turn = (offset(1, n)*move(2) - offset(2, n)*move(1))/square
-            along = (offset(1, n)*move(1) + offset(2, n)*move(2))/square
-            move = turned((1.0_wp + along)*offset(:, n), turn) - offset(:, n)
-            slope = turned(slope + share*across(3:4, n) - turn*[-slope(2), slope(1)], turn)
+            call round_move(room(n), offset(:, n), share*across(1:2, n), share*across(3:4, n), moved, &
+                            state(dof_slope_1:dof_slope_2, n))
          else
-            slope = slope + share*across(3:4, n)
+            state(dof_slope_1:dof_slope_2, n) = state(dof_slope_1:dof_slope_2, n) + share*across(3:4, n)
          end if
-         state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + move
-         state(dof_slope_1:dof_slope_2, n) = slope
+         state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + moved
       end do
    end subroutine move_across
 
@@ -149,10 +136,4 @@ contains
       state(dof_slope_1) = state(dof_slope_1) + distance*(turn(1)*frame(1, 2) + turn(2)*frame(2, 2) + turn(3)*frame(3, 2))
       state(dof_slope_2) = state(dof_slope_2) + distance*(turn(1)*frame(1, 3) + turn(2)*frame(2, 3) + turn(3)*frame(3, 3))
    end subroutine slide_straight
-
-   pure function turned(a, angle) result(b)
-      real(wp), intent(in) :: a(2), angle
-      real(wp) :: b(2)
-      b = [cos(angle)*a(1) - sin(angle)*a(2), sin(angle)*a(1) + cos(angle)*a(2)]
-   end function turned
 end module dg_node_moves

@@ -10,8 +10,7 @@ module dg_mesh
                            contact_diameter, effective_joint_length, has_bend, has_joints, room_of, room_of_held_bit, &
                            torsional_stiffness
    use dg_contact_friction, only: find_friction, running_drag
-   use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, blade_places, component_at, component_tops, &
-                             joint_ends
+   use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, component_at, component_tops, joint_ends
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: load_case_type, rotates
@@ -30,6 +29,7 @@ module dg_mesh
       real(wp), allocatable :: frame(:, :, :)    !< columns t, n_1, n_2 of the hole axis (3,3,nodes)
       real(wp), allocatable :: base(:, :)        !< position relative to the origin of its arc (3,nodes) [m]
       integer, allocatable :: arc(:)             !< of the trajectory
+      logical, allocatable :: beside_edge(:)     !< added beside an edge of the string: a start is laid through the others
       ! elements
       real(wp), allocatable :: length(:)         !< along the hole [m]
       real(wp), allocatable :: chord(:, :)       !< between nodes on the axis (3,elements) [m]
@@ -95,6 +95,7 @@ contains
       mesh%nodes = size(mesh%md)
       mesh%elements = mesh%nodes - 1
       allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes))
+      allocate (mesh%beside_edge(mesh%nodes), source=.false.)
       mesh%arc(1) = 1
       do n = 1, mesh%nodes
          mesh%arc(n) = arc_at(model%trajectory, mesh%md(n), near=mesh%arc(max(n - 1, 1)))
@@ -237,12 +238,14 @@ contains
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops, fluid_tops(model%mud, bit)]
-      breaks = [breaks, bit - blade_places(model%strings(n), tops), bit - bend_ends(model%strings(n), tops)]
+      breaks = [breaks, bit - bend_ends(model%strings(n), tops)]
       breaks = [breaks, bit - all_centralizer_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
       call sort(breaks)
-      gap = min(merge_share*element_length, longest_merge)
+      ! no component and no section of the hole is lost, however short
+      gap = min(merge_share*element_length, longest_merge, 0.5_wp*minval(tops - [0.0_wp, tops(:size(tops) - 1)], &
+                mask=tops > [0.0_wp, tops(:size(tops) - 1)]), 0.5_wp*minval(model%holes%md_bottom - model%holes%md_top))
       allocate (kept(size(breaks) + 2))
       kept(1) = top
       n = 1

@@ -116,8 +116,6 @@ module dg_tuning
       ! ---- the step (dg_step, dg_line_search, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.
-      !> Nodes so far off the axis, over the lesser clearance next to them, are turned about it [-].
-      real(wp) :: turned_beyond = 0.3_wp
       !> A slope at a step's end over that at its start from which the step of a string that is watched is shortened [-].
       real(wp) :: uphill = 0.3_wp
       !> Times that it is shortened.

@@ -9,6 +9,7 @@ module dg_mesh_for_case
                              scale_neighbour
    use dg_coiling, only: coil_force, coiling_load
    use dg_constants, only: pi
+   use dg_load_case, only: load_case_type
    use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -41,13 +42,19 @@ module dg_mesh_for_case
    !> at 14 bit depths torque is off by 0.36 % (rms, worst 0.9 %) from that on elements of 0.25 m; with 1.5 by 0.52 %, on 3 % fewer
    !> elements.
    real(wp), parameter :: growth = 1.4_wp
-   !> Longest element beside a bent housing [m], and how far that reaches [m]: its bend is pressed into the hole along collars, and
-   !> on long elements friction was 4 % off.
-   real(wp), parameter :: longest_beside_bend = 1.0_wp, reach_of_bend = 40.0_wp
+   !> Longest element beside a bent housing [m], and how far that reaches [m]. The bend presses collars into the hole. On elements of
+   !> 1 m contact of a motor was 0.3 % too large.
+   real(wp), parameter :: longest_beside_bend = 0.3_wp, reach_of_bend = 40.0_wp
    !> Length of the parts of an element that stands outside the hole over its own [-], and the shortest of them [m]: a bit or blade
    !> that tilts in its hole touches with both ends, and an element has one gap. With parts of 0.5 m or 0.05 m 26 and 20 of 220
    !> motors with a bent housing and a free bit or a centred one found no equilibrium, with these 5.
    real(wp), parameter :: cut_share = 0.25_wp, shortest_cut = 0.02_wp
+
+   !> Length of elements beside an edge of the string [m]: contact there is that short. The same so close to a bend, which tilts the
+   !> edge [m]. Length of an element over that of a shorter neighbour there [-].
+   real(wp), parameter :: edge_length = 0.05_wp, tilted_edge = 0.02_wp, tilted_within = 1.0_wp, edge_growth = 1.3_wp
+   !> Change of radius over clearance from which an end of a component is an edge [-].
+   real(wp), parameter :: edge_height = 0.3_wp
 
 contains
 
@@ -63,7 +70,7 @@ contains
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:), bends(:)
-      logical :: straight_down
+      logical :: straight_down, beside_bend
       real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
@@ -90,8 +97,9 @@ contains
                                                                     sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
             if ((e == 1 .and. .not. model%boundary%top_centred) .or. (e == mesh%elements .and. .not. model%boundary%bit_centred)) &
                scales(scale_end) = free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e))
-            if (any(abs(mesh%md(e) - bends) < reach_of_bend)) scales(scale_bend) = min(scales(scale_bend), longest_beside_bend)
-            longest(e) = max(minval(scales), shortest)
+            beside_bend = any(abs(mesh%md(e) - bends) < reach_of_bend)
+            if (beside_bend) scales(scale_bend) = min(scales(scale_bend), longest_beside_bend)
+            longest(e) = max(minval(scales), merge(longest_beside_bend, shortest, beside_bend))
             if (longest(e) < mesh%length(e)) then
                i = minloc(scales, dim=1)
                shortened(i) = shortened(i) + 1
@@ -111,8 +119,46 @@ contains
             shortened(scale_neighbour) = size(depths) - e
          end if
          if (size(depths) > mesh%nodes) call new_mesh(model, load_case, depths, mesh)
+         call cut_edges(model, load_case, mesh)
       end associate
    end subroutine mesh_for_case
+
+   !> Puts short elements on both sides of every edge of the string, with lengths that grow from there.
+   pure subroutine cut_edges(model, load_case, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      type(mesh_type), intent(inout) :: mesh
+      type(mesh_type) :: finer
+      real(wp) :: longest(mesh%elements)
+      real(wp), allocatable :: depths(:), bends(:)
+      integer :: n, coarse
+      allocate (bends, source=bend_depths(mesh))
+      longest = mesh%length
+      do n = 2, mesh%nodes - 1
+         if (is_edge(mesh, n)) longest(n - 1:n) = min(longest(n - 1:n), merge(tilted_edge, edge_length, &
+                                                                              any(abs(mesh%md(n) - bends) < tilted_within)))
+      end do
+      depths = graded(mesh%md, longest, edge_growth)
+      if (size(depths) == mesh%nodes) return
+      call new_mesh(model, load_case, depths, finer)
+      coarse = 1
+      do n = 1, finer%nodes
+         finer%beside_edge(n) = finer%md(n) < mesh%md(coarse)
+         if (.not. finer%beside_edge(n)) coarse = coarse + 1
+      end do
+      mesh = finer
+   end subroutine cut_edges
+
+   !> Whether the diameter that touches changes at a node, as at a blade's end, or the string is bent on one side of it alone. Tool
+   !> joints and centralizers that touch one by one have their contact in the middle of their element.
+   pure function is_edge(mesh, n) result(is)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: n
+      logical :: is
+      is = abs(mesh%radius(n) - mesh%radius(n - 1)) > edge_height*max(mesh%clearance(n), mesh%clearance(n - 1)) .and. &
+           .not. (mesh%spacing(n) > 0.0_wp .and. mesh%spacing(n - 1) > 0.0_wp)
+      if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
+   end function is_edge
 
    !> Depths at which a housing is bent [m]; none in most strings.
    pure function bend_depths(mesh) result(depths)

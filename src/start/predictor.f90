@@ -65,7 +65,7 @@ contains
       real(wp) :: wound(mesh%nodes)
       type(bending_beam_type) :: beam
       logical :: found, sharp, left_handed
-      integer :: i, e, laid
+      integer :: i, e, laid, knots, knot(mesh%nodes)
       wall = start%softness*mesh%wall
       where (mesh%opening < mesh%clearance) wall = mesh%wall     ! bow springs are soft
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, &
@@ -83,7 +83,10 @@ contains
          if (mesh%opening(e) < mesh%clearance(e)) depth = min(mesh%opening(e) + force*mesh%gathered(e)/wall(e), mesh%clearance(e))
          offset(:, i) = depth*[dot_product(n, mesh%frame(:, 2, i)), dot_product(n, mesh%frame(:, 3, i))]
       end do
-      call slopes_of(model%numerics%tuning, mesh, offset, slope)
+      call find_knots(model%numerics%tuning, mesh, knot, knots)
+      slope = 0.0_wp
+      call slopes_of(mesh, knot(:knots), offset, slope)
+      call lay_between(mesh, knot(:knots), offset, slope)
       wound = axial
       do i = 1, mesh%nodes
          if (axial(i) < 0.0_wp) wound(i) = -wound_compression(mesh%ei(min(i, mesh%elements)), -axial(i), torque(i))
@@ -92,6 +95,7 @@ contains
       if (left_handed) call mirror(offset, slope)
       call lay_buckled(model, mesh, wound, gaps%xi, wall, load, offset, slope, laid)
       if (left_handed) call mirror(offset, slope)
+      if (any(mesh%beside_edge)) call lay_between(mesh, knot(:knots), offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
       if (model%boundary%bit_centred) offset(:, mesh%nodes) = 0.0_wp
       y(1:2, :) = offset
@@ -144,37 +148,53 @@ contains
       end do
    end function lies_outside
 
-   !> Slopes of lateral offsets (2,nodes) by differences along depth. Nodes close to one above, as where a component ends beside a
-   !> station, next to an element many times as long, are laid on the cubic through their neighbours: the offset may jump there with
-   !> the clearance, and a sliver between two such nodes would start with up to millions of times the
-   !> force that it can carry.
-   pure subroutine slopes_of(tuning, mesh, offset, slope)
+   !> Nodes through which a start is laid. Others lie on the cubic between them: nodes beside an edge of the string, and nodes close
+   !> to one above next to an element many times as long, as where a component ends beside a station. The offset may jump there with
+   !> the clearance, and a sliver between two such nodes would start with up to millions of times the force that it can carry.
+   pure subroutine find_knots(tuning, mesh, knot, knots)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(inout) :: offset(:, :)
-      real(wp), intent(out) :: slope(:, :)
-      real(wp) :: xi, length, shape(4), rise(4), least
-      integer :: knot(mesh%nodes), knots, i, k, before, after
+      integer, intent(out) :: knot(:)       !< nodes, increasing, the ends among them
+      integer, intent(out) :: knots
+      integer :: i, j
+      real(wp) :: least
       knots = 1
       knot(1) = 1
       do i = 2, mesh%nodes
+         if (mesh%beside_edge(i)) cycle
          least = 0.0_wp
          if (i < mesh%nodes) then
-            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = tuning%sliver*mesh%length(i)
+            j = findloc(mesh%beside_edge(i + 1:), .false., dim=1) + i      ! the next that may be one
+            if (.not. mesh%spacing(i - 1) > 0.0_wp) least = tuning%sliver*(mesh%md(j) - mesh%md(i))
          end if
-         if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) then
-            if (i == mesh%nodes) knot(knots) = i
-            cycle
-         end if
+         if (mesh%md(i) - mesh%md(knot(knots)) < least .and. knots > 1) cycle
          knots = knots + 1
          knot(knots) = i
       end do
-      do k = 1, knots
+   end subroutine find_knots
+
+   !> Slopes of lateral offsets (2,nodes) at the knots, by differences between them.
+   pure subroutine slopes_of(mesh, knot, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: knot(:)
+      real(wp), intent(in) :: offset(:, :)
+      real(wp), intent(inout) :: slope(:, :)
+      integer :: k, before, after
+      do k = 1, size(knot)
          before = knot(max(k - 1, 1))
-         after = knot(min(k + 1, knots))
+         after = knot(min(k + 1, size(knot)))
          slope(:, knot(k)) = (offset(:, after) - offset(:, before))/(mesh%md(after) - mesh%md(before))
       end do
-      do k = 2, knots
+   end subroutine slopes_of
+
+   !> Lays the nodes between knots on the cubic through these.
+   pure subroutine lay_between(mesh, knot, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: knot(:)
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)
+      real(wp) :: xi, length, shape(4), rise(4)
+      integer :: i, k, before, after
+      do k = 2, size(knot)
          before = knot(k - 1)
          after = knot(k)
          length = mesh%md(after) - mesh%md(before)
@@ -187,7 +207,7 @@ contains
                            + shape(4)*slope(:, after)
          end do
       end do
-   end subroutine slopes_of
+   end subroutine lay_between
 
    !> Slides node after node along the hole until each element carries its axial force: by the element's stretch, and then by what
    !> its length differs there.

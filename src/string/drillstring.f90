@@ -2,22 +2,16 @@
 module dg_drillstring
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_ends
-   use dg_component, only: component_type, effective_joint_length, has_bend, has_blades, has_joints
+   use dg_component, only: component_type, effective_joint_length, has_bend, has_joints
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, blade_places, all_centralizer_ends, bend_ends, &
+   public :: drillstring_type, component_at, component_tops, joint_ends, all_centralizer_ends, bend_ends, &
              bend_within, at_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
       type(component_type), allocatable :: components(:) !< from the bit upwards
    end type drillstring_type
-
-   !> Longest piece of a stabiliser that may touch at one place alone [m]. A blade rests on one of its ends or, between two spans
-   !> that bend it little, on both at once, which one gap cannot; against a wall that yields it rests along a part. Side force at
-   !> the bit of an assembly with two blades of 1.8 m, against pieces of 0.01 m: within 0.1 % by a rigid wall, 4 % low by an
-   !> ordinary one (with pieces of 0.05 m 1.4 %).
-   real(wp), parameter :: blade_piece = 0.25_wp
 
    !> Length of the piece over which a bent housing bends [m]: short beside the distances to bit and stabilisers, longer than depths
    !> that are made one.
@@ -94,26 +88,6 @@ contains
          bottom = tops(i)
       end do
    end function all_centralizer_ends
-
-   !> Places within stabilisers where they are divided, as distances above the bit [m].
-   pure function blade_places(string, tops) result(places)
-      type(drillstring_type), intent(in) :: string
-      real(wp), intent(in) :: tops(:)    !< from component_tops
-      real(wp), allocatable :: places(:)
-      real(wp) :: bottom
-      integer :: i, k, pieces
-      allocate (places(0))
-      bottom = 0.0_wp
-      do i = 1, size(tops)
-         if (has_blades(string%components(i))) then
-            pieces = ceiling((tops(i) - bottom)/blade_piece)
-            do k = 1, pieces - 1
-               places = [places, bottom + (tops(i) - bottom)*k/pieces]
-            end do
-         end if
-         bottom = tops(i)
-      end do
-   end function blade_places
 
    !> Ends of the pieces that are bent, as distances above the bit [m].
    pure function bend_ends(string, tops) result(ends)

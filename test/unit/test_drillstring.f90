@@ -1,7 +1,7 @@
 module dg_test_drillstring
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_component, only: component_type, has_joints
-   use dg_drillstring, only: at_joint, blade_places, component_at, component_tops, drillstring_type, joint_ends
+   use dg_drillstring, only: at_joint, component_at, component_tops, drillstring_type, joint_ends
    use dg_kinds, only: wp
    implicit none
    private
@@ -19,7 +19,6 @@ contains
       call suite%addTest(TestMethod('ends_of_tool_joints', test_joint_ends))
       call suite%addTest(TestMethod('at_a_tool_joint', test_at_joint))
       call suite%addTest(TestMethod('what_has_tool_joints', test_has_joints))
-      call suite%addTest(TestMethod('pieces_of_a_stabiliser', test_blades))
    end function drillstring_suite
 
    !> Bit 0, collar of 100 m, heavy-weight pipe of 50 m, pipe to surface.
@@ -100,19 +99,6 @@ contains
       end associate
       call assertFalse(at_joint(string%components(1), 0.0_wp), message='a collar has none')
    end subroutine test_at_joint
-
-   !> A stabiliser of 1.1 m from 5 m to 6.1 m above the bit is cut into five pieces of 0.22 m, no longer than 0.25 m; pipe is not.
-   subroutine test_blades()
-      type(drillstring_type) :: string
-      real(wp), allocatable :: places(:)
-      string = jointed_string()
-      string%components(2)%kind = 'stabilizer'
-      string%components(2)%length = 1.1_wp
-      allocate (places, source=blade_places(string, component_tops(string, 6.1_wp)))
-      call assertEqual(4, size(places))
-      call assertEqual([5.22_wp, 5.44_wp, 5.66_wp, 5.88_wp], places, 1.0e-12_wp)
-      call assertEqual(0, size(blade_places(jointed_string(), component_tops(jointed_string(), 50.0_wp))), message='pipe')
-   end subroutine test_blades
 
    !> Joints are thicker than the body; a stabiliser's blades touch all along, however its kind is spelt.
    subroutine test_has_joints()

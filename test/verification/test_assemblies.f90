@@ -187,7 +187,7 @@ contains
       do i = 1, size(loads)
          call solve(model, operation_static, loads(i), 0.0_wp, result, what)
          do j = 1, size(places)
-            k = minloc(abs(depth - result%gaps%md - places(j)), dim=1)
+            k = maxloc(result%gaps%force, mask=abs(depth - result%gaps%md - places(j)) < 0.6_wp*blade, dim=1)
             touches(j) = depth - result%gaps(k)%md
             call note('touches from the middle of the blade [m]', touches(j) - places(j))
          end do
