@@ -18,7 +18,7 @@ module dg_test_lone_contacts
    use dg_text, only: append_text, text_type
    implicit none
    private
-   public :: lone_contacts_suite
+   public :: lone_contacts_suite, solve_deck
 
    character(*), parameter :: path = 'build/test_lone_contacts.nml'
 

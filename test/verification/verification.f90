@@ -35,6 +35,7 @@ contains
       use dg_test_assemblies, only: assemblies_suite
       use dg_test_hard_cases, only: hard_cases_suite
       use dg_test_lone_contacts, only: lone_contacts_suite
+      use dg_test_contact_sums, only: contact_sums_suite
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
       use dg_test_columns, only: columns_suite
@@ -68,6 +69,7 @@ contains
       call suite%addTest(assemblies_suite())
       call suite%addTest(hard_cases_suite())
       call suite%addTest(lone_contacts_suite())
+      call suite%addTest(contact_sums_suite())
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())
       call suite%addTest(columns_suite())

@@ -1,0 +1,180 @@
+!> Sums of contact, hook loads and torques of stabilized assemblies in holes that build and turn, and of blades down to a millimetre.
+!> What is expected is of an independent rod in three dimensions, with supports and a mesh of its own. It has the same law of the
+!> wall (1e5 and 1e6 kN/m2), so that it does not judge the wall.
+module dg_test_contact_sums
+   use funit, only: assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use dg_case_result, only: case_result_type
+   use dg_kinds, only: wp
+   use dg_test_lone_contacts, only: solve_deck
+   use dg_test_wells, only: note
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: contact_sums_suite
+
+   !> The walls of the rod.
+   character(*), parameter :: walls = '&solver gk_contact = 1.0e5, gk_max = 1.0e6 /'
+
+contains
+
+   function contact_sums_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('contact_sums')
+      call suite%addTest(TestMethod('two_blades', test_two_blades))
+      call suite%addTest(TestMethod('sharp_bend', test_sharp_bend))
+      call suite%addTest(TestMethod('packed_rotating', test_packed_rotating))
+      call suite%addTest(TestMethod('bent_motor', test_bent_motor))
+      call suite%addTest(TestMethod('blades_of_5_mm', test_short_blades))
+      call suite%addTest(TestMethod('blade_lengths', test_blade_lengths))
+   end function contact_sums_suite
+
+   !> Two blades of 1.8 m in a hole that turns by 4 deg/30 m, pulled. The contact sum was 0.7 % too small.
+   subroutine test_two_blades()
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, '&trajectory md = 0, 80, 200, inc = 40, 46, 52, azi = 0, 12, 40 /')
+      call append_text(deck, '&hole diameter = 311.1, friction = 0.25 /')
+      call append_text(deck, '&fluid density = 1200 /')
+      call append_text(deck, "&component kind = 'bit', length = 0.4, od = 230, id = 71.4, mass = 250 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 1.8, od = 203.2, id = 71.4, mass = 220, joint_od = 309.6 /")
+      call append_text(deck, "&component kind = 'collar', length = 18, od = 203.2, id = 71.4, mass = 220 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 1.8, od = 203.2, id = 71.4, mass = 220, joint_od = 307.9 /")
+      call append_text(deck, "&component kind = 'collar', od = 203.2, id = 71.4, mass = 220 /")
+      call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 200 /")
+      call compare(deck, 321789.6_wp, 0.0_wp, 276950.1_wp)
+   end subroutine test_two_blades
+
+   !> Two blades of 1 m in a hole that builds and turns by 16 deg/30 m.
+   subroutine test_sharp_bend()
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, '&trajectory md = 0, 40, 140, 200, inc = 60, 60, 90, 90, azi = 0, 0, 45, 75 /')
+      call append_text(deck, '&hole diameter = 215.9, friction = 0.3 /')
+      call append_text(deck, '&fluid density = 1200 /')
+      call append_text(deck, "&component kind = 'bit', length = 0.3, od = 180, id = 71.4, mass = 170 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 1, od = 165.1, id = 71.4, mass = 136, joint_od = 212.7 /")
+      call append_text(deck, '&component length = 5, od = 165.1, id = 71.4, mass = 136 /')
+      call append_text(deck, "&component kind = 'stabilizer', length = 1, od = 165.1, id = 71.4, mass = 136, joint_od = 203.2 /")
+      call append_text(deck, '&component od = 127, id = 76.2, mass = 73, joint_od = 168.3 /')
+      call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 190 /")
+      call compare(deck, 82048.2_wp, 0.0_wp, 179074.7_wp)
+   end subroutine test_sharp_bend
+
+   !> A packed assembly of three blades turns on bottom in a bend of 7 deg/30 m.
+   subroutine test_packed_rotating()
+      type(text_type), allocatable :: deck(:)
+      real(wp), parameter :: blades(3) = [214.3_wp, 212.7_wp, 211.1_wp], above(3) = [4.0_wp, 9.0_wp, 0.0_wp]
+      allocate (deck(0))
+      call start_packed(deck)
+      call add_blades(deck, 1.5_wp, blades, above)
+      call add_upper_part(deck)
+      call append_text(deck, "&load_case name = 'a', operation = 'rotary_drilling', bit_depth = 290, wob = 80, tob = 4 /")
+      call compare(deck, 56506.8_wp, 8803.0_wp, 212076.7_wp)
+   end subroutine test_packed_rotating
+
+   !> A motor with a bent housing slides. The contact sum was 0.3 % too large on elements of a metre.
+   subroutine test_bent_motor()
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, '&trajectory md = 0, 80, 200, inc = 40, 46, 52, azi = 0, 12, 40 /')
+      call append_text(deck, '&hole diameter = 215.9, friction = 0.25 /')
+      call append_text(deck, '&fluid density = 1200 /')
+      call append_text(deck, "&component kind = 'bit', length = 0.1, od = 180, id = 50.8, mass = 150, joint_od = 215.9 /")
+      call append_text(deck, "&component kind = 'motor', length = 1.6, od = 171.4, id = 80, mass = 140 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 0.4, od = 171.4, id = 80, mass = 140, joint_od = 212.7, "// &
+                       'bend = 1.5, bend_position = 0.2 /')
+      call append_text(deck, "&component kind = 'motor', length = 7, od = 171.4, id = 100, mass = 120 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 0.4, od = 165.1, id = 71.4, mass = 136, joint_od = 209.6 /")
+      call append_text(deck, "&component kind = 'collar', length = 30, od = 165.1, id = 71.4, mass = 136 /")
+      call append_text(deck, '&component od = 127, id = 76.2, mass = 73, joint_od = 168.3 /')
+      call append_text(deck, "&load_case name = 'a', operation = 'sliding_drilling', bit_depth = 200, wob = 60, toolface = 60 /")
+      call compare(deck, -205.4_wp, 0.0_wp, 146322.2_wp)
+   end subroutine test_bent_motor
+
+   !> Blades of 5 mm with clearances of 0.8 and 2 mm on a side, pulled. They were lost where depths are merged.
+   subroutine test_short_blades()
+      type(text_type), allocatable :: deck(:)
+      real(wp), parameter :: blades(2) = [214.3_wp, 211.9_wp], above(2) = [4.0_wp, 9.0_wp]
+      allocate (deck(0))
+      call start_packed(deck)
+      call add_blades(deck, 0.005_wp, blades, above)
+      call add_upper_part(deck)
+      call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 290 /")
+      call compare(deck, 168412.6_wp, 0.0_wp, 133958.8_wp)
+   end subroutine test_short_blades
+
+   !> A blade of 1.6 mm of clearance holds collars of a horizontal string that is pushed, however short it is: moment and bit force
+   !> change smoothly down to a blade of 1 mm. At 0.02 m the string once lay 25 mm off the axis there.
+   subroutine test_blade_lengths()
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: result
+      real(wp), parameter :: lengths(4) = [0.02_wp, 0.01_wp, 0.005_wp, 0.001_wp]
+      character(40) :: text
+      integer :: i, k
+      do i = 1, size(lengths)
+         if (allocated(deck)) deallocate (deck)
+         allocate (deck(0))
+         call append_text(deck, '&trajectory md = 0, 40, inc = 90, 90, azi = 0, 0 /')
+         call append_text(deck, '&hole diameter = 215.9 /')
+         call append_text(deck, '&fluid density = 1200 /')
+         call append_text(deck, "&component kind = 'bit', length = 0.3, od = 200, id = 50 /")
+         call append_text(deck, "&component kind = 'collar', length = 8.7, od = 165.1, id = 71.4 /")
+         write (text, '(a, f5.3)') 'length = ', lengths(i)
+         call append_text(deck, "&component kind = 'stabilizer', od = 165.1, id = 71.4, joint_od = 212.7, "//trim(text)//' /')
+         call append_text(deck, "&component kind = 'collar', od = 165.1, id = 71.4 /")
+         call append_text(deck, "&load_case name = 's', operation = 'static', bit_depth = 40, wob = 50 /")
+         call append_text(deck, '&solver gk_contact = 1.0e8, gk_max = 1.0e8 /')
+         call solve_deck(deck, 0.0_wp, .false., result)
+         k = minloc(abs(result%profile%md - 31.0_wp + 0.5_wp*lengths(i)), dim=1)
+         call note('offset at the blade [m]', result%profile%displacement(k))
+         call assertLessThan(result%profile%displacement(k), 2.0e-3_wp, message='at the blade, '//trim(text))
+         call assertRelativelyEqual(15100.0_wp, maxval(result%profile%bending), 0.01_wp, message='moment, '//trim(text))
+      end do
+   end subroutine test_blade_lengths
+
+   !> Hole and fluid of the packed assemblies, and their bit.
+   subroutine start_packed(deck)
+      type(text_type), allocatable, intent(inout) :: deck(:)
+      call append_text(deck, '&trajectory md = 0, 60, 180, 300, inc = 30, 30, 52, 74, azi = 0, 0, 20, 52 /')
+      call append_text(deck, '&hole diameter = 215.9, friction = 0.25 /')
+      call append_text(deck, '&fluid density = 1200 /')
+      call append_text(deck, "&component kind = 'bit', length = 0.3, od = 180, id = 71.4, mass = 170 /")
+   end subroutine start_packed
+
+   !> Collars and heavy-weight pipe above the blades.
+   subroutine add_upper_part(deck)
+      type(text_type), allocatable, intent(inout) :: deck(:)
+      call append_text(deck, '&component length = 60, od = 165.1, id = 71.4, mass = 136 /')
+      call append_text(deck, '&component od = 127, id = 76.2, mass = 73, joint_od = 168.3 /')
+   end subroutine add_upper_part
+
+   !> Blades of a length [m] and of diameters [mm], with collars of other lengths [m] above them; 0: none.
+   subroutine add_blades(deck, length, diameters, above)
+      type(text_type), allocatable, intent(inout) :: deck(:)
+      real(wp), intent(in) :: length, diameters(:), above(:)
+      character(60) :: text
+      integer :: i
+      do i = 1, size(diameters)
+         write (text, '(a, f5.3, a, f5.1)') 'length = ', length, ', joint_od = ', diameters(i)
+         call append_text(deck, "&component kind = 'stabilizer', od = 171.4, id = 71.4, mass = 160, "//trim(text)//' /')
+         if (.not. above(i) > 0.0_wp) cycle
+         write (text, '(a, f4.1)') 'length = ', above(i)
+         call append_text(deck, '&component od = 171.4, id = 71.4, mass = 150, '//trim(text)//' /')
+      end do
+   end subroutine add_blades
+
+   !> Hook load, torque and sum of contact of a deck beside those of the rod [N, N.m, N].
+   subroutine compare(deck, hookload, torque, contact)
+      type(text_type), allocatable, intent(inout) :: deck(:)
+      real(wp), intent(in) :: hookload, torque, contact
+      type(case_result_type) :: result
+      call append_text(deck, walls)
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call note('sum of contact over that of the rod, less one', result%normal_force/contact - 1.0_wp)
+      call assertRelativelyEqual(contact, result%normal_force, 1.5e-3_wp, message='sum of contact')
+      call note('hook load less that of the rod [N]', result%hookload - hookload)
+      call assertLessThan(abs(result%hookload - hookload), 1.5e-3_wp*0.3_wp*contact + 1.0_wp, message='hook load')
+      if (.not. torque > 0.0_wp) return
+      call assertRelativelyEqual(torque, result%torque, 1.5e-3_wp, message='torque')
+   end subroutine compare
+end module dg_test_contact_sums
