@@ -199,8 +199,8 @@ def campaign(cluster, program, deck, script, parts, record):
         return 1
     print(merged.stderr.strip())
     again = cluster.run("sbatch", "--parsable", f"--array={told.group(1)}", script, deck, str(PARTS), "--output", parts, "--quiet").strip()
-    last = cluster.run("sbatch", "--parsable", f"--dependency=afterany:{again}", "--wrap",
-                       f"drillgap {deck} --output {parts} --merge {PARTS}").strip()
+    last = cluster.run("sbatch", "--parsable", f"--dependency=afterany:{again}", script, deck, str(PARTS), "--merge",
+                       "--output", parts).strip()
     cluster.ended(again)
     cluster.ended(last)
     print(f"jobs {again} and {last}: run again and joined")
