@@ -31,12 +31,12 @@ NAMES = ["Bob's fit", "a,b", 'x"y', r"a\b", "`touch made`", 'system("touch made"
          "Größe ∑", "ends in \\", "tab\there", "#1", "' . system('touch made') . '", "'; system 'touch made'; x='", "''", "a'",
          "a'\\", "`", '"', '""', "$0", "<touch made", "|touch made", "!touch made", "NaN", "-", "END", "\x01\x02", "\x1b[31m",
          "\x7f",
-         "é" * 300, "y" * 5000, "'" * 7, "ab", "]]]>>", "&amp;<b>", "{", "}", "[", "first'", "../made", "a/b"]
+         "é" * 300, "y" * 5000, "'" * 7, "ab", "]]]>>", "&amp;<b>", "{", "}", "[", "first'", "../made", "a/b", "driller's 12-1/4", "Bob's =1", "%" + "a𝄞" * 12]
 #: Marks of the two calibrations: legend, two factors before and after, an offset, three errors before and after.
 MARKS = {"first": 2 + 4 + 6, "other": 2 + 4 + 1 + 6}
 #: Pictures of a deck with names.
 PICTURES = 12
-MOST_OF_TIC, MOST_OF_TITLE = 28, 200
+MOST_OF_TIC, MOST_OF_TITLE, MOST_OF_FORMAT = 28, 200, 49
 CONTROL = re.compile("[\x00-\x1f\x7f]")
 PLAIN_DECK_NAME = "plain"
 
@@ -130,6 +130,14 @@ def cut(name, most):
     return name if len(name) <= most else name[:most - 3] + "..."
 
 
+def cut_tic(name):
+    """Of a tic with a '%', which gnuplot takes for a format, it shows MOST_OF_FORMAT bytes."""
+    most = MOST_OF_TIC
+    while "%" in cut(name, most) and len(cut(name, most).encode()) > MOST_OF_FORMAT:
+        most -= 1
+    return cut(name, most)
+
+
 def faults_of_pictures(place):
     """What is no picture among the pictures."""
     faults = []
@@ -157,7 +165,7 @@ def faults_of_name(program, name):
         own = "first" if path.stem == "calibration_first_soft" else "other"
         title = cut(f"Calibration {name if own == 'other' else 'first'}, model soft", MOST_OF_TITLE)
         shown = texts_of(path)
-        faults += [f"{path.name}: no {text!r} in {shown}" for text in (title, cut(name, MOST_OF_TIC)) if text not in shown]
+        faults += [f"{path.name}: no {text!r} in {shown}" for text in (title, cut_tic(name)) if text not in shown]
         marks = len(re.findall("<use xlink:href='#gpPt[0-9]+' transform='translate", path.read_text(encoding="utf-8")))
         if marks != MARKS[own]:
             faults.append(f"{path.name}: {marks} marks instead of {MARKS[own]}")

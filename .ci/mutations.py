@@ -10,7 +10,7 @@ NUMBERS = ["0", "-1", "1", "-0.0", "1e308", "-1e308", "1e-308", "1e309", "NaN", 
            "(1,2)", "'7'", ".true.", "''", "49999", "4.9e-324", "1.7976931348623157e308", "1e-300"]
 # Texts that mean nothing else than themselves. What a shell or gnuplot would run leaves a file of this name.
 CANARY = "EXECUTED"
-TEXTS = ["", " ", "Bob's fit", 'x"y', "a,b", "a;b", r"a\b", "a\\", "%s%n%d", "@{x}_y^z", "{/Symbol a}", "é ü Ø 中文".encode().decode("latin-1"),
+TEXTS = ["", " ", "Bob's fit", "Bob's =1", 'x"y', "a,b", "a;b", r"a\b", "a\\", "%s%n%d", "@{x}_y^z", "{/Symbol a}", "é ü Ø 中文".encode().decode("latin-1"),
          "\u202egnp".encode().decode("latin-1"), "\x1b[31mred\x1b[0m", "\x07\x08\x7f", "\xff\xfe", "S\xfcd", "a\tb", "a\nb", "a\rb", "a\0b",
          "x" * 4096, "é".encode().decode("latin-1") * 2000, "<script>alert(1)</script>", "<td>NaN", "&amp;&lt;", "]]>", "--><b>", "../up",
          "/tmp/x", "=1+1", "-rf", "~", "*", "?", "[a]", "!x", "&job /", "/", "#x", f"`touch {CANARY}`", f"$(touch {CANARY})",

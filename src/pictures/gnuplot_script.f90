@@ -33,8 +33,8 @@ module dg_gnuplot_script
    !> Variable of gnuplot that is put behind the name of the picture's file: drillgap draws under another name first. Not set where
    !> a script is run by hand.
    character(*), parameter :: ending_variable = 'unfinished'
-   !> What means nothing but itself between double quotes, whatever stands beside it.
-   character(*), parameter :: plain_letters = ' abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789'
+   !> Longest label of a tic [bytes] with a '%' in it: gnuplot 5.4 takes it for a format, and cuts what it shows even in a letter.
+   integer, parameter :: longest_format = 49
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
 
@@ -270,12 +270,19 @@ contains
       real(wp), intent(in) :: room
       integer, intent(in) :: width
       character(:), allocatable :: tics
-      integer :: i, most
+      character(:), allocatable :: label
+      integer :: i, most, letters
       most = int(room*real(width, wp)/letter_width) - 1
       tics = ''
       do i = 1, size(names)
          if (i > 1) tics = tics//', '
-         tics = tics//spelled(without_format(cut_text(names(i)%text, most)))//' '//to_text(i)
+         letters = most
+         label = cut_text(names(i)%text, letters)
+         do while (index(label, '%') > 0 .and. len(label) > longest_format)
+            letters = letters - 1
+            label = cut_text(names(i)%text, letters)
+         end do
+         tics = tics//spelled(without_format(label))//' '//to_text(i)
       end do
    end function row_tics
 
@@ -322,34 +329,34 @@ contains
    !> A text as gnuplot takes it literally, the only way of a deck's text into a script. Control bytes, which would end a line or
    !> spoil the picture, become blanks; bytes that make no letter become '?'.
    !>
-   !> Between single quotes gnuplot knows no escape, no command in backticks and no macro. A quote there is written twice, which
-   !> gnuplot 5.4 misreads at the beginning and beside another: a text with one stands between double quotes, its letters and
-   !> digits as they are, all else by its octal number, for gnuplot to take apart when nothing else can be seen in it.
+   !> Between single quotes gnuplot knows no escape, no command in backticks and no macro. It misreads a quote written twice there
+   !> (5.4), and a bare quote between double quotes switches macros on. Each quote therefore stands alone, as "\047", joined to
+   !> the pieces around it by dots. No digit follows the number: gnuplot reads three or four octal digits.
    pure function spelled(text) result(literal)
       character(*), intent(in) :: text
       character(:), allocatable :: literal
+      character(*), parameter :: quote = '"'//achar(92)//'047"', joint = '.'
       character(len(text)) :: shown
-      character(4) :: octal
-      integer :: i
+      integer :: i, first, last
       shown = plain_utf8(text)
       ! where a part of an XML file ends that is not read as XML: gnuplot writes it as it is
       do i = 3, len(shown)
          if (shown(i - 2:i) == ']]>') shown(i:i) = ')'
       end do
-      if (index(shown, "'") == 0) then
-         literal = "'"//shown//"'"
-         return
-      end if
-      literal = '"'
-      do i = 1, len(shown)
-         if (iachar(shown(i:i)) > 127 .or. verify(shown(i:i), plain_letters) == 0) then
-            literal = literal//shown(i:i)
+      literal = ''
+      first = 1
+      do while (first <= len(shown))
+         if (first > 1) literal = literal//joint
+         if (shown(first:first) == "'") then
+            literal = literal//quote
+            first = first + 1
          else
-            write (octal, '(a, o3.3)') achar(92), iachar(shown(i:i))
-            literal = literal//octal
+            last = first + scan(shown(first:)//"'", "'") - 2
+            literal = literal//"'"//shown(first:last)//"'"
+            first = last + 1
          end if
       end do
-      literal = literal//'"'
+      if (literal == '') literal = "''"
    end function spelled
 
    !> Letters and digits of a name, for identifiers within the picture.

@@ -53,7 +53,11 @@ contains
 
    subroutine test_quotes()
       call assertEqual("'a `b` @c \'", spelled('a `b` @c \'))
-      call assertEqual('"it\047s a \140b\140"', spelled("it's a `b`"))
+      call assertEqual("'it'.""\047"".'s a `b`'", spelled("it's a `b`"))
+      call assertEqual("'driller'.""\047"".'s 12-1/4'", spelled("driller's 12-1/4"))
+      call assertEqual("""\047"".""\047"".'1'", spelled("''1"), message='no digit follows a number')
+      call assertEqual("'a'.""\047""", spelled("a'"))
+      call assertEqual("''", spelled(''))
    end subroutine test_quotes
 
    !> Steps are 1, 2 or 5 times a power of ten, and no more of them than their labels have room for.
