@@ -16,6 +16,7 @@ Case S is what seed S draws: `--seed S --count 1` runs it again. Its kind is one
              run but for pieces whose line says something else
   twice      two decks, one after the other, in one output folder: what is left is what the second alone leaves
   collision  a file that the run reads stands where the run would write: refused, and it survives
+  link       links out of the output folder under names of results, of folders and of files being written: refused, or not followed
   options    odd command lines
   convert    a deck that is accepted is converted, and converted it is accepted
   spelling   a deck in another spelling that says the same gives the same files
@@ -745,6 +746,43 @@ def case_collision(lab, rng):
         lab.note(f"an input was lost: {source} as {result} ({way})")
 
 
+def case_link(lab, rng):
+    """Links lead out of the output folder."""
+    deck, files = drawn(rng, "si", "sweep_gp1")
+    deck.set(deck.one("job"), "models", "'soft'")
+    deck.set(deck.one("job"), "plots", ".true.")
+    files["deck.nml"] = deck.text()
+    cases = [deck.get(group, "name")[0].strip("'") for group in deck.all("load_case")] or ["x"]
+    sweeps = [deck.get(group, "name")[0].strip("'") for group in deck.all("sweep") if deck.get(group, "name")] or ["x"]
+    names = ["pictures"] * 4 + ["summary.csv", "limits.csv", "results.h5", "report.html", "drillgap_files.txt", "drillgap.lock", "mine.csv"]
+    names += [f"{kind}_{rng.choice(cases)}_soft.{end}" for kind, end in (("profile", "csv"), ("view", "hdf"), ("hole", "hdf"))]
+    names += [f"sweep_{rng.choice(sweeps)}.{end}" for end in ("csv", "partial", "failed", "part_1_of_2")]
+    names += [f"pictures/{name}" for name in ("gnuplot.log", "all.gp", "hookload.gp", "hookload.svg", f"path_{rng.choice(cases)}.svg")]
+    chosen = sorted({rng.choice(names) + rng.choice(["", "", "", ".unfinished"]) for _ in range(rng.choice([1, 1, 2, 3]))})
+
+    def place(home):
+        (home / "other").mkdir()
+        (home / "other" / "precious").write_text("precious", encoding="utf-8")
+        (home / "out").mkdir()
+        for name in chosen:
+            at = home / "out" / name
+            if not at.parent.is_symlink():
+                at.parent.mkdir(exist_ok=True)
+                at.symlink_to(home / rng.choice(["other", "other/precious", "nowhere", "other/nowhere", "deck"]))
+
+    more = rng.choice([(), (), ("--part", "1/2"), ("--merge", "2"), ("--again",)]) if deck.all("sweep") else ()
+    run = lab.start(lab.home / "1", {f"deck/{name}": text for name, text in files.items()},
+                    ["../deck/deck.nml", "--output", "../out", "--threads", "1", *more], place)
+    lab.runs.append(run)
+    for fault in run.faults():
+        lab.note(fault)
+    if "pictures" in chosen and "--part" not in more and run.status != 1:
+        lab.note(f"a link for the folder of pictures has exit status {run.status}: {run.stderr[:200]}")
+    for name in chosen:
+        if run.status in (1, 2) and "out/" + name in run.held and not run.now.get("out/" + name, "").startswith("-> "):
+            lab.note(f"refused, but {name} is no link any more")
+
+
 def case_options(lab, rng):
     deck, files = drawn(rng, "si", "field", "sweep_gp1")
     deck.set(deck.one("job"), "models", "'soft'")
@@ -786,7 +824,7 @@ def case_convert(lab, rng):
 
 
 KINDS = [(case_deck, 20), (case_limits, 10), (case_bytes, 12), (case_text, 9), (case_survey, 14), (case_catalogue, 5), (case_legacy, 5), (case_record, 9),
-         (case_twice, 3), (case_collision, 2), (case_options, 2), (case_convert, 5),
+         (case_twice, 3), (case_collision, 2), (case_link, 2), (case_options, 2), (case_convert, 5),
          (case_spelling, 4)]
 
 

@@ -83,6 +83,10 @@ def link(name, target):
     return lambda home: ((home / name).unlink(missing_ok=True), (home / name).symlink_to(target))
 
 
+def linked_result(name, target):
+    return lambda home: ((home / "out").mkdir(), (home / "out" / name).symlink_to(home / target))
+
+
 def changed(old, new, base=SI_DECK):
     assert old in base, old
     return {"deck.nml": base.replace(old, new, 1), "wells/path.csv": SURVEY, "wells/other.csv": LEGACY}
@@ -140,6 +144,10 @@ def listed():
     yield "output an endless name", good, 1, "File name too long", {"arguments": [*out, "o" * 5000]}
     yield "a folder where a file is to be", good, 1, "summary.csv: Is a directory", {
         "before": lambda home: (home / "out/summary.csv").mkdir(parents=True)}
+    for name, target, text in (("pictures", "wells", "pictures is a link to"), ("pictures", "nowhere", "pictures is a link to"),
+                               ("pictures", "wells/path.csv", "pictures is a link to"), ("results.h5", "nowhere", "results.h5: link to"),
+                               ("report.html", "deck.nml.bak", "report.html: link to"), ("limits.csv", "wells", "limits.csv: link to")):
+        yield f"{name} a link to {target}", good, 1, text, {"before": linked_result(name, target)}
     yield "disk full", good, 1, "File too large", {"shell_limits": full_disk}
     yield "elements without number", changed("element_length = 30.0", "element_length = 0.01").copy() | {
         "wells/path.csv": SURVEY.replace("700,44.0", "49000,44.0"),

@@ -18,7 +18,7 @@ program main
    use dg_standard_output, only: guard_descriptors, output_failed
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
-   use dg_written_files, only: check_inputs
+   use dg_written_files, only: check_inputs, check_links
    implicit none
    type(arguments_type) :: arguments
    type(error_type), allocatable :: error
@@ -91,6 +91,7 @@ contains
       do i = 1, size(arguments%chosen)
          job%part = arguments%chosen(i)
          call check_inputs(job, model, error)
+         if (.not. allocated(error)) call check_links(job, model, error)
          if (allocated(error)) exit
       end do
       if (allocated(error)) then

@@ -32,7 +32,7 @@ module dg_picture_files
    use dg_uncertainty_file, only: uncertainty_columns
    use dg_uncertainty_picture, only: uncertainty_script
    use dg_text, only: is_separator_free, text_list, text_type, to_text
-   use dg_written_files, only: note_file
+   use dg_written_files, only: check_picture_folder, note_file
    implicit none
    private
    public :: write_pictures
@@ -80,6 +80,7 @@ contains
       logical :: apart
       allocate (list%pictures(0))
       call make_folder(folder_in(job), error)
+      if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
       if (allocated(error)) return
       if (size(results) > 0) then
          call hookload_script('hookload', job, model, results, lines)

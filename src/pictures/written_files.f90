@@ -1,5 +1,5 @@
 !> What a run has written into its output folder: kept there in drillgap_files.txt, so that the next run can remove what it does not
-!> write anew, and nothing else. Before that: whether a run would write over what it reads.
+!> write anew, and nothing else. Before that: whether a run would write over what it reads, or through a link.
 module dg_written_files
    use dg_error, only: error_type, raise, status_bad_input, status_failure
    use dg_file_identity, only: identity_of, identity_of_link, identity_type, is_same_file, link_target
@@ -14,7 +14,7 @@ module dg_written_files
    use dg_text, only: append_text, text_type
    implicit none
    private
-   public :: check_inputs, begin_files, note_file, end_files, other_records
+   public :: check_inputs, check_links, check_picture_folder, begin_files, note_file, end_files, other_records
 
    !> The list, in the output folder, and its first line: a file without it is none of ours.
    character(*), parameter :: list_name = 'drillgap_files.txt'
@@ -31,23 +31,16 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: names(:), records(:), earlier(:)
+      type(text_type), allocatable :: names(:), earlier(:)
       character(:), allocatable :: faults
       integer :: i
-      allocate (names(0), records(0), earlier(0))   ! the compiler's flow analysis takes them for undefined otherwise
-      call result_names(job, model, names)
-      call record_names(job, records)
+      allocate (names(0), earlier(0))   ! the compiler's flow analysis takes them for undefined otherwise
+      call names_to_write(job, model, names)
       if (job%parts == 0) call read_list(job%output_dir, earlier)
       faults = ''
       do i = 1, size(names)
          call look_for(names(i)%text, 'write')
       end do
-      do i = 1, size(records)
-         call look_for(records(i)%text, 'write')
-      end do
-      call look_for(list_name, 'write')
-      call look_for(lock_name, 'write')
-      if (job%plots) call look_for(picture_folder//'/'//complaint_file, 'write')
       do i = 1, size(job%inputs)
          if (job%plots .and. job%parts == 0) call look_among_pictures(job%inputs(i)%text)
       end do
@@ -99,6 +92,62 @@ contains
          if (index(faults//new_line('a'), line//new_line('a')) == 0) faults = faults//line
       end subroutine note
    end subroutine check_inputs
+
+   !> Names of all that a run writes, but for pictures, whose names are not known yet.
+   subroutine names_to_write(job, model, names)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable, intent(out) :: names(:)
+      type(text_type), allocatable :: records(:)
+      integer :: i
+      allocate (names(0), records(0))   ! as above
+      call result_names(job, model, names)
+      call record_names(job, records)
+      do i = 1, size(records)
+         call append_text(names, records(i)%text)
+      end do
+      call append_text(names, list_name)
+      call append_text(names, lock_name)
+      if (job%plots) call append_text(names, picture_folder//'/'//complaint_file)
+   end subroutine names_to_write
+
+   !> Refuses (failure) a run for which links stand in the output folder where it would write, wherever they lead. Nothing is
+   !> written outside the output folder: links under names of pictures are replaced.
+   subroutine check_links(job, model, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: names(:)
+      character(:), allocatable :: links, target
+      integer :: i
+      if (job%plots .and. job%parts == 0) call check_picture_folder(job, error)
+      if (allocated(error)) return
+      allocate (names(0))   ! as above
+      call names_to_write(job, model, names)
+      links = ''
+      do i = 1, size(names)
+         target = link_target(job%output_dir//'/'//names(i)%text)
+         if (target /= '') links = links//new_line('a')//job%output_dir//'/'//names(i)%text//': link to '//target
+      end do
+      if (links /= '') call raise(error, status_failure, 'links stand in the output folder where the run would write; remove '// &
+                                  'them, or give another folder by output_dir or --output'//links)
+   end subroutine check_links
+
+   !> Refuses (failure) a folder of pictures that stands elsewhere, behind a link, or is no folder.
+   subroutine check_picture_folder(job, error)
+      type(job_type), intent(in) :: job
+      type(error_type), allocatable, intent(out) :: error
+      type(identity_type) :: there
+      character(:), allocatable :: path
+      path = job%output_dir//'/'//picture_folder
+      there = identity_of_link(path)
+      if (there%is_link) then
+         call raise(error, status_failure, path//' is a link to '//link_target(path)//', and nothing is written outside the '// &
+                    'output folder; remove the link, or give another folder by output_dir or --output')
+      else if (there%exists .and. .not. there%is_folder) then
+         call raise(error, status_failure, path//' is no folder; remove it, or give another folder by output_dir or --output')
+      end if
+   end subroutine check_picture_folder
 
    !> Begins the results of a run that holds the folder: removes what earlier runs have left, writes the list of what is to
    !> come. A part of a divided run leaves results alone.

@@ -85,13 +85,20 @@ contains
       if (allocated(error)) call delete_file(unfinished)
    end subroutine write_text_file
 
-   !> Puts `lines` at the end of a file that is there. `failure` is '' or the system's reason; then some of them may stand there.
+   !> Puts `lines` at the end of a file that is there and no link. `failure` is '' or the system's reason; then some of them may
+   !> stand there.
    subroutine append_lines(path, lines, failure)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
       character(:), allocatable, intent(out) :: failure
       integer :: unit, status, closing, i
+      type(identity_type) :: there
       failure = ''
+      there = identity_of_link(path)
+      if (there%is_link) then
+         failure = 'it is a link'
+         return
+      end if
       open (newunit=unit, file=path, status='old', position='append', action='write', iostat=status)
       if (status == 0) then
          do i = 1, size(lines)

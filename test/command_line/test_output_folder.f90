@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('unfinished_input', test_unfinished_input))
       call suite%addTest(TestMethod('deck_in_its_results', test_deck_as_result))
       call suite%addTest(TestMethod('links_are_not_followed', test_links))
+      call suite%addTest(TestMethod('links_are_refused', test_refused_links))
       call suite%addTest(TestMethod('two_runs', test_two_runs))
       call suite%addTest(TestMethod('parts_share', test_parts))
       call suite%addTest(TestMethod('killed_run', test_killed))
@@ -94,18 +95,54 @@ contains
       call assertTrue(index(content(results_path//'/summary.csv'), '&job') > 0, message='the deck')
    end subroutine test_deck_as_result
 
-   !> Links under names that results have while they are written, and under their own.
+   !> Links under names that only files being written have, or pictures, are not followed.
    subroutine test_links()
       type(run_type) :: run
       run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
-      call shell('mkdir -p '//results_path//' && echo precious > '//scratch//'/victim && cd '//results_path//' && for i in '// &
-                 'summary.csv summary.csv.unfinished limits.csv.unfinished results.h5 results.h5.unfinished '// &
-                 'profile_u_soft.csv view_u_soft.hdf.unfinished report.html.unfinished; do ln -s ../victim $i; done')
+      call shell('mkdir -p '//results_path//'/pictures && echo precious > '//scratch//'/victim && cd '//results_path// &
+                 ' && for i in summary.csv limits.csv results.h5 profile_u_soft.csv report.html pictures/path_u.svg; do '// &
+                 'ln -s $PWD/../victim $i.unfinished; done; for i in path_u.gp path_u.svg hookload.svg all.gp; do '// &
+                 'ln -s ../../victim pictures/$i; done')
       run = run_program(deck_path//' --output '//results_path)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual('precious'//newline, content(scratch//'/victim'))
-      call assertTrue(index(content(results_path//'/summary.csv'), ',converged,') > 0)
+      call shell('test -f '//results_path//'/pictures/path_u.gp -a ! -L '//results_path//'/pictures/path_u.gp')
    end subroutine test_links
+
+   !> Links where results are to stand, also dangling ones, refuse the run before anything is solved or written.
+   subroutine test_refused_links()
+      character(*), parameter :: results(14) = [character(24) :: 'summary.csv', 'limits.csv', 'results.h5', &
+         'profile_u_soft.csv', 'contacts_u_soft.csv', 'view_s_soft.hdf', 'hole_u_soft.hdf', 'report.html', 'sweep_s.csv', &
+         'sweep_s.partial', 'sweep_s.failed', 'drillgap_files.txt', 'drillgap.lock', 'pictures/gnuplot.log']
+      integer :: i
+      do i = 1, size(results)
+         call refuse(trim(results(i)), 'victim', '', ': link to ')
+      end do
+      call refuse('summary.csv', 'nowhere', '', ': link to ')
+      call refuse('pictures', 'elsewhere', '', 'pictures is a link to ')
+      call refuse('pictures', 'nowhere', '', 'pictures is a link to ')
+      call refuse('pictures', 'victim', '', 'pictures is a link to ')
+      call refuse('pictures', 'elsewhere', '--merge 2', 'pictures is a link to ')
+      call refuse('sweep_s.part_1_of_2', 'victim', '--part 1/2', ': link to ')
+      call refuse('sweep_s.part_2_of_2', 'nowhere', '--part 1-2/2', ': link to ')
+   end subroutine test_refused_links
+
+   !> Puts a link at a name of the output folder; the run is refused and nothing is there that was not.
+   subroutine refuse(name, target, options, told)
+      character(*), intent(in) :: name, target, options, told
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), ', plots = .false.', '')//sweep//newline, '--check')
+      call shell('mkdir -p '//results_path//'/$(dirname '//name//') '//scratch//'/elsewhere && echo precious > '//scratch// &
+                 '/victim && ln -s $(realpath '//scratch//')/'//target//' '//results_path//'/'//name//' && find '//scratch// &
+                 ' > build/before')
+      run = run_program(deck_path//' --check '//options//' --output '//results_path)
+      call assertEqual(1, run%status, message='--check: '//name//' '//run%diagnostics)
+      run = run_program(deck_path//' '//options//' --output '//results_path)
+      call assertEqual(1, run%status, message=name//' '//run%diagnostics)
+      call assertTrue(index(run%diagnostics, told) > 0, message=run%diagnostics)
+      call assertEqual('precious'//newline, content(scratch//'/victim'))
+      call shell('find '//scratch//' | diff build/before - && test -L '//results_path//'/'//name)
+   end subroutine refuse
 
    !> While a run holds the folder another is refused, and is told by whom.
    subroutine test_two_runs()
@@ -192,7 +229,7 @@ contains
       call shell('test "$(ls '//results_path//'/pictures)" = mine.svg')
       call shell('test -e '//scratch//'/victim.csv -a -e '//scratch//'/profile_x_soft.csv')
       ! pictures that stand elsewhere, behind a link, stay, too
-      call shell('cd '//results_path//' && rm -r pictures && ln -s ../other pictures && '// &
+      call shell('cd '//results_path//' && rm -r pictures profile_u_soft.csv && ln -s ../other pictures && '// &
                  'echo pictures/path_x.svg >> drillgap_files.txt')
       run = run_again(good_deck())
       call assertEqual(0, run%status, message=run%diagnostics)
