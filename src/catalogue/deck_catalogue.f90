@@ -3,7 +3,8 @@
 module dg_deck_catalogue
    use dg_kinds, only: wp
    use dg_catalogue, only: catalogue_type, find_catalogue, find_entry, kind_of_grades, number_of, numeric_keys, read_catalogue
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, rule_index, text_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, text_of
+   use dg_deck_keys, only: key_place
    use dg_fault_list, only: add_fault, fault_at, fault_list_type, fault_type
    use dg_text, only: append_text, quoted, suggestion
    implicit none
@@ -69,8 +70,9 @@ contains
          if (is_given(group, trim(numeric_keys(key)))) cycle
          call number_of(catalogue, entry, grade, key, has, number)
          if (.not. has) cycle
-         place = rule_index(group%rules, trim(numeric_keys(key)))
-         group%values(place)%numbers = [number]
+         place = key_place('component', trim(numeric_keys(key)))
+         if (.not. allocated(group%values(place)%content)) allocate (group%values(place)%content)
+         group%values(place)%content%numbers = [number]
          group%values(place)%sound = .true.
       end do
       call fill_text('name', name)
@@ -85,10 +87,11 @@ contains
          character(*), intent(in) :: key_name, text
          integer :: k
          if (is_given(group, key_name) .or. text == '') return
-         k = rule_index(group%rules, key_name)
-         if (allocated(group%values(k)%texts)) deallocate (group%values(k)%texts)
-         allocate (group%values(k)%texts(0))
-         call append_text(group%values(k)%texts, text)
+         k = key_place('component', key_name)
+         if (allocated(group%values(k)%content)) deallocate (group%values(k)%content)
+         allocate (group%values(k)%content)
+         allocate (group%values(k)%content%texts(0))
+         call append_text(group%values(k)%content%texts, text)
          group%values(k)%sound = .true.
       end subroutine fill_text
    end subroutine fill

@@ -2,7 +2,7 @@
 module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, is_whole, line_of, real_of, text_of
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_missing, only: missing
@@ -28,7 +28,7 @@ contains
          associate (group => groups(i))
             before = faults%count
             call draft_centralizer(group, centralizer)
-            if (.not. all(group%values%sound .or. .not. (group%values%given .or. group%rules%required))) cycle
+            if (.not. is_whole(group)) cycle
             call find_named(draft, group, named, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
                call fault('kind', "kind = 'bow' needs restoring_force")

@@ -3,7 +3,8 @@
 module dg_deck_parts
    use dg_kinds, only: wp
    use dg_case_check, only: check_operation
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, is_whole, line_of, real_of, integer_of, logical_of, &
+                               text_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_design_factors, only: design_factors_type
@@ -43,7 +44,7 @@ contains
       hole%line_bottom = line_of(group, 'md_bottom')
       hole%has_top = is_given(group, 'md_top')
       hole%has_bottom = is_given(group, 'md_bottom')
-      hole%sound = all_sound(group)
+      hole%sound = is_whole(group)
       friction = real_of(group, 'friction', 0.0_wp)
       hole%section%name = text_of(group, 'name', 'hole '//to_text(number))
       hole%section%md_top = real_of(group, 'md_top', 0.0_wp)
@@ -69,7 +70,7 @@ contains
       item%line_length = line_of(group, 'length')
       item%line_density = line_of(group, 'density')
       item%line_diameter = line_of(group, 'od')
-      item%sound = all_sound(group)
+      item%sound = is_whole(group)
       item%connected = is_sound(group, 'connection')
       item%string = text_of(group, 'string', 'main')
       associate (part => item%component)
@@ -206,7 +207,7 @@ contains
       item%line_name = line_of(group, 'name')
       item%line_depth = line_of(group, 'bit_depth')
       item%line_string = line_of(group, 'string')
-      item%sound = all_sound(group)
+      item%sound = is_whole(group)
       friction = optional_of('friction')
       associate (case => item%load_case)
          case%name = text_of(group, 'name', '')
@@ -319,11 +320,4 @@ contains
          call add_fault(faults, path, line_of(group, trim(found%items(i)%key)), 'group &solver: '//found%items(i)%message)
       end do
    end subroutine draft_numerics
-
-   !> Whether every key of a group that is given or required has a legal value.
-   pure function all_sound(group) result(sound)
-      type(checked_group_type), intent(in) :: group
-      logical :: sound
-      sound = all(group%values%sound .or. .not. (group%values%given .or. group%rules%required))
-   end function all_sound
 end module dg_deck_parts

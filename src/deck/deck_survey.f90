@@ -1,7 +1,8 @@
 !> The stations of a deck: from &trajectory itself or from the survey file that it names.
 module dg_deck_survey
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, rule_index, text_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, text_of
+   use dg_deck_keys, only: key_place, keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
@@ -173,13 +174,15 @@ contains
       subroutine check_range(key, values)
          character(*), intent(in) :: key
          real(wp), intent(in) :: values(:)      !< [SI]
+         type(key_rule_type) :: rules(size(keys_of(group%name)))
          type(key_rule_type) :: rule
          type(unit_system_type) :: si
          real(wp) :: held
          integer :: k
          logical :: holds
          si = si_units()
-         rule = group%rules(rule_index(group%rules, key))
+         rules = keys_of(group%name)
+         rule = rules(key_place(group%name, key))
          do k = 1, size(values)
             held = values(k)
             call hold_in_range(rule, si, held, holds)

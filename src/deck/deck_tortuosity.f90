@@ -1,7 +1,7 @@
 !> Reads &tortuosity and lays it on the stations of the deck.
 module dg_deck_tortuosity
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_whole, line_of, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_type
@@ -38,7 +38,7 @@ contains
          associate (group => groups(i))
             if (is_given(group, 'seed') .and. text_of(group, 'kind', '') == 'sine') &
                call fault('seed', "seed has no meaning with kind = 'sine'; leave it out, or give kind = 'random'")
-            if (.not. all(group%values%sound .or. .not. (group%values%given .or. group%rules%required))) cycle
+            if (.not. is_whole(group)) cycle
             if (.not. draft%has_stations) cycle
             sections = [sections, section_of(group)]
             lines = [lines, group%line]

@@ -1,50 +1,45 @@
 !> One group of a deck after checking: a value for each key of its table, with ways to ask for it.
 module dg_checked_group
    use dg_kinds, only: wp
-   use dg_deck_schema, only: key_rule_type
+   use dg_deck_keys, only: key_place
    use dg_text, only: text_type
    implicit none
    private
-   public :: value_type, checked_group_type, rule_index
+   public :: value_type, checked_group_type, is_whole
    public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
 
-   !> The value of one key in one group.
+   !> Numbers or texts of a key.
+   type :: content_type
+      real(wp), allocatable :: numbers(:)    !< SI; integers too
+      type(text_type), allocatable :: texts(:)
+   end type content_type
+
+   !> The value of one key in one group. Most keys of a group are absent and have no content, which saves memory.
    type :: value_type
       logical :: given = .false.             !< stands in the deck
       logical :: sound = .false.             !< holds a legal value, given or by default
+      logical :: required = .false.          !< must stand in the deck
       integer :: line = 0                    !< of the key; of the group where not given
-      real(wp), allocatable :: numbers(:)    !< SI; integers too
       logical :: flag = .false.
-      type(text_type), allocatable :: texts(:)
+      real(wp) :: number = 0.0_wp            !< by default, where the content has no numbers [SI]
+      type(content_type), allocatable :: content
    end type value_type
 
    !> One group with a value for each of its keys.
    type :: checked_group_type
       character(:), allocatable :: name
       integer :: line = 0
-      type(key_rule_type), allocatable :: rules(:)
-      type(value_type), allocatable :: values(:)  !< in the order of the rules
+      type(value_type), allocatable :: values(:)  !< in the order of the rules of its keys
    end type checked_group_type
 
 contains
-
-   !> Place of a key in the table, 0 where there is none of that name.
-   pure function rule_index(rules, key) result(index)
-      type(key_rule_type), intent(in) :: rules(:)
-      character(*), intent(in) :: key
-      integer :: index
-      do index = 1, size(rules)
-         if (rules(index)%key == key) return
-      end do
-      index = 0
-   end function rule_index
 
    !> Whether a key stands in the deck, right or wrong.
    pure function is_given(group, key) result(given)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       logical :: given
-      given = group%values(rule_index(group%rules, key))%given
+      given = group%values(key_place(group%name, key))%given
    end function is_given
 
    !> Whether a key has a legal value, from the deck or by default.
@@ -52,7 +47,7 @@ contains
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       logical :: sound
-      sound = group%values(rule_index(group%rules, key))%sound
+      sound = group%values(key_place(group%name, key))%sound
    end function is_sound
 
    !> Line of a key; of its group where it is not given.
@@ -60,8 +55,15 @@ contains
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       integer :: line
-      line = group%values(rule_index(group%rules, key))%line
+      line = group%values(key_place(group%name, key))%line
    end function line_of
+
+   !> Whether every key of a group that is given or required has a legal value.
+   pure function is_whole(group) result(whole)
+      type(checked_group_type), intent(in) :: group
+      logical :: whole
+      whole = all(group%values%sound .or. .not. (group%values%given .or. group%values%required))
+   end function is_whole
 
    !> The number of a key [SI], or `otherwise` where it has no legal one.
    pure function real_of(group, key, otherwise) result(number)
@@ -70,7 +72,10 @@ contains
       real(wp), intent(in) :: otherwise
       real(wp) :: number
       number = otherwise
-      if (is_sound(group, key)) number = group%values(rule_index(group%rules, key))%numbers(1)
+      associate (value => group%values(key_place(group%name, key)))
+         if (value%sound) number = value%number
+         if (value%sound .and. allocated(value%content)) number = value%content%numbers(1)
+      end associate
    end function real_of
 
    !> The whole number of a key, or `otherwise`.
@@ -89,7 +94,7 @@ contains
       logical, intent(in) :: otherwise
       logical :: flag
       flag = otherwise
-      if (is_sound(group, key)) flag = group%values(rule_index(group%rules, key))%flag
+      if (is_sound(group, key)) flag = group%values(key_place(group%name, key))%flag
    end function logical_of
 
    !> The text of a key, or `otherwise`.
@@ -99,7 +104,7 @@ contains
       character(*), intent(in) :: otherwise
       character(:), allocatable :: text
       text = otherwise
-      if (is_sound(group, key)) text = group%values(rule_index(group%rules, key))%texts(1)%text
+      if (is_sound(group, key)) text = group%values(key_place(group%name, key))%content%texts(1)%text
    end function text_of
 
    !> All numbers of a key [SI]; none where it has no legal ones.
@@ -108,7 +113,10 @@ contains
       character(*), intent(in) :: key
       real(wp), allocatable :: numbers(:)
       allocate (numbers(0))
-      if (is_sound(group, key)) numbers = group%values(rule_index(group%rules, key))%numbers
+      associate (value => group%values(key_place(group%name, key)))
+         if (value%sound) numbers = [value%number]
+         if (value%sound .and. allocated(value%content)) numbers = value%content%numbers
+      end associate
    end function reals_of
 
    !> All texts of a key; none where it has no legal ones.
@@ -117,7 +125,7 @@ contains
       character(*), intent(in) :: key
       type(text_type), allocatable :: texts(:)
       allocate (texts(0))
-      if (is_sound(group, key)) texts = group%values(rule_index(group%rules, key))%texts
+      if (is_sound(group, key)) texts = group%values(key_place(group%name, key))%content%texts
    end function texts_of
 
    !> Places of a key's texts in a list of names, each once; none where the key has no legal ones.

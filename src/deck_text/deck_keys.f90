@@ -2,14 +2,14 @@
 !> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
 module dg_deck_keys
    use dg_kinds, only: wp
-   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical
+   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical, rule_place
    use dg_load_case, only: operation_count, operation_name, operation_alias
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
    implicit none
    private
-   public :: group_rules, keys_of, operation_words
+   public :: group_rules, keys_of, key_place, operation_words
 
    type(group_rule_type), parameter :: group_rules(18) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
@@ -502,6 +502,33 @@ contains
       case default; allocate (rules(0))
       end select
    end function keys_of
+
+   !> Place of a key among the rules of its group, 0 where it has none of that name.
+   pure function key_place(group, key) result(place)
+      character(*), intent(in) :: group, key
+      integer :: place
+      select case (group)
+      case ('job'); place = rule_place(job_keys, key)
+      case ('trajectory'); place = rule_place(trajectory_keys, key)
+      case ('hole'); place = rule_place(hole_keys, key)
+      case ('fluid'); place = rule_place(fluid_keys, key)
+      case ('rig'); place = rule_place(rig_keys, key)
+      case ('component'); place = rule_place(component_keys, key)
+      case ('tortuosity'); place = rule_place(tortuosity_keys, key)
+      case ('strength'); place = rule_place(strength_keys, key)
+      case ('centralizer'); place = rule_place(centralizer_keys, key)
+      case ('boundary'); place = rule_place(boundary_keys, key)
+      case ('load_case'); place = rule_place(load_case_keys, key)
+      case ('solver'); place = rule_place(solver_keys, key)
+      case ('sweep'); place = rule_place(sweep_keys, key)
+      case ('uncertainty'); place = rule_place(uncertainty_keys, key)
+      case ('calibrate'); place = rule_place(calibrate_keys, key)
+      case ('legacy'); place = rule_place(legacy_keys, key)
+      case ('study'); place = rule_place(study_keys, key)
+      case ('steering'); place = rule_place(steering_keys, key)
+      case default; place = 0
+      end select
+   end function key_place
 
    !> Names of all operations with their aliases, blanks between them: too many for a table row.
    pure function operation_words() result(words)

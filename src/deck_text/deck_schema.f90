@@ -7,7 +7,7 @@ module dg_deck_schema
    use dg_text, only: to_text, joined
    implicit none
    private
-   public :: group_rule_type, key_rule_type, range_text, hold_in_range, split_words, listed
+   public :: group_rule_type, key_rule_type, range_text, hold_in_range, rule_place, split_words, listed
    public :: kind_text, kind_real, kind_integer, kind_logical
    public :: name_length
 
@@ -50,6 +50,17 @@ module dg_deck_schema
    integer, parameter :: bound_digits = 5
 
 contains
+
+   !> Place of a key in a table of rules, 0 where the table has no key of that name.
+   pure function rule_place(rules, key) result(place)
+      type(key_rule_type), intent(in) :: rules(:)
+      character(*), intent(in) :: key
+      integer :: place
+      do place = 1, size(rules)
+         if (rules(place)%key == key) return
+      end do
+      place = 0
+   end function rule_place
 
    !> Legal range of a key in words, in the deck's units: '> 0 mm', '0 to 180 deg'.
    pure function range_text(rule, units, si) result(text)

@@ -2,10 +2,10 @@
 !> every fault against it. Numbers come out in SI units.
 module dg_deck_values
    use dg_kinds, only: wp
-   use dg_checked_group, only: value_type, checked_group_type, rule_index
+   use dg_checked_group, only: value_type, checked_group_type
    use dg_deck_number, only: read_real, read_integer, read_logical
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
-      split_words, listed, name_length
+      rule_place, split_words, listed, name_length
    use dg_deck_keys, only: keys_of, operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
@@ -32,37 +32,39 @@ contains
       type(fault_list_type), intent(inout) :: faults
       integer :: i, k, n
       integer, allocatable :: count_of(:)
+      type(key_rule_type), allocatable :: rules(:)
       character(name_length), allocatable :: keys(:)   ! a copy: plain arrays pass without a temporary
       character(:), allocatable :: place
 
       place = 'group &'//group%name//': '
       checked%name = group%name
       checked%line = group%line
-      checked%rules = keys_of(group%name)
-      n = size(checked%rules)
+      allocate (rules, source=keys_of(group%name))
+      n = size(rules)
       allocate (checked%values(n), count_of(n), keys(n))
-      keys = checked%rules%key
+      keys = rules%key
       checked%values(:)%line = group%line
+      checked%values(:)%required = rules%required
       count_of = 0
       do i = 1, size(group%entries)
-         k = rule_index(checked%rules, group%entries(i)%key)
+         k = rule_place(rules, group%entries(i)%key)
          if (k == 0) then
             call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
                            '; '//suggestion(group%entries(i)%key, keys))
          else
             count_of(k) = count_of(k) + 1
-            call take_entry(path, place, group%entries(i), checked%rules(k), units, count_of(k), checked%values(k), faults)
+            call take_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
          end if
       end do
       do k = 1, n
          if (checked%values(k)%given) cycle
-         if (checked%rules(k)%required) then
+         if (rules(k)%required) then
             if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
             if (.not. misspelt(group, keys, trim(keys(k)))) &
-               call add_fault(faults, path, group%line, place//'key '//trim(checked%rules(k)%key)//' is missing; '// &
-                              needed_text(checked%rules(k), units))
-         else if (checked%rules(k)%default /= '') then
-            call set_default(checked%rules(k), checked%values(k))
+               call add_fault(faults, path, group%line, place//'key '//trim(rules(k)%key)//' is missing; '// &
+                              needed_text(rules(k), units))
+         else if (rules(k)%default /= '') then
+            call set_default(rules(k), checked%values(k))
          end if
       end do
    end subroutine check_group
@@ -114,8 +116,9 @@ contains
          value%given = .true.
          value%line = entry%line
          value%sound = .true.
-         if (rule%kind == kind_text) allocate (value%texts(0))
-         if (rule%kind == kind_real .or. rule%kind == kind_integer) allocate (value%numbers(0))
+         allocate (value%content)
+         if (rule%kind == kind_text) allocate (value%content%texts(0))
+         if (rule%kind == kind_real .or. rule%kind == kind_integer) allocate (value%content%numbers(0))
       end if
       if (.not. entry%sound) then
          value%sound = .false.
@@ -141,8 +144,8 @@ contains
          end if
       else if (value%sound) then
          held = 0
-         if (allocated(value%numbers)) held = size(value%numbers)
-         if (allocated(value%texts)) held = size(value%texts)
+         if (allocated(value%content%numbers)) held = size(value%content%numbers)
+         if (allocated(value%content%texts)) held = size(value%content%texts)
          if (max(entry%first, 1) /= held + 1) then
             call fault(entry%key//'('//to_text(entry%first)//') comes after '//to_text(held)// &
                        ' values; give the values in order, without gaps')
@@ -154,7 +157,7 @@ contains
          return
       end if
       if (.not. value%sound) return
-      if (allocated(value%numbers)) value%numbers = [value%numbers, spread(0.0_wp, 1, size(entry%values))]
+      if (allocated(value%content%numbers)) value%content%numbers = [value%content%numbers, spread(0.0_wp, 1, size(entry%values))]
       do i = 1, size(entry%values)
          name = entry%key
          if (rule%array .and. rule%kind /= kind_text) name = name//'('//to_text(i + max(entry%first, 1) - 1)//')'
@@ -215,7 +218,7 @@ contains
             message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
             return
          end if
-         value%numbers(place) = number
+         value%content%numbers(place) = number
       end select
    end subroutine take_value
 
@@ -258,7 +261,7 @@ contains
          message = name//' is empty; give a text'
          return
       end if
-      call append_text(value%texts, chosen)
+      call append_text(value%content%texts, chosen)
    end subroutine take_text
 
    !> Sets the default of a key, which the table states in units of SI.
@@ -271,14 +274,14 @@ contains
       select case (rule%kind)
       case (kind_text)
          ! By component: gfortran 12 gives a deferred-length text in a structure constructor a wrong length.
-         if (allocated(value%texts)) deallocate (value%texts)
-         allocate (value%texts(1))
-         value%texts(1)%text = trim(rule%default)
+         allocate (value%content)
+         allocate (value%content%texts(1))
+         value%content%texts(1)%text = trim(rule%default)
       case (kind_logical)
          call read_logical(trim(rule%default), value%flag, legal)
       case default
          call read_real(trim(rule%default), number, legal)
-         value%numbers = [number*unit_factor(si_units(), rule%unit)]
+         value%number = number*unit_factor(si_units(), rule%unit)
       end select
       value%sound = legal
    end subroutine set_default
