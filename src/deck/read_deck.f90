@@ -83,6 +83,7 @@ contains
       allocate (notes(0))
       call tokenize(lines, tokens)
       call parse_groups(path, tokens, groups, faults)
+      deallocate (tokens)
       call check_group_names(path, groups, faults)
       draft%path = path
       draft%units = units_of(groups)
@@ -93,6 +94,7 @@ contains
          else
             checked(i)%name = ''        ! said already
          end if
+         deallocate (groups(i)%entries)
       end do
       call take_job(path, draft%units, checked, job)
       job%deck_text = text_of_lines(lines)

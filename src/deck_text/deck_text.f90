@@ -121,7 +121,8 @@ contains
          call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
          call close_group(parser)
       end if
-      groups = parser%groups(:parser%n_groups)
+      allocate (groups(parser%n_groups))
+      call move_groups(parser%groups, groups)
    end subroutine parse_groups
 
    subroutine open_group(parser, token)
@@ -297,10 +298,21 @@ contains
       type(group_type), allocatable :: longer(:)
       if (n == size(list)) then
          allocate (longer(2*n))
-         longer(:n) = list
+         call move_groups(list, longer)
          call move_alloc(longer, list)
       end if
       n = n + 1
       list(n) = group
    end subroutine append_group
+
+   !> Moves groups into another list, as many as both lists have places.
+   pure subroutine move_groups(from, into)
+      type(group_type), intent(inout) :: from(:), into(:)
+      integer :: i
+      do i = 1, min(size(from), size(into))
+         call move_alloc(from(i)%name, into(i)%name)
+         call move_alloc(from(i)%entries, into(i)%entries)
+         into(i)%line = from(i)%line
+      end do
+   end subroutine move_groups
 end module dg_deck_text
