@@ -5,13 +5,14 @@ module dg_deck_check
    use dg_kinds, only: wp
    use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
-   use dg_deck_draft, only: draft_case_type, draft_type, draft_hole_type
+   use dg_deck_draft, only: draft_case_type, draft_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_hole_check, only: check_section, join_sections
    use dg_hole_section, only: hole_section_type
+   use dg_merge_sort, only: first_equal, sorted_places
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_in_string
-   use dg_text, only: lower_case, name_shown, quoted, to_text
+   use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
    private
    public :: close_holes, check_draft, check_case, tell_faults
@@ -26,10 +27,10 @@ contains
    subroutine close_holes(draft, faults)
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
-      type(draft_hole_type) :: moving
+      real(wp) :: tops(size(draft%holes))
       type(hole_section_type) :: sections(size(draft%holes))
       type(model_faults_type) :: found, in_itself
-      integer :: i, j, n
+      integer :: i, n
       logical :: closed
 
       n = size(draft%holes)
@@ -70,14 +71,8 @@ contains
          end associate
       end do
       if (n == 0 .or. .not. all(draft%holes%sound)) return
-      do i = 2, n
-         do j = i, 2, -1
-            if (draft%holes(j - 1)%section%md_top <= draft%holes(j)%section%md_top) exit
-            moving = draft%holes(j)
-            draft%holes(j) = draft%holes(j - 1)
-            draft%holes(j - 1) = moving
-         end do
-      end do
+      tops = draft%holes%section%md_top
+      if (any(tops(2:) < tops(:n - 1))) draft%holes = draft%holes(sorted_places(tops))
       do i = 1, n
          sections(i) = draft%holes(i)%section
       end do
@@ -104,10 +99,16 @@ contains
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
       type(draft_case_type) :: item
+      type(text_type) :: names(size(draft%cases))
+      integer :: first(size(draft%cases))
       integer :: i
       call check_strings(draft, faults)
+      do i = 1, size(names)
+         names(i)%text = lower_case(draft%cases(i)%load_case%name)
+      end do
+      first = first_equal(names)
       do i = 1, size(draft%cases)
-         call check_name(draft, i, faults)
+         if (first(i) < i) call tell_name(draft, i, first(i), faults)
          if (.not. draft%cases(i)%sound) cycle
          item = draft%cases(i)
          call check_case(draft, item, faults)
@@ -129,20 +130,26 @@ contains
       type(draft_type), intent(in) :: draft
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
-      logical :: uppermost
-      integer :: i, j
+      type(text_type) :: names(size(draft%components))
+      integer, dimension(size(draft%components)) :: first, last
+      real(wp) :: heaviest
+      integer :: i
+      do i = 1, size(names)
+         names(i)%text = draft%components(i)%string
+      end do
+      first = first_equal(names)
+      do i = 1, size(names)
+         last(first(i)) = i
+      end do
+      heaviest = 0.0_wp
+      if (size(draft%fluids) > 0) heaviest = maxval(draft%fluids%fluid%density)
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (.not. item%sound) cycle
-            uppermost = .true.
-            do j = i + 1, size(draft%components)
-               if (draft%components(j)%string == item%string) uppermost = .false.
-            end do
             if (size(draft%fluids) > 0) then
-               call check_in_string(item%component, i, item%string, uppermost, draft%units, found, &
-                                    maxval(draft%fluids%fluid%density))
+               call check_in_string(item%component, i, item%string, last(first(i)) == i, draft%units, found, heaviest)
             else
-               call check_in_string(item%component, i, item%string, uppermost, draft%units, found)
+               call check_in_string(item%component, i, item%string, last(first(i)) == i, draft%units, found)
             end if
          end associate
       end do
@@ -150,20 +157,16 @@ contains
    end subroutine check_strings
 
    !> Names of cases become file names: unique, also where letter case does not count.
-   subroutine check_name(draft, i, faults)
+   subroutine tell_name(draft, i, first, faults)
       type(draft_type), intent(in) :: draft
-      integer, intent(in) :: i
+      integer, intent(in) :: i                 !< a case
+      integer, intent(in) :: first             !< the first case of its name
       type(fault_list_type), intent(inout) :: faults
-      integer :: j
       if (draft%cases(i)%load_case%name == '') return
-      do j = 1, i - 1
-         if (lower_case(draft%cases(j)%load_case%name) /= lower_case(draft%cases(i)%load_case%name)) cycle
-         call add_fault(faults, draft%path, draft%cases(i)%line_name, 'group &load_case: name '// &
-                        quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
-                        to_text(draft%cases(j)%line)//'; names must be unique, letter case aside')
-         return
-      end do
-   end subroutine check_name
+      call add_fault(faults, draft%path, draft%cases(i)%line_name, 'group &load_case: name '// &
+                     quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
+                     to_text(draft%cases(first)%line)//'; names must be unique, letter case aside')
+   end subroutine tell_name
 
    !> Survey and holes reach the bit.
    subroutine check_depth(draft, item, faults)
@@ -193,21 +196,23 @@ contains
       integer, allocatable :: parts(:)
       type(component_type), allocatable :: string(:)
       type(hole_section_type) :: sections(size(draft%holes))
-      character(name_shown) :: names(size(draft%components))
-      integer :: k
+      integer :: k, n
 
       associate (case => item%load_case)
-         allocate (parts(0))
-         do k = 1, size(draft%components)
-            if (draft%components(k)%string == case%string) parts = [parts, k]
-            names(k) = draft%components(k)%string
-         end do
          if (size(draft%components) == 0) return     ! said already
-         if (size(parts) == 0) then
-            call check_string_name(case%string, 0, distinct(names), found)
+         allocate (parts(size(draft%components)))
+         n = 0
+         do k = 1, size(draft%components)
+            if (draft%components(k)%string /= case%string) cycle
+            n = n + 1
+            parts(n) = k
+         end do
+         if (n == 0) then
+            call check_string_name(case%string, 0, string_names(draft), found)
             call tell_faults(draft, found, faults, item)
             return
          end if
+         parts = parts(:n)
          if (.not. all(draft%components(parts)%sound)) return
          allocate (string(size(parts)))
          do k = 1, size(parts)
@@ -284,16 +289,23 @@ contains
       end select
    end function line_of_part
 
-   !> The names without repetition.
-   pure function distinct(names) result(once)
-      character(*), intent(in) :: names(:)
-      character(len(names)), allocatable :: once(:)
-      logical :: first(size(names))
-      integer :: i
-      first = .true.
-      do i = 2, size(names)
-         first(i) = .not. any(names(:i - 1) == names(i))
+   !> Names of the strings, each once.
+   pure function string_names(draft) result(names)
+      type(draft_type), intent(in) :: draft
+      character(name_shown), allocatable :: names(:)
+      type(text_type) :: all_names(size(draft%components))
+      logical :: is_first(size(draft%components))
+      integer :: i, n
+      do i = 1, size(all_names)
+         all_names(i)%text = draft%components(i)%string(:min(name_shown, len(draft%components(i)%string)))
       end do
-      once = pack(names, first)
-   end function distinct
+      is_first = first_equal(all_names) == [(i, i=1, size(all_names))]
+      allocate (names(count(is_first)))
+      n = 0
+      do i = 1, size(all_names)
+         if (.not. is_first(i)) cycle
+         n = n + 1
+         names(n) = all_names(i)%text
+      end do
+   end function string_names
 end module dg_deck_check

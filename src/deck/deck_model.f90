@@ -5,7 +5,9 @@ module dg_deck_model
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, add_fault
+   use dg_merge_sort, only: first_equal
    use dg_model, only: model_type
+   use dg_text, only: text_type
    use dg_trajectory, only: new_trajectory
    implicit none
    private
@@ -48,28 +50,32 @@ contains
    pure subroutine build_strings(draft, strings)
       type(draft_type), intent(in) :: draft
       type(drillstring_type), allocatable, intent(out) :: strings(:)
-      integer :: string_of(size(draft%components))
-      integer :: i, j, strings_found, part
-      strings_found = 0
-      do i = 1, size(string_of)
-         string_of(i) = 0
-         do j = 1, i - 1
-            if (draft%components(j)%string == draft%components(i)%string) string_of(i) = string_of(j)
-         end do
-         if (string_of(i) > 0) cycle
-         strings_found = strings_found + 1
-         string_of(i) = strings_found
+      type(text_type) :: names(size(draft%components))
+      integer, dimension(size(draft%components)) :: first, string_of, parts
+      integer :: i, found
+      do i = 1, size(names)
+         names(i)%text = draft%components(i)%string
       end do
-      allocate (strings(strings_found))
-      do j = 1, strings_found
-         allocate (strings(j)%components(count(string_of == j)))
-         part = 0
-         do i = 1, size(string_of)
-            if (string_of(i) /= j) cycle
+      first = first_equal(names)
+      found = 0
+      parts = 0
+      do i = 1, size(names)
+         if (first(i) == i) found = found + 1
+         string_of(i) = found
+         if (first(i) < i) string_of(i) = string_of(first(i))
+         parts(string_of(i)) = parts(string_of(i)) + 1
+      end do
+      allocate (strings(found))
+      do i = 1, found
+         allocate (strings(i)%components(parts(i)))
+      end do
+      parts = 0
+      do i = 1, size(names)
+         associate (string => strings(string_of(i)), part => parts(string_of(i)))
+            if (part == 0) string%name = names(i)%text
             part = part + 1
-            strings(j)%name = draft%components(i)%string
-            strings(j)%components(part) = draft%components(i)%component
-         end do
+            string%components(part) = draft%components(i)%component
+         end associate
       end do
    end subroutine build_strings
 end module dg_deck_model
