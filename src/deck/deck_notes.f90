@@ -8,6 +8,7 @@ module dg_deck_notes
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
+   use dg_merge_sort, only: first_equal
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -39,6 +40,8 @@ module dg_deck_notes
    !> 160 random wells: with stations every 9 to 30 m it is less in all but sharp bends, and drag differs by 1 to 17 %; with
    !> stations only where the plan changes it is 8 to 44 deg, and drag differs by 17 to 540 %.
    real(wp), parameter :: sparse = 3.0_wp*degree
+   !> Notes on components that are told.
+   integer, parameter :: most_notes = 200
    integer, parameter :: digits = 6, few_digits = 4, angle_digits = 3
 
 contains
@@ -48,7 +51,9 @@ contains
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i
+      real(wp), dimension(size(draft%components)) :: deepest_bit, below
+      real(wp) :: narrowest
+      integer :: i, before
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid, units => draft%units)
             ! a fluid of one side alone may well be gas
@@ -63,9 +68,15 @@ contains
       call note_block(draft, notes)
       call note_path(draft, notes)
       if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
+      call find_uses(draft, job, deepest_bit, below)
+      narrowest = minval(draft%holes%section%diameter)
+      before = size(notes)
       do i = 1, size(draft%components)
-         call note_component(draft, draft%components(i), notes)
-         call note_unused(draft, job, i, notes)
+         call note_component(draft, draft%components(i), narrowest, notes)
+         call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
+         if (size(notes) < before + most_notes) cycle
+         call append_text(notes, 'more notes on components are left out')
+         exit
       end do
       call note_bends(draft, job, notes)
    end subroutine note_oddities
@@ -161,16 +172,16 @@ contains
    end subroutine note_spline
 
    !> Numbers of a component that do not go together.
-   subroutine note_component(draft, item, notes)
+   subroutine note_component(draft, item, narrowest, notes)
       type(draft_type), intent(in) :: draft
       type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: narrowest         !< diameter of the narrowest hole section [m]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: tube, hole
+      real(wp) :: tube
       associate (part => item%component, units => draft%units)
-         hole = minval(draft%holes%section%diameter)
-         if (hole > widest_hole*contact_diameter(part)) call note('it is '// &
+         if (narrowest > widest_hole*contact_diameter(part)) call note('it is '// &
             trim(in_units(units, unit_diameter, contact_diameter(part), digits))//' wide in holes of '// &
-            trim(in_units(units, unit_diameter, hole, digits))//' and more; mind the units')
+            trim(in_units(units, unit_diameter, narrowest, digits))//' and more; mind the units')
          if (has_blades(part) .and. .not. part%joint_od > part%od) call note('a stabilizer without joint_od touches at its od, '// &
             trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
@@ -191,39 +202,74 @@ contains
       end subroutine note
    end subroutine note_component
 
-   !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.
-   subroutine note_unused(draft, job, number, notes)
+   !> Deepest bit of the string of each component, and the length of the string below the component.
+   subroutine find_uses(draft, job, deepest_bit, below)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
-      integer, intent(in) :: number
-      type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: deepest_bit, below
-      integer :: i
+      real(wp), intent(out) :: deepest_bit(:)   !< of all cases, sweeps and uncertainties; -1: the string is not used [m]
+      real(wp), intent(out) :: below(:)         !< [m]
+      type(text_type), allocatable :: names(:)
+      integer, allocatable :: first(:)
+      real(wp) :: length(size(below))           ! of each string so far, at the place of its first component
+      integer :: i, n, used
+      n = size(below)
+      allocate (names(n + size(draft%cases) + size(job%sweeps) + size(job%uncertainties)))
+      do i = 1, n
+         names(i)%text = draft%components(i)%string
+      end do
+      do i = 1, size(draft%cases)
+         names(n + i)%text = draft%cases(i)%load_case%string
+      end do
+      used = n + size(draft%cases)
+      do i = 1, size(job%sweeps)
+         names(used + i)%text = job%sweeps(i)%string
+      end do
+      used = used + size(job%sweeps)
+      do i = 1, size(job%uncertainties)
+         names(used + i)%text = job%uncertainties(i)%range%string
+      end do
+      allocate (first, source=first_equal(names))
       deepest_bit = -1.0_wp
-      below = 0.0_wp
-      associate (item => draft%components(number))
-         do i = 1, size(draft%cases)
-            if (draft%cases(i)%load_case%string == item%string) deepest_bit = max(deepest_bit, draft%cases(i)%load_case%bit_depth)
-         end do
-         do i = 1, size(job%sweeps)
-            if (job%sweeps(i)%string == item%string) deepest_bit = max(deepest_bit, maxval(job%sweeps(i)%depths))
-         end do
-         do i = 1, size(job%uncertainties)
-            associate (range => job%uncertainties(i)%range)
-               if (range%string == item%string) deepest_bit = max(deepest_bit, maxval(range%depths))
-            end associate
-         end do
-         do i = 1, number - 1
-            if (draft%components(i)%string == item%string) below = below + draft%components(i)%component%length
-         end do
-         if (deepest_bit < 0.0_wp) then
-            call append_text(notes, 'group &component in line '//to_text(item%line)//': string '//quoted(item%string)// &
-                             ' is used by no case and no sweep')
-         else if (below >= deepest_bit) then
-            call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
-                             ' never enters the hole: the components below it are '// &
-                             trim(in_units(draft%units, unit_length, below, digits))//' long')
-         end if
-      end associate
+      do i = 1, size(draft%cases)
+         call deepen(first(n + i), draft%cases(i)%load_case%bit_depth)
+      end do
+      used = n + size(draft%cases)
+      do i = 1, size(job%sweeps)
+         call deepen(first(used + i), maxval(job%sweeps(i)%depths))
+      end do
+      used = used + size(job%sweeps)
+      do i = 1, size(job%uncertainties)
+         call deepen(first(used + i), maxval(job%uncertainties(i)%range%depths))
+      end do
+      length = 0.0_wp
+      do i = 1, n
+         deepest_bit(i) = deepest_bit(first(i))
+         below(i) = length(first(i))
+         length(first(i)) = length(first(i)) + draft%components(i)%component%length
+      end do
+   contains
+      !> A string, by the place of its first component, is used at a depth of the bit.
+      subroutine deepen(place, depth)
+         integer, intent(in) :: place
+         real(wp), intent(in) :: depth          !< [m]
+         if (place <= n) deepest_bit(place) = max(deepest_bit(place), depth)
+      end subroutine deepen
+   end subroutine find_uses
+
+   !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.
+   subroutine note_unused(draft, item, deepest_bit, below, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: deepest_bit       !< of its string; < 0: the string is not used [m]
+      real(wp), intent(in) :: below             !< length of its string below it [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      if (deepest_bit < 0.0_wp) then
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': string '//quoted(item%string)// &
+                          ' is used by no case and no sweep')
+      else if (below >= deepest_bit) then
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
+                          ' never enters the hole: the components below it are '// &
+                          trim(in_units(draft%units, unit_length, below, digits))//' long')
+      end if
    end subroutine note_unused
 end module dg_deck_notes
