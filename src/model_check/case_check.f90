@@ -99,16 +99,26 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
       character(:), allocatable :: part
-      integer :: k, h
+      real(wp) :: narrowest(size(holes))                  ! diameter of a section and all above it [m]
+      integer :: k, h, lowest
       real(wp) :: lower_end, diameter
+      narrowest = holes%diameter
+      do h = 2, size(holes)
+         narrowest(h) = min(narrowest(h), narrowest(h - 1))
+      end do
       lower_end = bit_depth
+      lowest = size(holes)                                ! section that the lower end of the component has come to
       do k = 1, size(components)
          if (lower_end <= 0.0_wp) return
          diameter = centralizer_diameter(components(k))
+         do while (lowest > 0)
+            if (holes(lowest)%md_top < lower_end) exit
+            lowest = lowest - 1
+         end do
          part = 'component'
          if (components(k)%centralizer%present .and. .not. components(k)%centralizer%bow) part = 'centralizer'
-         do h = 1, size(holes)
-            if (holes(h)%md_top >= lower_end) exit
+         do h = 1, lowest
+            if (diameter < narrowest(lowest)) exit
             if (diameter < holes(h)%diameter) cycle
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
             call note_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
