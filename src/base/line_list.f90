@@ -3,7 +3,7 @@ module dg_line_list
    use dg_text, only: text_type
    implicit none
    private
-   public :: line_list_type, add_line
+   public :: line_list_type, add_line, take_lines
 
    !> The first `count` of `lines` are there. Room doubles, for pictures have tens of thousands of lines.
    type :: line_list_type
@@ -32,4 +32,16 @@ contains
       list%count = list%count + 1
       list%lines(list%count)%text = text
    end subroutine add_line
+
+   !> Moves the lines into an array of their number; the list is empty afterwards.
+   pure subroutine take_lines(list, lines)
+      type(line_list_type), intent(inout) :: list
+      type(text_type), allocatable, intent(out) :: lines(:)
+      integer :: i
+      allocate (lines(list%count))
+      do i = 1, list%count
+         call move_alloc(list%lines(i)%text, lines(i)%text)
+      end do
+      list%count = 0
+   end subroutine take_lines
 end module dg_line_list

@@ -6,6 +6,7 @@ module dg_deck_echo
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_job, only: job_type, model_name
+   use dg_line_list, only: add_line, line_list_type, take_lines
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing
@@ -16,7 +17,7 @@ module dg_deck_echo
    use dg_rig, only: rig_type
    use dg_study_plan, only: most_variants
    use dg_sweep_echo, only: add_sweeps
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
    use dg_uncertainty_echo, only: add_uncertainties
    use dg_unit_kind, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
@@ -36,39 +37,40 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(text_type), allocatable, intent(out) :: lines(:)
+      type(line_list_type) :: list
       character(:), allocatable :: models
       integer :: i
-      allocate (lines(0))
       models = ''
       do i = 1, size(job%models)
          if (i > 1) models = models//', '
          models = models//trim(model_name(job%models(i)))
       end do
-      if (job%title /= '') call append_text(lines, 'title       '//job%title)
-      call append_text(lines, 'models      '//models)
-      call append_text(lines, 'units       '//trim(job%units%name))
-      call append_text(lines, 'results in  '//job%output_dir)
-      if (job%rig_limit%present) call append_text(lines, 'rig         '// &
+      if (job%title /= '') call add_line(list, 'title       '//job%title)
+      call add_line(list, 'models      '//models)
+      call add_line(list, 'units       '//trim(job%units%name))
+      call add_line(list, 'results in  '//job%output_dir)
+      if (job%rig_limit%present) call add_line(list, 'rig         '// &
          quantity(job%rig_limit%value, job%units%force, unit_label(job%units, unit_force))//' of hook load')
-      if (model%rig%given) call append_text(lines, rig_line(job%units, model%rig))
-      call add_hole(lines, job%units, model)
+      if (model%rig%given) call add_line(list, rig_line(job%units, model%rig))
+      call add_hole(list, job%units, model)
       do i = 1, size(model%strings)
-         call add_string(lines, job, model, i)
+         call add_string(list, job, model, i)
       end do
-      call append_text(lines, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
+      call add_line(list, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
          lateral(model%boundary%bit_centred))
-      call append_text(lines, 'load cases  '//to_text(size(model%cases)))
+      call add_line(list, 'load cases  '//to_text(size(model%cases)))
       do i = 1, size(model%cases)
-         call add_case(lines, job%units, model%cases(i))
+         call add_case(list, job%units, model%cases(i))
       end do
-      call add_calibrations(lines, job)
-      call add_sweeps(lines, job)
-      call add_uncertainties(lines, job)
-      call add_numerics(lines, job%units, model%numerics)
-      if (allocated(job%steering)) call append_text(lines, 'steering    '//to_text(size(job%steering%cases))//' cases, '// &
+      call add_calibrations(list, job)
+      call add_sweeps(list, job)
+      call add_uncertainties(list, job)
+      call add_numerics(list, job%units, model%numerics)
+      if (allocated(job%steering)) call add_line(list, 'steering    '//to_text(size(job%steering%cases))//' cases, '// &
          to_text(max(size(job%steering%toolfaces), 1))//' toolfaces')
-      if (allocated(job%study)) call append_text(lines, 'study       at most '//to_text(nint(most_variants(job%study)))// &
+      if (allocated(job%study)) call add_line(list, 'study       at most '//to_text(nint(most_variants(job%study)))// &
                                                  ' variants of '//to_text(size(job%study%cases))//' cases')
+      call take_lines(list, lines)
    end subroutine echo_lines
 
    !> What stands between string and weight indicator.
@@ -84,7 +86,7 @@ contains
 
    !> Path, sections of the hole, mud.
    pure subroutine add_hole(lines, units, model)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       real(wp) :: position(3), tangent(3)
@@ -92,14 +94,14 @@ contains
       associate (path => model%trajectory)
          n = size(path%md)
          call position_at(path, path%md(n), position, tangent)
-         call append_text(lines, 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
+         call add_line(lines, 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
             ', '//quantity(position(3), units%length, 'vertical')//', '//quantity(position(1), units%length, 'north')// &
             ', '//quantity(position(2), units%length, 'east')//' ['//unit_label(units, unit_length)//'], inclination up to '// &
             quantity(maxval(path%inclination), units%angle, 'deg'))
       end associate
       do i = 1, size(model%holes)
          associate (hole => model%holes(i))
-            call append_text(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
+            call add_line(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
                quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', friction axial '// &
                to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)// &
                optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
@@ -111,7 +113,7 @@ contains
 
    !> Fluids and gravity, in one line where one fluid fills all.
    pure subroutine add_fluids(lines, units, model)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       character(:), allocatable :: place
@@ -127,27 +129,27 @@ contains
                place = place//', from '//quantity(fluid%md_top, units%length, unit_label(units, unit_length))
             end if
             if (fluid%collar /= collar_none) place = place//', float collar '//trim(collar_name(fluid%collar))
-            call append_text(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
+            call add_line(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
          end associate
       end do
-      lines(size(lines))%text = lines(size(lines))%text//', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
+      lines%lines(lines%count)%text = lines%lines(lines%count)%text//', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
    end subroutine add_fluids
 
    !> A string with its components, from the bit upwards.
    pure subroutine add_string(lines, job, model, number)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: number
       integer :: i
       character(:), allocatable :: length
       associate (string => model%strings(number), units => job%units)
-         call append_text(lines, 'string      '//string%name//', from the bit upwards')
+         call add_line(lines, 'string      '//string%name//', from the bit upwards')
          do i = 1, size(string%components)
             associate (part => string%components(i))
                length = 'to surface'
                if (part%length > 0.0_wp) length = quantity(part%length, units%length, unit_label(units, unit_length))
-               call append_text(lines, '  '//part%name//' ('//part%kind//'): '//length//', od '// &
+               call add_line(lines, '  '//part%name//' ('//part%kind//'): '//length//', od '// &
                   quantity(part%od, units%diameter, unit_label(units, unit_diameter))//', id '// &
                   quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
                   quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
@@ -159,7 +161,7 @@ contains
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
                   bent_text(units, part))
                call add_strength(lines, units, part, job%design)
-               if (part%centralizer%present) call append_text(lines, '    '//centralizer_text(units, part%centralizer))
+               if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
          end do
       end associate
@@ -195,7 +197,7 @@ contains
 
    !> Strengths of a component, where any is known, each against one load alone and without design factors.
    pure subroutine add_strength(lines, units, part, design)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(component_type), intent(in) :: part
       type(design_factors_type), intent(in) :: design
@@ -214,7 +216,7 @@ contains
       if (text == '') return
       text = ':'//text(2:)
       if (is_worn(part)) text = ' with '//to_text(100.0_wp*part%wall_left, digits)//' % of the wall'//text
-      call append_text(lines, '    strength'//text)
+      call add_line(lines, '    strength'//text)
    end subroutine add_strength
 
    !> The bend of a component, nothing where it is straight.
@@ -229,10 +231,10 @@ contains
 
    !> One load case.
    pure subroutine add_case(lines, units, case)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: case
-      call append_text(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
+      call add_line(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
          quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
          optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
          optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
@@ -249,7 +251,7 @@ contains
 
    !> Settings of the solver.
    pure subroutine add_numerics(lines, units, numerics)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
       character(:), allocatable :: location, joints
@@ -258,11 +260,11 @@ contains
       joints = ''
       if (numerics%discrete_joints) joints = ', tool joints one by one'
       if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
-      call append_text(lines, 'solver      elements to '// &
+      call add_line(lines, 'solver      elements to '// &
          quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location//joints// &
          ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
          ', load steps '//to_text(numerics%load_steps))
-      call append_text(lines, '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
+      call add_line(lines, '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
          quantity(numerics%gk_contact, units%wall_stiffness, '')//', gk_max '// &
          quantity(numerics%gk_max, units%wall_stiffness, unit_label(units, unit_wall))//', eps_n0 '// &
          to_text(numerics%eps_n0, digits)//', eps_nmax '//to_text(numerics%eps_nmax, digits)//', r_n0 '// &

@@ -2,9 +2,10 @@
 module dg_sweep_echo
    use dg_kinds, only: wp
    use dg_job, only: job_type, model_name
+   use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_name
    use dg_sweep, only: point_count
-   use dg_text, only: append_text, joined, text_type, to_text
+   use dg_text, only: joined, to_text
    implicit none
    private
    public :: add_sweeps
@@ -16,7 +17,7 @@ contains
 
    !> One line a sweep.
    pure subroutine add_sweeps(lines, job)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       character(:), allocatable :: factors
       integer :: i, k
@@ -28,7 +29,7 @@ contains
                if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
             end do
             if (factors == '') factors = ' of the hole'
-            call append_text(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
+            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
                joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
                to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
                shown(sweep%depths(size(sweep%depths)))//' '//trim(job%units%length_label)//'; '// &

@@ -1,8 +1,9 @@
 !> Tells what a deck's Monte Carlos ask for as the program understood it.
 module dg_uncertainty_echo
    use dg_job, only: job_type, model_name
+   use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_name
-   use dg_text, only: append_text, joined, text_type, to_text
+   use dg_text, only: joined, to_text
    use dg_uncertainty, only: piece_count
    use dg_uncertainty_table, only: deviations_text
    implicit none
@@ -13,12 +14,12 @@ contains
 
    !> One line a Monte Carlo.
    pure subroutine add_uncertainties(lines, job)
-      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       integer :: i
       do i = 1, size(job%uncertainties)
          associate (uncertainty => job%uncertainties(i), range => job%uncertainties(i)%range)
-            call append_text(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
+            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
                joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
                to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
                deviations_text(job%units, uncertainty))
