@@ -127,9 +127,10 @@ contains
       type(group_type), intent(in) :: groups(:)
       type(fault_list_type), intent(inout) :: faults
       character(name_length) :: names(size(group_rules))
-      integer :: i, j, k, slips
+      integer :: i, j, k, slips, found(size(group_rules))
       names = group_rules%name
       slips = 0
+      found = 0
       do i = 1, size(groups)
          k = group_rule(groups(i)%name)
          if (k == 0) then
@@ -140,6 +141,9 @@ contains
          end if
          if (.not. group_rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
             ': not available in this version; leave it out')
+         found(k) = found(k) + 1
+         if (found(k) == group_rules(k)%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': a deck has at most '//to_text(group_rules(k)%most)//' of them')
          if (group_rules(k)%repeatable) cycle
          do j = 1, i - 1
             if (groups(j)%name /= groups(i)%name) cycle

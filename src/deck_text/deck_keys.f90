@@ -16,7 +16,7 @@ module dg_deck_keys
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
-      group_rule_type('fluid', repeatable=.true., &
+      group_rule_type('fluid', repeatable=.true., most=1000, &
          meaning='a fluid inside or outside the string, or both; listed from the top down'), &
       group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
       group_rule_type('component', repeatable=.true., required=.true., &
