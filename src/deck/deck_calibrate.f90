@@ -2,7 +2,8 @@
 module dg_deck_calibrate
    use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
-                             offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, tells, unknown_type
+                             offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, solutions_a_step, &
+                             tells, unknown_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, places_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_list_type
@@ -18,6 +19,9 @@ module dg_deck_calibrate
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
    character(*), parameter :: not_for_friction(2) = [character(14) :: 'sticking_depth', 'stretch']
+
+   !> Bounds of one calibration. A step of its fit takes as many solutions as given here, of all its models.
+   integer, parameter :: most_cases = 10000, most_pairs = 1000000, most_unknowns = 1000, most_solutions = 100000
 
 contains
 
@@ -211,6 +215,8 @@ contains
       type(hole_section_type) :: holes(size(draft%holes))
       logical, allocatable :: telling(:, :)
       integer :: d, i, u
+      if (too_many(size(calibration%cases), most_cases, 'load cases')) return
+      if (too_many(size(calibration%cases)*size(calibration%holes), most_pairs, 'pairs of load case and hole section')) return
       do i = 1, size(load_cases)
          load_cases(i) = draft%cases(i)%load_case
       end do
@@ -218,6 +224,8 @@ contains
          holes(i) = draft%holes(i)%section
       end do
       call set_unknowns(calibration, load_cases, holes)
+      if (too_many(size(calibration%unknowns), most_unknowns, 'unknowns')) return
+      if (too_many(solutions_a_step(calibration)*size(calibration%models), most_solutions, 'solutions a step')) return
       call set_data(calibration, load_cases)
       do i = 1, size(calibration%holes)
          if (any(calibration%unknown_of(:, i) > 0)) cycle
@@ -242,6 +250,16 @@ contains
                     ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
                     ' unknowns; add measurements or separate less')
    contains
+      !> Whether a number is above its bound, which is told then.
+      function too_many(number, most, what) result(yes)
+         integer, intent(in) :: number, most
+         character(*), intent(in) :: what
+         logical :: yes
+         yes = number > most
+         if (yes) call fault('cases', to_text(number)//' '//what//'; a calibration has at most '//to_text(most)// &
+                             '; name fewer cases or holes, or separate less')
+      end function too_many
+
       subroutine fault(key, message)
          character(*), intent(in) :: key, message
          call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)

@@ -19,6 +19,8 @@ module dg_deck_sticking
    !> Keys that only friction has a use for, and those of one kind alone.
    character(*), parameter :: of_friction(5) = [character(14) :: 'holes', 'separate', 'offset', 'apply', 'predict']
    character(*), parameter :: own_key(2) = [character(14) :: 'sticking_depth', 'stretch']
+   !> Load cases times models of one group; each takes some ten solutions.
+   integer, parameter :: most_results = 10000
 
 contains
 
@@ -68,6 +70,11 @@ contains
       call take_models(group, sticking%models)
       call take_cases(draft, group, sticking%cases, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
+      if (size(sticking%cases)*size(sticking%models) > most_results) then
+         call fault('cases', to_text(size(sticking%cases)*size(sticking%models))//' pairs of load case and model; a group has '// &
+                    'at most '//to_text(most_results)//'; name fewer cases')
+         return
+      end if
       do i = 1, size(sticking%cases)
          associate (case => draft%cases(sticking%cases(i)))
             if (.not. case%load_case%measured_hookload%present) then

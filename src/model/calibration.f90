@@ -13,7 +13,7 @@ module dg_calibration
    public :: calibration_type, unknown_type
    public :: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, parameter_name
    public :: set_unknowns, set_data, tells, with_factors, factors_of_deck, hookload_datum, torque_datum
-   public :: apply_factors, apply_offset, applied_factor, variance_kinds, ahead_of, predicts
+   public :: apply_factors, apply_offset, applied_factor, variance_kinds, ahead_of, predicts, solutions_a_step
    public :: offset_one, offset_depths, offset_name
 
    integer, parameter :: calibrate_friction = 1         !< mu1 and mu2 as one
@@ -343,4 +343,19 @@ contains
       end do
       factors = factors/real(max(many, 1), wp)      ! offsets begin at zero
    end function factors_of_deck
+
+   !> Load cases that one step of a fit solves: each once, and again for each factor that it depends on.
+   pure function solutions_a_step(calibration) result(number)
+      type(calibration_type), intent(in) :: calibration
+      integer :: number
+      integer :: i, j
+      number = size(calibration%cases)
+      do i = 1, size(calibration%cases)
+         do j = 1, size(calibration%holes)
+            associate (unknown => calibration%unknown_of(i, j))
+               if (unknown > 0 .and. .not. any(calibration%unknown_of(i, :j - 1) == unknown)) number = number + 1
+            end associate
+         end do
+      end do
+   end function solutions_a_step
 end module dg_calibration
