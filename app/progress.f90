@@ -1,18 +1,21 @@
-!> Progress of long work on a terminal: one line that is written over, with the time that remains. Nothing where nobody
-!> watches.
+!> Progress of long work on standard error: how much it is before it starts, then the time that remains. On a terminal one line
+!> is written over, elsewhere a line every ten seconds. Nothing with --quiet.
 module dg_progress
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
    use dg_clock, only: seconds_between
+   use dg_diagnostic, only: tell
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_process, only: someone_watches
    use dg_text, only: to_text
    implicit none
    private
-   public :: progress_type, start_progress, end_progress
+   public :: progress_type, start_progress, show_time, end_progress
 
    type, extends(ensemble_watch_type) :: progress_type
-      logical :: shown = .false.
+      logical :: quiet = .true.
+      logical :: on_terminal = .false.
+      logical :: timed = .false.                !< the time that remains has been told
       character(:), allocatable :: label
       integer(int64) :: started = 0, last = 0   !< ticks
       integer :: width = 0                      !< of the line that stands there
@@ -20,23 +23,28 @@ module dg_progress
       procedure :: show
    end type progress_type
 
-   !> A new line no sooner than this after the one before [s].
-   real(wp), parameter :: pause = 0.2_wp
-   !> Part of the work from which the remaining time can be told [-].
-   real(wp), parameter :: telling = 0.02_wp
+   !> Shortest time between two lines on a terminal, and elsewhere [s].
+   real(wp), parameter :: pause = 0.2_wp, long_pause = 10.0_wp
+   !> The remaining time is told from this part of the work on [-], or after this time [s].
+   real(wp), parameter :: telling = 0.02_wp, telling_after = 2.0_wp
+   !> Shortest remaining time that is told where no terminal shows it [s].
+   real(wp), parameter :: worth_telling = 2.0_wp
    character(*), parameter :: carriage_return = achar(13)
 
 contains
 
-   !> Begins; `quiet` or no terminal: nothing will be shown.
-   subroutine start_progress(progress, label, quiet)
+   !> Begins, and tells how much there is to do.
+   subroutine start_progress(progress, label, work, quiet)
       type(progress_type), intent(out) :: progress
       character(*), intent(in) :: label
+      character(*), intent(in) :: work     !< '12 solutions'
       logical, intent(in) :: quiet
-      progress%shown = someone_watches() .and. .not. quiet
+      progress%quiet = quiet
+      progress%on_terminal = someone_watches() .and. .not. quiet
       progress%label = label
       call system_clock(progress%started)
       progress%last = progress%started
+      if (.not. quiet) call tell(label//': '//work//' to find')
    end subroutine start_progress
 
    !> Shows how far the work is. The remaining time supposes that what is left costs as what was done since the start.
@@ -47,19 +55,50 @@ contains
       character(*), intent(in) :: what     !< how much, in words
       character(:), allocatable :: line
       integer(int64) :: now
-      real(wp) :: done
-      if (.not. self%shown) return
+      real(wp) :: left
+      if (self%quiet) return
       call system_clock(now)
-      if (seconds_between(self%last, now) < pause) return
-      self%last = now
+      left = seconds_left(self, share - first_share, 1.0_wp - share, now)
       line = self%label//': '//what//', '//to_text(nint(100.0_wp*share))//' %'
-      done = share - first_share
-      if (done > telling) line = line//', '// &
-         remaining_text(seconds_between(self%started, now)*(1.0_wp - share)/done)//' left'
-      write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(self%width - len(line), 0))
-      flush (error_unit)
-      self%width = len(line)
+      if (left >= 0.0_wp) line = line//', '//remaining_text(left)//' left'
+      if (self%on_terminal) then
+         if (seconds_between(self%last, now) < pause) return
+         write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(self%width - len(line), 0))
+         flush (error_unit)
+         self%width = len(line)
+      else
+         if (left < worth_telling .or. (self%timed .and. seconds_between(self%last, now) < long_pause)) return
+         call tell(line)
+         self%timed = .true.
+      end if
+      self%last = now
    end subroutine show
+
+   !> Tells once how long the work will take, when the first of it is done.
+   subroutine show_time(progress, share)
+      type(progress_type), intent(inout) :: progress
+      real(wp), intent(in) :: share        !< of the work that is done [-]
+      integer(int64) :: now
+      real(wp) :: left
+      if (progress%quiet .or. progress%timed) return
+      call system_clock(now)
+      left = seconds_left(progress, share, 1.0_wp - share, now)
+      if (left < 0.0_wp) return
+      progress%timed = .true.
+      if (left >= worth_telling) call tell(progress%label//': about '//remaining_text(left)//' left')
+   end subroutine show_time
+
+   !> Time that the rest of the work takes [s]; -1 where too little is done to tell.
+   function seconds_left(progress, done, rest, now) result(left)
+      class(progress_type), intent(in) :: progress
+      real(wp), intent(in) :: done, rest   !< parts of the work [-]
+      integer(int64), intent(in) :: now    !< ticks
+      real(wp) :: left
+      real(wp) :: seconds
+      left = -1.0_wp
+      seconds = seconds_between(progress%started, now)
+      if (done > telling .or. (done > 0.0_wp .and. seconds > telling_after)) left = seconds*rest/done
+   end function seconds_left
 
    !> Takes the line away.
    subroutine end_progress(progress)

@@ -3,7 +3,7 @@ module dg_run_calibrations
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, apply_factors, apply_offset, calibration_type, factors_of_deck, hookload_datum, &
-      predicts, torque_datum, variance_kinds
+      predicts, solutions_a_step, torque_datum, variance_kinds
    use dg_calibration_file, only: factor_columns, write_calibrations
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_calibration_table, only: calibration_table
@@ -23,6 +23,7 @@ module dg_run_calibrations
    use dg_model, only: model_type
    use dg_prediction, only: predict
    use dg_printed_text, only: print_and_keep, printed_text_type
+   use dg_progress, only: progress_type, show_time, start_progress
    use dg_run_outcome, only: add_part, note_lost
    use dg_run_stickings, only: run_stickings
    use dg_string_function, only: new_string_function, string_function_type
@@ -36,6 +37,8 @@ module dg_run_calibrations
    real(wp), parameter :: least_friction = 0.0_wp, greatest_friction = 2.0_wp
    !> A friction factor that is a large one [-].
    real(wp), parameter :: friction_scale = 1.0_wp
+   !> Steps that a fit usually takes, at most.
+   integer, parameter :: usual_steps = 10
 
 contains
 
@@ -72,7 +75,7 @@ contains
          if (divided .and. .not. job%calibrations(i)%apply) cycle
          before = lost
          do j = 1, size(job%calibrations(i)%models)
-            call calibrate(model, job%calibrations(i), j, job%threads, results(n + 1))
+            call calibrate(job, model, job%calibrations(i), j, results(n + 1))
             if (is_interrupted()) exit
             n = n + 1
             owner(n) = i
@@ -137,11 +140,11 @@ contains
    end subroutine hand_on
 
    !> One calibration with one model.
-   subroutine calibrate(model, calibration, place, threads, result)
+   subroutine calibrate(job, model, calibration, place, result)
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       integer, intent(in) :: place             !< of the model in the calibration's
-      integer, intent(in) :: threads
       type(calibration_result_type), intent(out) :: result
       type(string_function_type) :: function
       real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
@@ -150,13 +153,19 @@ contains
       integer, dimension(size(calibration%data)) :: kinds, of_case, group
       integer, allocatable :: of_kind(:)   !< of every measured value
       integer(int64) :: start, finish
+      type(progress_type) :: progress
+      integer :: expected
       call system_clock(start)
-      call new_string_function(function, model, calibration, calibration%models(place), threads)
+      call new_string_function(function, model, calibration, calibration%models(place), job%threads)
       result%model = calibration%models(place)
       result%message = ''
       result%start = factors_of_deck(calibration, model%holes, model%cases)
       allocate (result%before(size(calibration%data)))
+      expected = usual_steps*solutions_a_step(calibration)
+      call start_progress(progress, 'calibration '//quoted(calibration%name)//', model '//trim(model_name(result%model)), &
+                          'about '//to_text(expected)//' solutions', job%quiet)
       call function%as_given(result%before)
+      call show_time(progress, real(function%solutions, wp)/real(expected, wp))
       measured = calibration%data%measured
       deviation = calibration%data%deviation
       is_hookload = calibration%data%kind == hookload_datum
@@ -181,7 +190,7 @@ contains
       if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
          calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
       if (result%fit%status == fit_done .and. predicts(calibration)) &
-         call look_ahead(model, calibration, threads, scale, result)
+         call look_ahead(model, calibration, job%threads, scale, result)
       if (result%fit%status == fit_without_values) then
          associate (datum => calibration%data(result%fit%lost))
             result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &

@@ -24,6 +24,7 @@ module dg_run_ensembles
    use dg_sweep_points, only: add_indicator, add_margins, point_text, solve_points
    use dg_sweep_result, only: is_solved
    use dg_sweep_table, only: sweep_sentences, sweep_table
+   use dg_sweep_work, only: in_part
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: piece_count
    use dg_uncertainty_file, only: write_uncertainty
@@ -130,9 +131,12 @@ contains
       real(wp), intent(out) :: seconds
       type(progress_type) :: progress
       integer(int64) :: start, finish
+      integer :: i, left
       call tell_unless_empty(taken_text(ensemble, job%again))
       call system_clock(start)
-      call start_progress(progress, ensemble%what//' '//ensemble%name, job%quiet)
+      left = count(.not. is_solved(ensemble%points) .and. &
+                   in_part([(i, i=1, size(ensemble%points))], job%part, max(job%parts, 1)))
+      call start_progress(progress, ensemble_title(ensemble), to_text(left)//' solutions', job%quiet)
       if (ensemble%what == sweep_kind) then
          call solve_points(job, model, job%sweeps(ensemble%number), ensemble, progress)
       else

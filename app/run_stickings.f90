@@ -14,15 +14,16 @@ module dg_run_stickings
    use dg_printed_text, only: print_and_keep, printed_text_type
    use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
+   use dg_progress, only: progress_type, show_time, start_progress
    use dg_run_outcome, only: add_part, note_lost
-   use dg_sticking, only: find_free_point, sticking_type
+   use dg_sticking, only: find_free_point, find_resistance, sticking_type
    use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
       sticking_result_type
    use dg_sticking_rows, only: add_stickings
    use dg_sticking_table, only: sticking_table
    use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
    use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
-   use dg_text, only: quoted, text_type
+   use dg_text, only: quoted, text_type, to_text
    implicit none
    private
    public :: run_stickings
@@ -34,6 +35,8 @@ module dg_run_stickings
    !> A free point is found to this part of the bit's depth [-], far finer than stretch can be measured.
    real(wp), parameter :: depth_share = 1.0e-6_wp
    integer, parameter :: most_trials = 60
+   !> Solutions that a resistance and a free point usually take, and trials of a free point.
+   integer, parameter :: usual_solutions(2) = [6, 20], usual_trials = 3
    !> Least depth of a free point over that of the bit [-]: some string must be left.
    real(wp), parameter :: shallowest = 1.0e-3_wp
 
@@ -48,12 +51,17 @@ contains
       integer, intent(out) :: lost
       type(sticking_result_type), allocatable :: results(:)
       type(text_type), allocatable :: lines(:)
-      integer :: i, j, k, n
+      type(progress_type) :: progress
+      integer :: i, j, k, n, many
       lost = 0
       do i = 1, size(job%stickings)
          associate (sticking => job%stickings(i))
             n = 0
             allocate (results(size(sticking%models)*size(sticking%cases)))
+            many = size(results)
+            if (sticking%kind == find_free_point) many = size(sticking%models)
+            call start_progress(progress, 'calibration '//quoted(sticking%name), &
+                                'about '//to_text(many*usual_solutions(sticking%kind))//' solutions', job%quiet)
             do j = 1, size(sticking%models)
                do k = 1, size(sticking%cases)
                   if (sticking%kind == find_free_point .and. k == 1) cycle     ! both pulls make one result
@@ -62,11 +70,12 @@ contains
                   results(n)%case_index = sticking%cases(k)
                   results(n)%message = ''
                   if (sticking%kind == find_free_point) then
-                     call free_point(model, sticking, results(n))
+                     call free_point(model, sticking, results(n), progress)
                   else
-                     call resistance(model, sticking, results(n))
+                     call resistance(model, sticking, results(n), progress)
                   end if
                   if (is_interrupted()) return
+                  call show_time(progress, real(n, wp)/real(many, wp))
                   if (results(n)%status /= sticking_no_solution) cycle
                   lost = lost + 1
                   call note_lost(printed%outcome, 'calibration '//sticking%name, sticking%models(j), result_not_converged, &
@@ -86,10 +95,11 @@ contains
    end subroutine run_stickings
 
    !> Resistance at a known depth: pull and torque above it that give what was measured, less those of a free string.
-   subroutine resistance(model, sticking, result)
+   subroutine resistance(model, sticking, result, progress)
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(inout) :: result
+      type(progress_type), intent(inout) :: progress
       type(stuck_function_type) :: function
       type(case_result_type) :: free
       type(error_type), allocatable :: error
@@ -98,6 +108,7 @@ contains
       real(wp), allocatable :: start(:), measured(:), deviation(:), lower(:)
       result%depth = sticking%depth
       call solve_case(model, result%model, result%case_index, free, error)
+      call show_time(progress, 1.0_wp/real(usual_solutions(find_resistance)*size(sticking%models)*size(sticking%cases), wp))
       if (free%status /= result_converged) then
          result%message = 'the free string has none: '//free%message
          return
@@ -140,10 +151,11 @@ contains
 
    !> Free point: the depth at which the held string stretches as measured from the first pull to the second, friction acting in
    !> both. By regula falsi (Illinois), between a point near surface and the bit.
-   subroutine free_point(model, sticking, result)
+   subroutine free_point(model, sticking, result, progress)
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(inout) :: result
+      type(progress_type), intent(inout) :: progress
       real(wp) :: low, high, at_low, at_high, depth, found
       integer :: trial, side
       associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
@@ -156,6 +168,7 @@ contains
       end associate
       side = 0
       call excess(model, sticking, result, high, at_high)
+      call show_time(progress, 1.0_wp/real(usual_trials*size(sticking%models), wp))
       if (is_missing(at_high)) return
       if (at_high < 0.0_wp) then
          result%status = sticking_below_bit

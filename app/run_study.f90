@@ -1,8 +1,7 @@
 !> Runs a study: every variant of its cases, one after the other on one core, so that seconds and memory are those of one
 !> solution alone.
 module dg_run_study
-   use, intrinsic :: iso_fortran_env, only: error_unit
-   use dg_case_result, only: case_result_type, result_status_name
+   use dg_case_result, only: case_result_type
    use dg_error, only: error_type
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
@@ -10,7 +9,7 @@ module dg_run_study
    use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, printed_text_type
-   use dg_process, only: someone_watches
+   use dg_progress, only: end_progress, progress_type, start_progress
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
    use dg_solve_case, only: solve_case
    use dg_study_comparison, only: compare_case, new_record, study_record_type
@@ -39,28 +38,29 @@ contains
       type(study_record_type), allocatable :: records(:, :)
       type(text_type), allocatable :: lines(:)
       type(model_type) :: varied
-      integer :: i, j, whole
-      logical :: progress
-      progress = someone_watches() .and. .not. job%quiet
+      integer :: i, j, whole, done
+      type(progress_type) :: progress
       call study_variants(job%study, model%numerics, variants)
       allocate (records(size(variants), size(job%study%cases)))
       whole = 0
+      call start_progress(progress, 'study', to_text(size(records))//' solutions', job%quiet)
       cases: do j = 1, size(job%study%cases)
          do i = 1, size(variants)
             varied = model
             call set_variant(variants(i), varied)
             call solve_and_measure(varied, variants(i)%model, job%study%cases(j), records(i, j))
             if (is_interrupted()) exit cases
-            if (progress) write (error_unit, '(a)') '[study '//to_text((j - 1)*size(variants) + i)//'/'// &
-               to_text(size(records))//'] '//model%cases(job%study%cases(j))%name//': '// &
-               trim(result_status_name(records(i, j)%status))
+            done = (j - 1)*size(variants) + i
+            call progress%show(real(done, wp)/real(size(records), wp), 0.0_wp, &
+                               to_text(done)//' of '//to_text(size(records))//' solutions')
          end do
          call compare_case(variants, records(:, j))
          call write_study(job%output_dir//'/study.csv', job, model, variants, records, j, error)
-         if (allocated(error)) return
+         if (allocated(error)) exit cases
          whole = j
       end do cases
-      if (whole == 0) return
+      call end_progress(progress)
+      if (whole == 0 .or. allocated(error)) return
       allocate (lines, source=study_table(job, model, variants, records(:, :whole)))
       call print_and_keep(printed, lines)
    end subroutine run_study
