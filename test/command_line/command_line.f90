@@ -14,6 +14,7 @@ contains
       use funit, only: TestSuite
       use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
+      use dg_test_bounds, only: bounds_suite
       use dg_test_output_folder, only: output_folder_suite
       use dg_test_standard_output, only: standard_output_suite
       use dg_test_odd_decks, only: odd_decks_suite
@@ -37,6 +38,7 @@ contains
       suite = TestSuite('command_line')
       call suite%addTest(actions_suite())
       call suite%addTest(bad_decks_suite())
+      call suite%addTest(bounds_suite())
       call suite%addTest(odd_decks_suite())
       call suite%addTest(program_suite())
       call suite%addTest(output_folder_suite())

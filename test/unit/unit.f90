@@ -47,6 +47,7 @@ contains
       use dg_test_gap_state, only: gap_state_suite
       use dg_test_gap_table, only: gap_table_suite
       use dg_test_hermite, only: hermite_suite
+      use dg_test_merge_sort, only: merge_sort_suite
       use dg_test_mesh, only: mesh_suite
       use dg_test_snake, only: snake_suite
       use dg_test_curvature_change, only: curvature_change_suite
@@ -113,6 +114,7 @@ contains
       call suite%addTest(gap_state_suite())
       call suite%addTest(gap_table_suite())
       call suite%addTest(hermite_suite())
+      call suite%addTest(merge_sort_suite())
       call suite%addTest(mesh_suite())
       call suite%addTest(snake_suite())
       call suite%addTest(curvature_change_suite())
