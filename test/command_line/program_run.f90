@@ -22,7 +22,8 @@ module dg_program_run
    type :: run_type
       integer :: status = -1
       character(:), allocatable :: output      !< of standard output, lines ended by LF
-      character(:), allocatable :: diagnostics !< of standard error
+      character(:), allocatable :: diagnostics !< of standard error, without the lines of `work`
+      character(:), allocatable :: work        !< lines of standard error that tell how much there is to solve, and its time
       logical :: has_results = .false.         !< the output folder is there
    end type run_type
 
@@ -86,6 +87,7 @@ contains
       call write_text_file(deck_path, lines, error)
       if (allocated(error)) then
          run%diagnostics = error%message
+         run%work = ''
          run%output = ''
          return
       end if
@@ -108,7 +110,7 @@ contains
       call execute_command_line(command, exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
-      run%diagnostics = content(scratch//'/diagnostics.txt')
+      call take_diagnostics(run)
       run%has_results = is_folder(results_path)
    end function run_program
 
@@ -127,9 +129,29 @@ contains
                                 exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
-      run%diagnostics = content(scratch//'/diagnostics.txt')
+      call take_diagnostics(run)
       run%has_results = is_folder(results_path)
    end function run_interrupted
+
+   !> Takes what stands on standard error apart: how long work takes depends on the machine.
+   subroutine take_diagnostics(run)
+      type(run_type), intent(inout) :: run
+      character(:), allocatable :: left, line
+      integer :: length
+      left = content(scratch//'/diagnostics.txt')
+      run%diagnostics = ''
+      run%work = ''
+      do while (len(left) > 0)
+         length = index(left, newline)
+         line = left(:length)
+         left = left(length + 1:)
+         if (index(line, ' solutions to find'//newline) > 0 .or. index(line, ' left'//newline) > 0) then
+            run%work = run%work//line
+         else
+            run%diagnostics = run%diagnostics//line
+         end if
+      end do
+   end subroutine take_diagnostics
 
    !> Empties the scratch folder.
    subroutine clear_scratch()

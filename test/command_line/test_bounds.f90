@@ -1,7 +1,7 @@
 !> Bounds of the work of a deck: what is refused at once, and what is told before work begins.
 module dg_test_bounds
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: deck_path, good_deck, replaced, run_deck_text, run_type
+   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type
    use dg_text, only: to_text
    implicit none
    private
@@ -29,29 +29,30 @@ contains
 
    !> A fit with an unknown for each of too many depths; a stuck point in too many cases.
    subroutine test_calibrations()
-      call refuse("&calibrate separate = 'depths' /"//measured_cases(1001), 'calibrate: 1001 unknowns; a calibration has at most 1000')
+      call refuse("&calibrate separate = 'depths' /"//measured_cases(1001), &
+                  'calibrate: 1001 unknowns; a calibration has at most 1000')
       call refuse("&calibrate parameter = 'sticking', sticking_depth = 5, model = 'soft', 'rigid', 'mixed', 'mcge' /"// &
                   measured_cases(2501), 'calibrate: 10004 pairs of load case and model; a group has at most 10000')
    end subroutine test_calibrations
 
    !> Names are found, and sections ordered, among many: a centralizer on each of 300 components, 300 sections from below.
    subroutine test_parts()
-      integer, parameter :: many = 300
+      integer, parameter :: many = 300     ! of 2 m
       type(run_type) :: run
       character(:), allocatable :: parts, holes
       integer :: i
       parts = ''
       holes = ''
       do i = 1, many
-         parts = parts//"&component name = 'c"//to_text(i)//"', length = 1, od = 120, id = 70 /"// &
+         parts = parts//"&component name = 'c"//to_text(i)//"', length = 2, od = 120, id = 70 /"// &
                  "&centralizer component = 'c"//to_text(many + 1 - i)//"', kind = 'rigid', od = 200, spacing = 2 /"//newline
          holes = holes//'&hole md_top = '//to_text(400 + many - i)//', md_bottom = '//to_text(401 + many - i)// &
                  ', diameter = '//to_text(215 + modulo(i, 2))//', friction = 0.3 /'//newline
       end do
-      run = run_deck_text(replaced(good_deck(), '&boundary', parts//'&boundary'), '--check')
+      run = run_deck_text(replaced(good_deck(), '&component od', parts//'&component od'), '--check')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'c1 (') > 0 .and. index(run%output, 'c300 (') > 0, message='all components')
-      call assertEqual(many, times(run%output, 'rigid centralisers'), message=run%output(:min(len(run%output), 3000)))
+      call assertEqual(many, times(run%output, 'rigid centralizers'), message=run%output(:min(len(run%output), 3000)))
       run = run_deck_text(replaced(good_deck(), '&hole md_top = 400.0', holes//'&hole md_top = 700.0'), '--check')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(many + 2, times(run%output, 'hole        '), message='sections')
@@ -76,20 +77,28 @@ contains
       call told("calibration 'c', model soft")
       call told("calibration 'k'")
       run = run_deck_text(deck, '--quiet')
-      call assertFalse(index(run%diagnostics, ' to find') > 0, message=run%diagnostics)
+      call assertEqual('', run%work)
+      run = run_deck_text(good_deck()//"&uncertainty name = 'l', samples = 100000, friction_deviation = 0.05,"// &
+                          " bit_depth_from = 500, bit_depth_step = 100 /"//newline, '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      ! long work, which is ended when its time is told
+      run = run_program(deck_path//' --output '//results_path, 'timeout 3')
+      call assertTrue(index(run%work, ' left'//newline) > 0, message='expected time; got: '//run%work//run%diagnostics)
    contains
       subroutine told(what)
          character(*), intent(in) :: what
          integer :: at
-         at = index(run%diagnostics, 'drillgap: '//what//': ')
-         call assertTrue(at > 0, message='wanted '//what//'; got: '//run%diagnostics)
+         at = index(run%work, 'drillgap: '//what//': ')
+         call assertTrue(at > 0, message='wanted '//what//'; got: '//run%work)
          if (at == 0) return
          at = at + len('drillgap: '//what)
-         call assertTrue(index(run%diagnostics(at:at + index(run%diagnostics(at:), newline)), ' solutions to find') > 0, message=what)
+         associate (line => run%work(at:at + index(run%work(at:), newline) - 1))
+            call assertTrue(index(line, ' solutions to find') > 0, message=what)
+         end associate
       end subroutine told
    end subroutine test_told
 
-   !> Load cases with measured hook loads, each at a depth of its own, in one line.
+   !> Load cases with measured hook loads, each at a depth of its own.
    function measured_cases(number) result(text)
       integer, intent(in) :: number
       character(:), allocatable :: text
@@ -99,6 +108,7 @@ contains
       do i = 1, number
          write (one, '(a, i0, a, i0, a)') "&load_case name = 'm", i, "', operation = 'up', bit_depth = 8", 10000 + i, &
             'e-3, measured_hookload = 300 /'
+         one(len(one):) = newline
          text(len(one)*(i - 1) + 1:len(one)*i) = one
       end do
    end function measured_cases
