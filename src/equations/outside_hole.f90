@@ -29,8 +29,13 @@ module dg_outside_hole
    integer, parameter :: shown = 2, shown_depth = 6
    !> Words by which every such message is known.
    character(*), parameter :: outside_place = ' outside its hole at '
-   !> Stiffness of a wall that gives way by micrometres [N/m2].
-   real(wp), parameter :: as_good_as_rigid = 1.0e9_wp
+   !> Excess that a wall of the advised stiffness leaves, over the clearance [-]. A blade's edge presses a wall in by the square
+   !> root of its softness, or less.
+   real(wp), parameter :: left = 0.1_wp
+   !> Stiffness of a wall beyond its elastic range over that within, where a deck says no other [-].
+   real(wp), parameter :: rigid_over_elastic = 10.0_wp
+   !> Stiffest wall that is advised [N/m2]: rock and casing have no more.
+   real(wp), parameter :: stiffest_advised = 1.0e12_wp
 
    !> Where a string stands farthest outside, counted in clearances of the hole section and component there.
    type :: outside_type
@@ -39,6 +44,7 @@ module dg_outside_hole
       real(wp) :: clearance = 0.0_wp   !< there [m]
       real(wp) :: md = 0.0_wp          !< of that point of the string before loading [m]
       real(wp) :: length = 0.0_wp      !< of its element [m]
+      real(wp) :: wall = 0.0_wp        !< stiffness of its wall in elastic contact [N/m2]
       logical :: gives_way = .false.   !< the wall itself is pressed in
    end type outside_type
 
@@ -81,6 +87,7 @@ contains
          outside%clearance = mesh%clearance(e)
          outside%md = mesh%md(e) + xi*mesh%length(e)
          outside%length = mesh%length(e)
+         outside%wall = mesh%wall(e)
          outside%gives_way = work%displacement(e)/mesh%clearance(e) - 1.0_wp > of_the_wall*excess
       end do
    end subroutine measure_outside
@@ -132,6 +139,13 @@ contains
       least = max(tell_outside, mesh%eps_nmax(e))
    end function told_from
 
+   !> Stiffness of a wall that holds the string, a power of ten [N/m2].
+   pure function advised_wall(outside) result(wall)
+      type(outside_type), intent(in) :: outside
+      real(wp) :: wall
+      wall = 10.0_wp**ceiling(log10(rigid_over_elastic*max(outside%wall, 1.0_wp)*max(outside%excess/left, 1.0_wp)**2))
+   end function advised_wall
+
    !> What is said of a string that stands outside: where, how far, what to do.
    pure subroutine outside_message(units, outside, text)
       type(unit_system_type), intent(in) :: units
@@ -142,8 +156,9 @@ contains
              trim(in_units(units, unit_diameter, outside%clearance, shown))//' clearance'
       if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
       if (outside%gives_way) then
-         text = 'the wall gives way: the string stands '//text//'; set wall_stiffness to '// &
-                trim(in_units(units, unit_wall, as_good_as_rigid, shown))//' for a wall that is as good as rigid'
+         text = 'the wall gives way: the string stands '//text
+         if (advised_wall(outside) <= stiffest_advised) text = text//'; set wall_stiffness to '// &
+            trim(in_units(units, unit_wall, advised_wall(outside), shown))
       else
          text = 'between its contact points the string stands '//text//': contact there may be off'
          if (outside%length > short) text = text//'; an element_length of '// &

@@ -11,9 +11,9 @@
 !>
 !> Near a helix a string that does not rotate takes M_GA as a couple that bends it, P = -dV/dr' and F = -dV/dr of V = r R a d.n with
 !> the string's unit tangent d = r'/|r'|. That is the same moment d x P = -r R a tau to first order, and in addition
-!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as a whole about the hole: in
-!> a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's circumferential stiction does. F_tau,
-!> some percent of R, is the least that takes it. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
+!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as a whole about the hole:
+!> in a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's circumferential stiction does.
+!> F_tau, some percent of R, is the least that takes it. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
    use dg_lanes, only: lanes

@@ -62,9 +62,9 @@ contains
       real(wp) :: room(size(length) + 1)
       integer :: n, elements
       elements = size(length)
-      do n = 1, elements + 1
-         room(n) = minval(clearance(max(1, n - 1):min(n, elements)))
-         if (n > 1) room(n) = min(room(n), room(n - 1) + growth*length(n - 1))
+      room(1) = clearance(1)
+      do n = 1, elements
+         room(n + 1) = min(minval(clearance(n:min(n + 1, elements))), room(n) + growth*length(n))
       end do
       do n = elements, 1, -1
          room(n) = min(room(n), room(n + 1) + growth*length(n))

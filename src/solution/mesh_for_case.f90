@@ -42,8 +42,8 @@ module dg_mesh_for_case
    !> at 14 bit depths torque is off by 0.36 % (rms, worst 0.9 %) from that on elements of 0.25 m; with 1.5 by 0.52 %, on 3 % fewer
    !> elements.
    real(wp), parameter :: growth = 1.4_wp
-   !> Longest element beside a bent housing [m], and how far that reaches [m]. The bend presses collars into the hole. On elements of
-   !> 1 m contact of a motor was 0.3 % too large.
+   !> Longest element beside a bent housing [m], and how far that reaches [m]. The bend presses collars into the hole. On elements
+   !> of 1 m contact of a motor was 0.3 % too large.
    real(wp), parameter :: longest_beside_bend = 0.3_wp, reach_of_bend = 40.0_wp
    !> Length of the parts of an element that stands outside the hole over its own [-], and the shortest of them [m]: a bit or blade
    !> that tilts in its hole touches with both ends, and an element has one gap. With parts of 0.5 m or 0.05 m 26 and 20 of 220

@@ -82,8 +82,8 @@ contains
 
    !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are, against walls of a stiffness, and
    !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
-   !> A string in tension has one equilibrium: walls are hardened from soft to their own. A compressed one may lie buckled, and would
-   !> leave its coils on soft walls: it is bent against its own walls first.
+   !> A string in tension has one equilibrium: walls are hardened from soft to their own. A compressed one may lie buckled, and
+   !> would leave its coils on soft walls: it is bent against its own walls first.
    pure subroutine bend_start(mesh, wall, begin, beam, y, pressed, found)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]

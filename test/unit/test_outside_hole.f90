@@ -132,7 +132,7 @@ contains
       call assertEqual(2, outside%elements)
       call assertTrue(outside%gives_way)
       call outside_message(si_units(), outside, text)
-      call assertGreaterThan(index(text, 'wall_stiffness'), 0)
+      call assertGreaterThan(index(text, 'set wall_stiffness to 1e8 kN/m2'), 0, message=text)
       mesh%eps_nmax(3:4) = 0.6_wp
       call measure_outside(model%trajectory, mesh, work, outside)
       call assertEqual(0, outside%elements)
