@@ -15,6 +15,7 @@ every run is asked (watched_run.py, run_results.py):
 
 The folder of a run that fails is kept. Ends in 'N passed, N failed'.
 """
+import os
 import pathlib
 import resource
 import signal
@@ -85,6 +86,9 @@ def link(name, target):
 
 def linked_result(name, target):
     return lambda home: ((home / "out").mkdir(), (home / "out" / name).symlink_to(home / target))
+def named_pipe(name):
+    """A pipe with a name, into which nobody writes."""
+    return lambda home: ((home / name).unlink(missing_ok=True), os.mkfifo(home / name))
 
 
 def changed(old, new, base=SI_DECK):
@@ -93,7 +97,7 @@ def changed(old, new, base=SI_DECK):
 
 
 def listed():
-    """(name, files, expected status, text that the message must hold, keywords of Run)"""
+    """(name, files, expected status, text or texts that the message must hold, keywords of Run)"""
     good = DECKS[0]
     out = ["deck.nml", "--output"]
     yield "sound SI deck", good, 0, "", {}
@@ -128,6 +132,13 @@ def listed():
     yield "deck vanished", good, 2, "deck.nml", {"before": remove("deck.nml")}
     yield "deck a folder", {"deck.nml/x": ""}, 2, "folder", {}
     yield "deck links to itself", good, 2, "deck.nml", {"before": link("deck.nml", "deck.nml")}
+    stranger = changed("'hostile'", "'hostile', catalogue_file = 'wells/pipe.csv'")
+    stranger["deck.nml"] = stranger["deck.nml"].replace("od = 165.1", "catalogue = 'a', od = 165.1")
+    for what, name, files, place in (("deck", "deck.nml", good, "deck"), ("survey", "wells/path.csv", good, "deck.nml:2"),
+                                     ("legacy", "wells/other.csv", good, "deck.nml:14"), ("catalogue", "wells/pipe.csv", stranger, "deck.nml:1")):
+        for kind, before in (("a pipe", named_pipe(name)), ("a device", link(name, "/dev/zero")), ("a folder", link(name, "."))):
+            yield f"{what} is {kind}", files, 2, (place, f"(it is {kind}"), {"before": before, "seconds": 10.0}
+    yield "a device on standard input", good, 2, "(it is a device", {"arguments": ["/dev/stdin", "--output", "out"], "seconds": 10.0}
     yield "survey binary", {**good, "wells/path.csv": bytes(range(256)) * 40}, 2, "path.csv:", {}
     yield "survey empty", {**good, "wells/path.csv": ""}, 2, "path.csv", {}
     yield "survey without rows", {**good, "wells/path.csv": "md,inc,azi\n"}, 2, "path.csv", {}
@@ -185,8 +196,9 @@ def main(program):
             faults += faults_of_results(run.out, run.status, run.deck.read_text(encoding="latin-1"))
         if run.status != status:
             faults.append(f"exit status {run.status}, expected {status}: {run.stderr[:300]}")
-        if text not in run.stderr:
-            faults.append(f"no '{text}' in: {run.stderr[:300]}")
+        for part in (text,) if isinstance(text, str) else text:
+            if part not in run.stderr:
+                faults.append(f"no '{part}' in: {run.stderr[:300]}")
         slowest, largest = max(slowest, (run.seconds, name)), max(largest, (run.memory, name))
         outcomes[run.status] = outcomes.get(run.status, 0) + 1
         if faults:

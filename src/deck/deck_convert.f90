@@ -40,7 +40,7 @@ contains
       logical :: has_job
       integer :: i
       allocate (notes(0))
-      call read_lines(path, deck, failure)
+      call read_lines(path, deck, failure, piped=.true.)
       if (failure /= '') then
          call add_fault(faults, path, 0, 'deck '//failure)
          return

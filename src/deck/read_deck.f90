@@ -57,7 +57,7 @@ contains
       character(:), allocatable :: failure
 
       allocate (notes(0))
-      call read_lines(path, lines, failure)
+      call read_lines(path, lines, failure, piped=.true.)
       if (failure /= '') then
          call add_fault(faults, path, 0, 'deck '//failure)
          return

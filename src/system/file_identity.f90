@@ -10,6 +10,7 @@ module dg_file_identity
       logical :: exists = .false.
       logical :: is_regular = .false.        !< a file: no folder, device, pipe, link
       logical :: is_folder = .false.
+      logical :: is_pipe = .false.           !< with a name in a folder or without
       logical :: is_link = .false.           !< symbolic
       integer(c_int64_t) :: inode = 0
       integer(c_int32_t) :: device(2) = 0    !< major and minor number
@@ -30,8 +31,8 @@ module dg_file_identity
    !> AT_FDCWD, AT_SYMLINK_NOFOLLOW and AT_EMPTY_PATH of fcntl.h; STATX_TYPE + STATX_INO of linux/stat.h.
    integer(c_int), parameter :: from_here = -100_c_int, not_through_links = 256_c_int, of_descriptor = 4096_c_int
    integer(c_int), parameter :: type_and_inode = 257_c_int
-   !> Kinds of files in the mode (S_IFMT, S_IFREG, S_IFDIR, S_IFLNK of sys/stat.h).
-   integer, parameter :: kind_mask = 61440, kind_regular = 32768, kind_folder = 16384, kind_link = 40960
+   !> Kinds of files in the mode (S_IFMT, S_IFREG, S_IFDIR, S_IFLNK, S_IFIFO of sys/stat.h).
+   integer, parameter :: kind_mask = 61440, kind_regular = 32768, kind_folder = 16384, kind_link = 40960, kind_pipe = 4096
 
    !> Longest path of Linux (PATH_MAX).
    integer, parameter :: longest_path = 4096
@@ -93,6 +94,7 @@ contains
       identity%is_regular = kind_of_file == kind_regular
       identity%is_folder = kind_of_file == kind_folder
       identity%is_link = kind_of_file == kind_link
+      identity%is_pipe = kind_of_file == kind_pipe
       identity%inode = found%inode
       identity%device = [found%major, found%minor]
    end function asked

@@ -1,7 +1,7 @@
 !> Reads a text file into lines.
 module dg_file_lines
    use, intrinsic :: iso_fortran_env, only: int64, iostat_end, iostat_eor
-   use dg_folder, only: is_folder
+   use dg_file_identity, only: identity_of, identity_type
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -12,6 +12,8 @@ module dg_file_lines
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
    !> First bytes of UTF-16, which spreadsheets write as 'Unicode text'.
    character(*), parameter :: wide_little = char(255)//char(254), wide_big = char(254)//char(255)
+   !> Names of what the shell has opened for the program: `drillgap /dev/stdin`, `drillgap <(make_deck)`.
+   character(*), parameter :: standard_input = '/dev/stdin', open_files = '/dev/fd/'
    integer, parameter :: first_capacity = 256
    integer, parameter :: chunk_length = 512
    !> Of a file that is read in pieces [bytes].
@@ -22,24 +24,25 @@ module dg_file_lines
 contains
 
    !> All lines of a file, without line ends (LF, CR LF or CR). Where that fails `lines` is empty and `failure`
-   !> says why; else `failure` is ''.
-   subroutine read_lines(path, lines, failure)
+   !> says why; else `failure` is ''. A pipe or a device is refused, because to read it can wait without end.
+   subroutine read_lines(path, lines, failure, piped)
       character(*), intent(in) :: path
       type(text_type), allocatable, intent(out) :: lines(:)
       character(:), allocatable, intent(out) :: failure
+      logical, intent(in), optional :: piped   !< a pipe that the shell has opened is read (open_files)
       integer(int64) :: bytes
       integer :: count
 
       failure = ''
       allocate (lines(first_capacity))
       count = 0
-      inquire (file=path, size=bytes)
-      if (is_folder(path)) then
-         failure = 'cannot be read (it is a folder)'
-      else if (bytes > 0) then
+      call check_kind(path, piped, failure)
+      bytes = 0
+      if (failure == '') inquire (file=path, size=bytes)
+      if (bytes > 0) then
          call read_blocks(path, bytes, lines, count, failure)
-      else
-         call read_single_lines(path, lines, count, failure)     ! what has no size: a pipe, a device
+      else if (failure == '') then
+         call read_single_lines(path, lines, count, failure)     ! what has no size: a pipe, files of /proc
       end if
       if (failure /= '') count = 0
       call resize(lines, count)
@@ -51,6 +54,26 @@ contains
          end if
       end if
    end subroutine read_lines
+
+   !> Refuses what is no file. A path that leads nowhere is left to `open`, which knows the reason.
+   subroutine check_kind(path, piped, failure)
+      character(*), intent(in) :: path
+      logical, intent(in), optional :: piped
+      character(:), allocatable, intent(inout) :: failure
+      type(identity_type) :: found
+      found = identity_of(path)
+      if (.not. found%exists .or. found%is_regular) return
+      if (found%is_folder) then
+         failure = 'cannot be read (it is a folder)'
+      else if (found%is_pipe) then
+         if (present(piped)) then
+            if (piped .and. (path == standard_input .or. index(path, open_files) == 1)) return
+         end if
+         failure = 'cannot be read (it is a pipe; give a file)'
+      else
+         failure = 'cannot be read (it is a device; give a file)'
+      end if
+   end subroutine check_kind
 
    !> A file of known size in large pieces: many times faster than line by line.
    subroutine read_blocks(path, bytes, lines, count, failure)

@@ -167,6 +167,8 @@ contains
                        'group &trajectory: survey_file: ')
       call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = 'no.csv'"), 3, 'no.csv: survey file'//absent)
       call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = '.'"), 3, 'cannot be read (it is a folder)')
+      call refuse_text(replaced(deck, "md  = 0.0, 500.0, 900.0", "survey_file = '/dev/zero'"), 3, &
+                       '/dev/zero: survey file cannot be read (it is a device; give a file)')
       deck = replaced(replaced(good_deck(), "'a deck'", "'a deck', catalogue_file = 'no.csv'"), "od = 171.45", "catalogue = 'x'")
       call refuse_text(deck, 1, 'group &job: catalogue_file: ')
       call refuse_text(deck, 1, 'no.csv: catalogue'//absent)
