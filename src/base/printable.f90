@@ -2,7 +2,7 @@
 module dg_printable
    implicit none
    private
-   public :: printable
+   public :: printable, turning_code
 
    character, parameter :: stand_in = '?'
    !> Bytes of ASCII that command a terminal instead of being shown: below the blank, and DEL.
@@ -11,11 +11,19 @@ module dg_printable
    integer, parameter :: first_command = 128, last_command = 159, lead_of_commands = 194
    !> What follows the first byte of a letter in UTF-8 (RFC 3629).
    integer, parameter :: first_follower = 128, last_follower = 191
+   !> Letters that turn the direction of writing (Unicode, UAX #9), in UTF-8, and their numbers.
+   character(*), parameter :: turning(12) = [character(3) :: char(216)//char(156), &
+      char(226)//char(128)//char(142), char(226)//char(128)//char(143), char(226)//char(128)//char(170), &
+      char(226)//char(128)//char(171), char(226)//char(128)//char(172), char(226)//char(128)//char(173), &
+      char(226)//char(128)//char(174), char(226)//char(129)//char(166), char(226)//char(129)//char(167), &
+      char(226)//char(129)//char(168), char(226)//char(129)//char(169)]
+   character(4), parameter :: turning_number(12) = ['061C', '200E', '200F', '202A', '202B', '202C', '202D', '202E', '2066', &
+      '2067', '2068', '2069']
 
 contains
 
-   !> `text` with every control byte replaced by '?', at the same length; those in `kept` stay. Letters in UTF-8 and in
-   !> Latin-1 stay.
+   !> `text` with every control byte and every letter that turns the direction of writing replaced by '?', at the same length.
+   !> Bytes in `kept` and other letters, in UTF-8 and in Latin-1, stay.
    pure function printable(text, kept) result(shown)
       character(*), intent(in) :: text
       character(*), intent(in) :: kept      !< such as a tab; may be ''
@@ -28,12 +36,24 @@ contains
          if (length > 1) then
             if (iachar(text(i:i)) == lead_of_commands .and. iachar(text(i + 1:i + 1)) <= last_command) &
                shown(i:i + 1) = stand_in//stand_in
+            if (turning_code(text(i:i + length - 1)) /= '') shown(i:i + length - 1) = repeat(stand_in, length)
          else if (is_command(iachar(text(i:i))) .and. index(kept, text(i:i)) == 0) then
             shown(i:i) = stand_in
          end if
          i = i + length
       end do
    end function printable
+
+   !> Number of a letter that turns the direction of writing, as Unicode gives it: '202E'; '' for any other letter.
+   pure function turning_code(letter) result(code)
+      character(*), intent(in) :: letter
+      character(4) :: code
+      integer :: i
+      code = ''
+      do i = 1, size(turning)
+         if (letter == turning(i)) code = turning_number(i)
+      end do
+   end function turning_code
 
    pure function is_command(code) result(is)
       integer, intent(in) :: code

@@ -11,6 +11,7 @@ module dg_catalogue
    use dg_file_lines, only: beside, read_lines
    use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
+   use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
@@ -212,6 +213,7 @@ contains
       real(wp) :: number, scale
       integer :: i
       logical :: legal
+      character(:), allocatable :: failure
       entry%name = ''
       entry%kind = ''
       entry%source = ''
@@ -220,6 +222,10 @@ contains
          ' columns, the header '//to_text(size(columns)))
       do i = 1, min(size(fields), size(columns))
          if (fields(i)%text == '') cycle
+         if (any(columns(i) == [column_name, column_kind, column_source])) then
+            call find_text_fault(fields(i)%text, columns(i) /= column_source, failure)
+            if (failure /= '') call add_fault(faults, path, line, 'catalogue: '//quoted(fields(i)%text)//' '//failure)
+         end if
          select case (columns(i))
          case (column_name); entry%name = fields(i)%text
          case (column_kind); entry%kind = fields(i)%text

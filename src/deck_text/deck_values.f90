@@ -10,6 +10,7 @@ module dg_deck_values
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: append_text, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
    implicit none
@@ -20,6 +21,9 @@ module dg_deck_values
    integer, parameter :: values_shown = 3
    !> Texts that a list may have; numbers may be as many as repeat counts allow.
    integer, parameter :: most_texts = 1000
+   !> Keys of texts that become no cell of a table: file names, and headings of other programs' tables.
+   character(*), parameter :: not_in_cells(8) = [character(14) :: 'output_dir', 'catalogue_file', 'survey_file', 'file', 'md', &
+      'axial', 'torque', 'side_force']
 
 contains
 
@@ -260,6 +264,10 @@ contains
       else if (rule%required .and. item%text == '') then
          message = name//' is empty; give a text'
          return
+      else
+         call find_text_fault(item%text, .not. any(not_in_cells == rule%key), message)
+         if (message /= '') message = name//' = '//quoted(item%text)//' '//message
+         if (message /= '') return
       end if
       call append_text(value%content%texts, chosen)
    end subroutine take_text

@@ -20,6 +20,7 @@ module dg_checked_model
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
    use dg_text, only: name_shown, quoted, to_text
    use dg_trajectory, only: bottom_md, interpolation_minimum_curvature, interpolation_spline, new_trajectory, top_md
+   use dg_text_fault, only: find_text_fault
    use dg_units, only: base_units
    implicit none
    private
@@ -76,6 +77,8 @@ contains
       do i = 1, size(names)
          names(i) = model%strings(i)%name
       end do
+      call check_text(load_case%name, 'name', whose, report)
+      call check_text(load_case%section, 'section', whose, report)
       call check_case_ranges(load_case, 0, base_units(), found)
       if (found%count == 0) then
          call check_operation(load_case, 0, found, 'angular_speed')
@@ -165,6 +168,7 @@ contains
          end associate
       end do
       if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
+            call check_text(hole%name, 'name', 'holes('//to_text(i)//')', report)
       call tell_each(found, 'holes', report)
       sound = report%count == before
    contains
@@ -225,6 +229,7 @@ contains
             if (.not. allocated(string%components)) allocate (string%components(0))
             if (size(string%components) == 0) call tell_of(report, where, 'it has no components; give them from the bit upwards')
             do j = 1, size(string%components)
+            call check_text(string%name, 'name', where, report)
                call take_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
             end do
          end associate
@@ -253,7 +258,9 @@ contains
          if (found%count == 0) then
             call check_component(part, place, base_units(), found)
             weighs = .false.
+         if (allocated(part%name)) call check_text(part%name, 'name', where, report)
             if (allocated(fluids) .and. sound_fluids) weighs = size(fluids) > 0
+         call check_text(part%kind, 'kind', where, report)
             if (weighs) then
                heaviest = maxval(fluids%density)
                call check_in_string(part, place, name, place == size(components), base_units(), found, heaviest)
@@ -334,6 +341,15 @@ contains
       if (report%count > most_told) return
       if (allocated(report%text)) then
          report%text = report%text//new_line('a')//where//': '//words
+   !> Tells of a name that a file could not hold as a cell.
+   subroutine check_text(text, called, where, report)
+      character(*), intent(in) :: text, called, where
+      type(report_type), intent(inout) :: report
+      character(:), allocatable :: fault
+      call find_text_fault(text, .true., fault)
+      if (fault /= '') call tell_of(report, where, called//' = '//quoted(text)//' '//fault)
+   end subroutine check_text
+
       else
          report%text = where//': '//words
       end if

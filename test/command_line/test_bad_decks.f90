@@ -20,6 +20,8 @@ contains
       call suite%addTest(TestMethod('groups', test_groups))
       call suite%addTest(TestMethod('keys', test_keys))
       call suite%addTest(TestMethod('values', test_values))
+      call suite%addTest(TestMethod('texts_that_run_as_formulas', test_formulas))
+      call suite%addTest(TestMethod('texts_that_show_as_others', test_misleading))
       call suite%addTest(TestMethod('later_versions', test_later))
       call suite%addTest(TestMethod('survey', test_survey))
       call suite%addTest(TestMethod('files_that_are_not_there', test_missing_files))
@@ -142,6 +144,36 @@ contains
       call refuse("element_length = 10.0", "gk_max = 1e13", 20, 'gk_max = 1e13 is out of range; needs a number, > 0 and <= 1e12')
       call refuse("element_length = 10.0", "step_limit = 1e-9", 20, 'step_limit = 1e-9 is out of range; needs a number, 0.1 to')
    end subroutine test_values
+
+   !> A cell that begins so is run by a spreadsheet that opens summary.csv. Signs inside a name, and of file names, are legal.
+   subroutine test_formulas()
+      type(run_type) :: run
+      call refuse("'a deck'", "'=1+1'", 1, "title = '=1+1' begins with =. A spreadsheet would run that cell")
+      call refuse("'a deck'", "'  @sum(a1)'", 1, "title = '  @sum(a1)' begins with @")
+      call refuse("'a deck'", "'"//achar(9)//"1'", 1, 'begins with a tab')
+      call refuse("'collars'", "'-2'", 11, "name = '-2' begins with -")
+      call refuse("'collar'", "'+2'", 11, "kind = '+2' begins with +")
+      call refuse("diameter = 215.9", "name = '=a', diameter = 215.9", 9, "name = '=a' begins with =")
+      call refuse("'u', operation", "'u', section = '=a', operation", 16, "section = '=a' begins with =")
+      call refuse("name = 'u'", "name = '+u'", 16, "name = '+u' begins with +")
+      call refuse("&solver", "&sweep name = '-s', bit_depth_to = 900 / &solver", 20, "name = '-s' begins with -")
+      run = run_deck_text(replaced(replaced(good_deck(), "'a deck'", "'a=1+2 @-3'"), "name = 'u'", "name = 'u-1+2'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine test_formulas
+
+   !> Letters that turn the direction of writing, and bytes that make no letter.
+   subroutine test_misleading()
+      type(run_type) :: run
+      character(*), parameter :: override = char(226)//char(128)//char(174), isolate = char(226)//char(129)//char(166), &
+         mark = char(216)//char(156)
+      call refuse("'a deck'", "'a"//override//"b'", 1, "title = 'a???b' holds the letter U+202E")
+      call refuse("'collars'", "'"//isolate//"'", 11, 'holds the letter U+2066, which turns the direction of writing; remove it')
+      call refuse("'a deck'", "'"//mark//"'", 1, 'holds the letter U+061C')
+      call refuse("md  = 0.0", "survey_file = '"//mark//"' md = 0.0", 3, 'holds the letter U+061C')
+      call refuse("'a deck'", "'F"//char(246)//"rde'", 1, 'is no UTF-8: byte 2 is hexadecimal F6; save the file as UTF-8')
+      run = run_deck_text(replaced(good_deck(), "'a deck'", "'F"//char(195)//char(182)//"rde'")//'! F'//char(246)//newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine test_misleading
 
    subroutine test_later()
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")

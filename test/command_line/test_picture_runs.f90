@@ -25,7 +25,7 @@ contains
    !> gnuplot draws names as they are, whatever they would be to it.
    subroutine test_names()
       character(*), parameter :: names(8) = [character(44) :: "'.system(""touch made"").'", "'; system 'touch made'; x='", &
-                                             '`touch made`', "Bob's fit", 'a,b', 'x"y', 'a\b', '@x {/Symbol a}^2_%s\']
+                                             '`touch made`', "Bob's fit", 'a,b', 'x"y', 'a\b', 'x@ {/Symbol a}^2_%s\']
       type(run_type) :: run
       character(:), allocatable :: picture
       integer :: i
