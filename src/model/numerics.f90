@@ -2,6 +2,7 @@
 module dg_numerics
    use dg_kinds, only: wp
    use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
+   use dg_text, only: lower_case, quoted
    use dg_tuning, only: tuning_type
    implicit none
    private
@@ -58,11 +59,12 @@ module dg_numerics
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
       logical :: history = .false.             !< keep and write the iteration history
       type(tuning_type) :: tuning              !< of start and iteration: no deck changes it
+      character(50) :: unknown_fidelity = ''   !< a name that settings_of does not know, in quotes; new_model refuses it
    end type numerics_type
 
 contains
 
-   !> Settings of a fidelity by its name; the defaults of the type for an unknown one.
+   !> Settings of a fidelity by its name, letter case aside. new_model refuses those of an unknown one.
    pure function settings_of(fidelity) result(numerics)
       character(*), intent(in) :: fidelity
       type(numerics_type) :: numerics
@@ -79,17 +81,19 @@ contains
    !> Gives settings what a fidelity decides, and leaves the others as they are.
    pure subroutine set_fidelity(numerics, fidelity)
       type(numerics_type), intent(inout) :: numerics
-      character(*), intent(in) :: fidelity   !< nothing happens for an unknown one
+      character(*), intent(in) :: fidelity   !< an unknown one is noted, and changes no number
       type(numerics_type) :: defaults
       integer :: i
+      numerics%unknown_fidelity = quoted(fidelity)
       do i = 1, fidelity_count
-         if (fidelity /= fidelity_name(i)) cycle
+         if (lower_case(fidelity) /= fidelity_name(i)) cycle
+         numerics%unknown_fidelity = ''
          numerics%element_length = fidelity_length(i)
-         numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity == 'fast')
-         numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity == 'fast')
-         numerics%in_plane = fidelity == 'auto' .or. fidelity == 'fast'
-         numerics%moments = fidelity /= 'fast'
-         numerics%halve_moments = fidelity == 'reference'
+         numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity_name(i) == 'fast')
+         numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity_name(i) == 'fast')
+         numerics%in_plane = any(fidelity_name(i) == ['auto', 'fast'])
+         numerics%moments = fidelity_name(i) /= 'fast'
+         numerics%halve_moments = fidelity_name(i) == 'reference'
       end do
    end subroutine set_fidelity
 end module dg_numerics

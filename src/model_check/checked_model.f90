@@ -9,6 +9,7 @@ module dg_checked_model
    use dg_hole_check, only: check_section, join_sections
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type
+   use dg_missing, only: is_shown
    use dg_model, only: model_type, string_index
    use dg_model_fault, only: fault_words, model_fault_type, model_faults_type, note_fault
    use dg_model_parts, only: model_parts_type, survey_type
@@ -19,8 +20,8 @@ module dg_checked_model
    use dg_string_check, only: check_centralizer, check_component, check_in_string
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
    use dg_text, only: name_shown, quoted, to_text
-   use dg_trajectory, only: bottom_md, interpolation_minimum_curvature, interpolation_spline, new_trajectory, top_md
    use dg_text_fault, only: find_text_fault
+   use dg_trajectory, only: bottom_md, interpolation_minimum_curvature, interpolation_spline, new_trajectory, top_md
    use dg_units, only: base_units
    implicit none
    private
@@ -28,6 +29,8 @@ module dg_checked_model
 
    !> Faults that a message tells; the rest are counted.
    integer, parameter :: most_told = 20
+   !> Stands for the length of a section whose end is not known [m].
+   real(wp), parameter :: some_depth = 1.0_wp
 
    !> What a program is told.
    type :: report_type
@@ -74,11 +77,11 @@ contains
       if (.not. allocated(load_case%section)) load_case%section = ''
       if (.not. allocated(load_case%string)) load_case%string = model%strings(1)%name
       whose = 'load case '//quoted(load_case%name)
+      call check_text(load_case%name, 'name', whose, report)
+      call check_text(load_case%section, 'section', whose, report)
       do i = 1, size(names)
          names(i) = model%strings(i)%name
       end do
-      call check_text(load_case%name, 'name', whose, report)
-      call check_text(load_case%section, 'section', whose, report)
       call check_case_ranges(load_case, 0, base_units(), found)
       if (found%count == 0) then
          call check_operation(load_case, 0, found, 'angular_speed')
@@ -165,18 +168,22 @@ contains
             call check_section_ranges_of(i == n)
             if (found%count == 0) call check_section(hole, i, base_units(), found)
             call tell(found, 'holes('//to_text(i)//')', 0, report)
+            call check_text(hole%name, 'name', 'holes('//to_text(i)//')', report)
          end associate
       end do
       if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
-            call check_text(hole%name, 'name', 'holes('//to_text(i)//')', report)
       call tell_each(found, 'holes', report)
       sound = report%count == before
    contains
-      !> The last section may leave its end open.
+      !> The last section may leave its end open. Without a survey the end is not known, and only its other numbers are checked.
       subroutine check_section_ranges_of(lowest)
          logical, intent(in) :: lowest
-         if (lowest .and. sound_survey .and. is_zero(model%holes(i)%md_bottom)) model%holes(i)%md_bottom = &
-            bottom_md(model%trajectory)
+         if (lowest .and. is_zero(model%holes(i)%md_bottom)) then
+            model%holes(i)%md_bottom = some_depth
+            if (sound_survey) model%holes(i)%md_bottom = bottom_md(model%trajectory)
+            if (.not. sound_survey .and. is_shown(model%holes(i)%md_top)) &
+               model%holes(i)%md_bottom = model%holes(i)%md_top + some_depth
+         end if
          call check_section_ranges(model%holes(i), i, base_units(), found)
       end subroutine check_section_ranges_of
    end subroutine take_holes
@@ -222,6 +229,7 @@ contains
          associate (string => model%strings(i))
             string = parts%strings(i)
             if (.not. allocated(string%name)) string%name = 'main'
+            call check_text(string%name, 'name', where, report)
             do j = 1, i - 1
                if (model%strings(j)%name == string%name) call tell_of(report, where, 'name '//quoted(string%name)// &
                   ' is taken by strings('//to_text(j)//')')
@@ -229,7 +237,6 @@ contains
             if (.not. allocated(string%components)) allocate (string%components(0))
             if (size(string%components) == 0) call tell_of(report, where, 'it has no components; give them from the bit upwards')
             do j = 1, size(string%components)
-            call check_text(string%name, 'name', where, report)
                call take_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
             end do
          end associate
@@ -251,16 +258,16 @@ contains
       associate (part => components(place))
          where = 'strings('//to_text(string)//')%components('//to_text(place)//')'
          if (.not. allocated(part%kind)) part%kind = 'drillpipe'
+         if (allocated(part%name)) call check_text(part%name, 'name', where, report)
          if (.not. allocated(part%name)) part%name = part%kind
+         call check_text(part%kind, 'kind', where, report)
          call check_component_ranges(part, place, base_units(), found)
          if (is_zero(part%mass)) call note_fault(found, 'component', place, 'mass', &
             'mass = 0; give it per length, as add_component does by od, id and density')
          if (found%count == 0) then
             call check_component(part, place, base_units(), found)
             weighs = .false.
-         if (allocated(part%name)) call check_text(part%name, 'name', where, report)
             if (allocated(fluids) .and. sound_fluids) weighs = size(fluids) > 0
-         call check_text(part%kind, 'kind', where, report)
             if (weighs) then
                heaviest = maxval(fluids%density)
                call check_in_string(part, place, name, place == size(components), base_units(), found, heaviest)
@@ -334,13 +341,6 @@ contains
       call tell_of(report, where, words)
    end subroutine tell_one
 
-   subroutine tell_of(report, where, words)
-      type(report_type), intent(inout) :: report
-      character(*), intent(in) :: where, words
-      report%count = report%count + 1
-      if (report%count > most_told) return
-      if (allocated(report%text)) then
-         report%text = report%text//new_line('a')//where//': '//words
    !> Tells of a name that a file could not hold as a cell.
    subroutine check_text(text, called, where, report)
       character(*), intent(in) :: text, called, where
@@ -350,6 +350,13 @@ contains
       if (fault /= '') call tell_of(report, where, called//' = '//quoted(text)//' '//fault)
    end subroutine check_text
 
+   subroutine tell_of(report, where, words)
+      type(report_type), intent(inout) :: report
+      character(*), intent(in) :: where, words
+      report%count = report%count + 1
+      if (report%count > most_told) return
+      if (allocated(report%text)) then
+         report%text = report%text//new_line('a')//where//': '//words
       else
          report%text = where//': '//words
       end if

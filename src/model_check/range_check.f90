@@ -12,9 +12,9 @@ module dg_range_check
    use dg_load_case, only: load_case_type, operation_count, optional_real
    use dg_missing, only: is_shown, missing
    use dg_model_fault, only: model_faults_type, note_fault
-   use dg_numerics, only: gap_location_count, numerics_type, solver_name
+   use dg_numerics, only: fidelity_name, gap_location_count, numerics_type, solver_name
    use dg_rig, only: rig_type
-   use dg_text, only: to_text
+   use dg_text, only: joined, to_text
    use dg_unit_kind, only: in_units, unit_none
    use dg_units, only: si_units, unit_system_type
    implicit none
@@ -223,6 +223,8 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
       type(ranges_type) :: ranges
+      if (numerics%unknown_fidelity /= '') call note_fault(found, 'solver', 0, 'fidelity', 'settings_of('// &
+         trim(numerics%unknown_fidelity)//') is unknown; legal: '//joined(fidelity_name, ', '))
       call take_ranges('solver', 0, units, ranges)
       call check_range(ranges, 'element_length', numerics%element_length, found)
       call check_range(ranges, 'tolerance', numerics%tolerance, found)

@@ -27,6 +27,7 @@ contains
       integer :: i
       if (size(md) < 2) call note_fault(found, 'trajectory', 0, 'md', 'md holds '//to_text(size(md))// &
          ' station(s); at least two are needed')
+      if (found%count > 0) return
       call count_of('inclination', size(inclination))
       call count_of('azimuth', size(azimuth))
       if (found%count > 0) return

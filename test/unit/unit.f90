@@ -19,6 +19,7 @@ contains
       use dg_test_drillstring, only: drillstring_suite
       use dg_test_hole_section, only: hole_section_suite
       use dg_test_library, only: library_suite
+      use dg_test_library_faults, only: library_faults_suite
       use dg_test_load_case, only: load_case_suite
       use dg_test_output_names, only: output_names_suite
       use dg_test_rig, only: rig_suite
@@ -86,6 +87,7 @@ contains
       call suite%addTest(fluid_suite())
       call suite%addTest(hole_section_suite())
       call suite%addTest(library_suite())
+      call suite%addTest(library_faults_suite())
       call suite%addTest(load_case_suite())
       call suite%addTest(output_names_suite())
       call suite%addTest(rig_suite())
