@@ -86,6 +86,8 @@ def link(name, target):
 
 def linked_result(name, target):
     return lambda home: ((home / "out").mkdir(), (home / "out" / name).symlink_to(home / target))
+
+
 def named_pipe(name):
     """A pipe with a name, into which nobody writes."""
     return lambda home: ((home / name).unlink(missing_ok=True), os.mkfifo(home / name))

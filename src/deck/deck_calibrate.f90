@@ -89,7 +89,7 @@ contains
          end do
       end if
       do i = 1, size(not_for_friction)
-         if (.not. is_given(group, trim(not_for_friction(i)))) cycle
+         if (.not. is_given(group, trim(not_for_friction(i))) .or. .not. is_sound(group, 'parameter')) cycle
          call add_fault(faults, draft%path, line_of(group, trim(not_for_friction(i))), 'group &calibrate: '// &
                         trim(not_for_friction(i))//' has no meaning with parameter = '// &
                         quoted(trim(parameter_name(calibration%parameter)))//'; leave it out')
@@ -140,6 +140,7 @@ contains
          call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
          if (found == 0) cycle
          if (.not. measured(found)) then
+            if (.not. draft%cases(found)%sound) cycle
             call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
                        ') has neither measured_hookload nor measured_torque; give one or leave it out')
          else if (.not. any(cases == found)) then
@@ -234,7 +235,7 @@ contains
                     '; leave it out of holes')
       end do
       call check_predicted(draft, group, calibration, faults)
-      if (size(calibration%unknowns) == 0) return
+      if (size(calibration%unknowns) == 0 .or. .not. all(draft%cases%sound)) return
       allocate (telling(size(calibration%data), size(calibration%unknowns)))
       do u = 1, size(calibration%unknowns)
          do d = 1, size(calibration%data)

@@ -142,6 +142,7 @@ contains
       do k = 1, size(names)
          names(k) = draft%components(k)%component%name
       end do
+      if (.not. all(draft%components%sound)) return     ! one of them may be meant
       call add_fault(faults, draft%path, line_of(group, 'component'), 'group &centralizer: string '// &
                      quoted(text_of(group, 'string', 'main'))//' has no component '//quoted(text_of(group, 'component', ''))// &
                      '; '//suggestion(text_of(group, 'component', ''), names))

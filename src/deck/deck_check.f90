@@ -203,6 +203,7 @@ contains
          allocate (parts(size(draft%components)))
          n = 0
          do k = 1, size(draft%components)
+            if (draft%components(k)%string == '' .and. .not. draft%components(k)%sound) return     ! it may belong to any string
             if (draft%components(k)%string /= case%string) cycle
             n = n + 1
             parts(n) = k

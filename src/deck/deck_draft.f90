@@ -78,7 +78,8 @@ module dg_deck_draft
 
 contains
 
-   !> Number of the load case that a key of a group names. Where there is none, 0 and a fault.
+   !> Number of the load case that a key of a group names. Where there is none, 0 and a fault, unless the name of a load case is
+   !> itself at fault.
    pure subroutine find_case(draft, group, key, name, number, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
@@ -92,6 +93,7 @@ contains
          names(k) = draft%cases(k)%load_case%name
          if (draft%cases(k)%load_case%name == name) number = k
       end do
+      if (any(names == '')) return
       if (number == 0) call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name// &
                                       ': there is no load case '//quoted(name)//'; '//suggestion(name, names))
    end subroutine find_case

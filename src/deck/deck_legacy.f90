@@ -99,6 +99,7 @@ contains
          colon = index(column%place, ':')
          if (column%place == '') then
             call fault(key, key//' is empty; give a heading, a number, or characters ''first:last''')
+         if (is_given(group, key) .and. .not. is_sound(group, key)) sound = .false.
          else if (is_number(column%place)) then
             read (column%place, *) column%number
             if (column%number == 0) call fault(key, key//' = 0 is no column; the first is 1')

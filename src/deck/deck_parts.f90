@@ -73,6 +73,7 @@ contains
       item%sound = is_whole(group)
       item%connected = is_sound(group, 'connection')
       item%string = text_of(group, 'string', 'main')
+      if (is_given(group, 'string') .and. .not. is_sound(group, 'string')) item%string = ''
       associate (part => item%component)
          part%kind = text_of(group, 'kind', 'drillpipe')
          part%name = text_of(group, 'name', part%kind)

@@ -78,6 +78,7 @@ contains
       do i = 1, size(sticking%cases)
          associate (case => draft%cases(sticking%cases(i)))
             if (.not. case%load_case%measured_hookload%present) then
+               if (.not. case%sound) cycle
                call fault('cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
                           ') has no measured_hookload; give it or leave the case out')
             else if (case%sound .and. string_load(draft%rig, case%load_case%operation, case%load_case%measured_hookload%value) &
@@ -118,6 +119,7 @@ contains
       type(checked_group_type), intent(in) :: group
       type(sticking_type), intent(inout) :: sticking
       type(fault_list_type), intent(inout) :: faults
+      if (.not. all(draft%cases%sound)) return
       if (size(sticking%cases) /= 2) then
          call fault(to_text(size(sticking%cases))//' load cases; a free point needs two, the string at two pulls')
          return

@@ -170,7 +170,7 @@ contains
          character(*), intent(in) :: key
          real(wp), allocatable, intent(out) :: loads(:)
          loads = reals_of(group, key)
-         if (any(size(loads) == [0, 1, size(sweep%operations)])) return
+         if (any(size(loads) == [0, 1, size(sweep%operations)]) .or. .not. is_sound(group, 'operations')) return
          call fault(key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
                     ' operations; give one, or one for each')
       end subroutine take

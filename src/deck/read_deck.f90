@@ -79,6 +79,7 @@ contains
       type(draft_type) :: draft
       character(:), allocatable :: catalogue
       integer :: i
+      logical :: known
 
       allocate (notes(0))
       call tokenize(lines, tokens)
@@ -87,6 +88,8 @@ contains
       call check_group_names(path, groups, faults)
       draft%path = path
       draft%units = units_of(groups)
+      call check_units(path, groups, draft%units, known, faults)
+      if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
       allocate (checked(size(groups)))
       do i = 1, size(groups)
          if (is_available(groups(i)%name)) then
@@ -224,6 +227,27 @@ contains
    !> Fills the job from &job, or from defaults where the deck has none.
    subroutine take_job(path, units, groups, job)
       character(*), intent(in) :: path
+   !> Whether the units that the deck names are known; the faults of &job where not.
+   subroutine check_units(path, groups, units, known, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: groups(:)
+      type(unit_system_type), intent(in) :: units
+      logical, intent(out) :: known
+      type(fault_list_type), intent(inout) :: faults
+      type(checked_group_type) :: checked
+      type(fault_list_type) :: found
+      integer :: i
+      known = .true.
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         call check_group(path, groups(i), units, checked, found)
+         if (.not. is_given(checked, 'units') .or. is_sound(checked, 'units')) return
+         known = .false.
+         call check_group(path, groups(i), units, checked, faults)
+         return
+      end do
+   end subroutine check_units
+
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(in) :: groups(:)
       type(job_type), intent(inout) :: job
