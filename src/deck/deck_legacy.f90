@@ -59,6 +59,7 @@ contains
 
       sound = is_sound(group, 'file') .and. is_sound(group, 'label') .and. is_sound(group, 'case')
       table%label = text_of(group, 'label', '')
+      table%skipped = ''
       table%file = beside(draft%path, text_of(group, 'file', ''))
       if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
          quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
@@ -77,8 +78,10 @@ contains
                ' = '//quoted(columns(k)%place)//' is no place of characters, other columns are; give all as ''first:last''')
          end do
       end if
-      if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, table%has, &
-                                       sound, faults, fault_at(draft%path, line_of(group, 'file'), 'group &legacy: file'))
+      if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, &
+                                       table%skipped, sound, faults, &
+                                       fault_at(draft%path, line_of(group, 'file'), 'group &legacy: file'))
+      table%has = columns(2:)%number > 0 .or. columns(2:)%last > 0
 
    contains
 
@@ -96,10 +99,10 @@ contains
          integer :: colon
          column%place = text_of(group, key, key)
          column%required = k == 1 .or. is_given(group, key)
+         if (is_given(group, key) .and. .not. is_sound(group, key)) sound = .false.
          colon = index(column%place, ':')
          if (column%place == '') then
             call fault(key, key//' is empty; give a heading, a number, or characters ''first:last''')
-         if (is_given(group, key) .and. .not. is_sound(group, key)) sound = .false.
          else if (is_number(column%place)) then
             read (column%place, *) column%number
             if (column%number == 0) call fault(key, key//' = 0 is no column; the first is 1')

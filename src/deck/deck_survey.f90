@@ -35,6 +35,7 @@ contains
       type(unit_system_type) :: file_units
       logical :: from_file
       sound = .false.
+      stations%skipped = ''
       from_file = is_given(group, 'survey_file')
       if (from_file .and. is_given(group, 'md')) then
          call fault(path, line_of(group, 'survey_file'), 'both survey_file and md are given; keep one', sound, faults)

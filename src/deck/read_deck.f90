@@ -119,6 +119,9 @@ contains
       if (faults%count == 0) call build_model(draft, model, faults)
       if (faults%count == 0) then
          if (allocated(draft%path_notes)) notes = [notes, draft%path_notes]
+         do i = 1, size(job%legacy)
+            if (job%legacy(i)%skipped /= '') call append_text(notes, 'legacy '//job%legacy(i)%file//': '//job%legacy(i)%skipped)
+         end do
          call note_oddities(draft, job, notes)
          call note_fluids(model, draft%units, notes)
       end if
@@ -224,9 +227,6 @@ contains
       end do
    end function units_of
 
-   !> Fills the job from &job, or from defaults where the deck has none.
-   subroutine take_job(path, units, groups, job)
-      character(*), intent(in) :: path
    !> Whether the units that the deck names are known; the faults of &job where not.
    subroutine check_units(path, groups, units, known, faults)
       character(*), intent(in) :: path
@@ -248,6 +248,9 @@ contains
       end do
    end subroutine check_units
 
+   !> Fills the job from &job, or from defaults where the deck has none.
+   subroutine take_job(path, units, groups, job)
+      character(*), intent(in) :: path
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(in) :: groups(:)
       type(job_type), intent(inout) :: job
@@ -349,6 +352,8 @@ contains
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
             call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, faults)
+            if (draft%stations%skipped /= '') &
+               call append_text(draft%path_notes, 'survey '//draft%stations%file//': '//draft%stations%skipped)
             if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1

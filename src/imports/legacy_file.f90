@@ -6,7 +6,8 @@ module dg_legacy_file
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: read_lines
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
-   use dg_table_text, only: blank_brackets, close_brackets, row_type, split_fields, split_row, split_unit, without_comment
+   use dg_table_text, only: blank_brackets, close_brackets, row_type, skipped_rows_type, skipped_words, split_fields, split_row, &
+                            split_unit, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
@@ -40,19 +41,20 @@ module dg_legacy_file
       integer :: wide = 0                      !< columns of the header
       character :: separator = ' '
       type(marks_type) :: marks                !< how its numbers are written
+      type(skipped_rows_type) :: commented     !< rows that begin with #
       logical :: sound = .true.
    end type table_type
 
 contains
 
    !> Reads the columns of a file; without fault only where `sound`.
-   subroutine read_legacy_file(path, skip, columns, md, values, has, sound, faults, asked)
+   subroutine read_legacy_file(path, skip, columns, md, values, skipped, sound, faults, asked)
       character(*), intent(in) :: path
       integer, intent(in) :: skip                          !< lines on top that are no part of the table
       type(column_type), intent(inout) :: columns(:)       !< (column_count)
       real(wp), allocatable, intent(out) :: md(:)          !< [m]
       real(wp), allocatable, intent(out) :: values(:, :)   !< (:, column_count - 1) [SI]
-      logical, intent(out) :: has(:)                       !< (column_count - 1)
+      character(:), allocatable, intent(out) :: skipped    !< rows that are not read, in words; '': all are
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
       type(fault_type), intent(in), optional :: asked      !< where the deck names the file, for one that cannot be read
@@ -60,7 +62,7 @@ contains
       type(table_type) :: table
       character(:), allocatable :: failure
       sound = .false.
-      has = .false.
+      skipped = ''
       call read_lines(path, lines, failure)
       if (failure /= '') then
          call add_unreadable(faults, path, 'legacy file '//failure, asked)
@@ -71,10 +73,10 @@ contains
       allocate (table%line_of(size(lines)), source=0)
       call take_lines(lines, skip, columns, table, faults)
       call check_rows(columns, table, faults)
-      has = columns(2:column_count)%number > 0 .or. columns(2:column_count)%last > 0
-      if (table%sound .and. .not. any(has)) &
+      if (table%sound .and. .not. any(columns(2:column_count)%number > 0 .or. columns(2:column_count)%last > 0)) &
          call fault(table, 0, 'it has none of axial, torque, side_force; name at least one of its columns', faults)
       sound = table%sound
+      skipped = skipped_words([table%commented], ['that begin with #'])
       allocate (md, source=table%numbers(:table%n, 1))
       allocate (values, source=table%numbers(:table%n, 2:))
    end subroutine read_legacy_file
@@ -104,8 +106,11 @@ contains
       started = fixed
       do line = skip + 1, size(lines)
          text = without_comment(lines(line)%text)
-         if (text == '') cycle
          table%line = line
+         if (text == '') then
+            if (started .and. has_depth(lines(line)%text, columns(1), table)) call table%commented%add(line)
+            cycle
+         end if
          if (.not. started) then
             started = .true.
             call find_separator(text, table%separator)
@@ -124,6 +129,33 @@ contains
          end if
       end do
    end subroutine take_lines
+
+   !> Whether a line that is a comment would be a row without its mark: a depth stands where the column has it.
+   function has_depth(text, column, table) result(has)
+      character(*), intent(in) :: text
+      type(column_type), intent(in) :: column      !< of measured depth
+      type(table_type), intent(in) :: table
+      logical :: has
+      type(row_type) :: row
+      type(marks_type) :: unused
+      real(wp) :: number
+      integer :: mark
+      has = .false.
+      mark = index(text, '#')
+      if (mark == 0) return
+      if (column%last > 0) then
+         if (column%first > len(text)) return
+         associate (letters => text(:mark - 1)//' '//text(mark + 1:))
+            call read_real(trim(adjustl(letters(column%first:min(column%last, len(letters))))), number, has)
+         end associate
+      else
+         call split_row(text(:mark - 1)//text(mark + 1:), table%separator, row)
+         if (column%number > row%count .or. row%count /= table%wide) return
+         associate (first => row%first(column%number), last => row%last(column%number))
+            call read_cell(row%text(first:last), table%separator == ',', table%line, unused, number, has)
+         end associate
+      end if
+   end function has_depth
 
    !> Whether numbers are written in one way, rows are two or more, and depths increase.
    subroutine check_rows(columns, table, faults)

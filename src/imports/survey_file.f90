@@ -7,7 +7,7 @@ module dg_survey_file
    use dg_file_lines, only: read_lines
    use dg_survey_layout, only: column_azi, column_inc, column_md, column_name, find_layout, layout_type
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
-   use dg_table_text, only: content_length, row_type, split_row
+   use dg_table_text, only: content_length, row_type, skipped_rows_type, skipped_words, split_row
    use dg_text, only: quoted, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -22,6 +22,7 @@ module dg_survey_file
       real(wp), allocatable :: inclination(:)    !< [rad]
       real(wp), allocatable :: azimuth(:)        !< [rad]; zero where the table has none
       integer, allocatable :: lines(:)           !< of each station in its file
+      character(:), allocatable :: skipped       !< rows of the file that are no stations, in words; '': all are
    end type station_list_type
 
 contains
@@ -43,6 +44,7 @@ contains
       logical :: told
 
       stations%file = path
+      stations%skipped = ''
       sound = .false.
       told = .false.
       if (present(units_told)) told = units_told
@@ -85,9 +87,16 @@ contains
       real(wp) :: numbers(3)
       integer :: line, length, column, place
       logical :: legal(3), null(3)
+      type(skipped_rows_type) :: above, commented, empty
+      do line = 1, layout%first_row - 1
+         if (all_numbers(lines(line)%text, layout)) call above%add(line)
+      end do
       do line = layout%first_row, size(lines)
          length = content_length(lines(line)%text)
-         if (length == 0) cycle
+         if (length == 0) then
+            if (has_station(lines(line)%text, layout)) call commented%add(line)
+            cycle
+         end if
          call split_row(lines(line)%text(:length), layout%separator, row)
          numbers = 0.0_wp
          legal = .true.
@@ -99,10 +108,13 @@ contains
                            numbers(column), legal(column))
             if (layout%has_null .and. legal(column)) null(column) = abs(numbers(column) - layout%null) <= spacing(layout%null)
          end do
-         if (null(column_md) .or. null(column_inc)) cycle
-         if (null(column_azi)) then
-            if (numbers(column_inc) > 0.0_wp .or. .not. legal(column_inc)) cycle
+         if (null(column_azi) .and. legal(column_inc) .and. .not. null(column_inc) .and. numbers(column_inc) <= 0.0_wp) then
+            null(column_azi) = .false.
             numbers(column_azi) = 0.0_wp
+         end if
+         if (any(null)) then
+            call empty%add(line)
+            cycle
          end if
          if (row%count /= layout%width) call check_width()
          do column = 1, 3
@@ -120,6 +132,8 @@ contains
          stations%azimuth(n) = numbers(column_azi)*layout%factor(column_azi)
          stations%lines(n) = line
       end do
+      stations%skipped = skipped_words([above, commented, empty], &
+                                       [character(22) :: 'above the header', 'that begin with #', 'without a value'])
 
    contains
 
@@ -146,4 +160,45 @@ contains
          call add_fault(faults, stations%file, line, 'survey: '//message)
       end subroutine fault
    end subroutine read_rows
+
+   !> Whether a line that is a comment would be a station without its mark.
+   function has_station(text, layout) result(has)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      logical :: has
+      type(row_type) :: row
+      type(marks_type) :: unused
+      real(wp) :: number
+      integer :: first, column, place
+      logical :: is_number
+      has = .false.
+      first = verify(text, '# '//achar(9))
+      if (first == 0 .or. index(text, '#') == 0) return
+      call split_row(text(first:), layout%separator, row)
+      do column = column_md, column_inc
+         place = layout%place(column)
+         if (place > row%count) return
+         call read_cell(row%text(row%first(place):row%last(place)), layout%separator == ',', 1, unused, number, is_number)
+         if (.not. is_number) return
+      end do
+      has = .true.
+   end function has_station
+
+   !> Whether a line holds nothing but numbers, two or more.
+   function all_numbers(text, layout) result(all_are)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      logical :: all_are
+      type(row_type) :: row
+      real(wp) :: number
+      integer :: i
+      all_are = .false.
+      if (content_length(text) == 0) return
+      call split_row(text(:content_length(text)), layout%separator, row)
+      do i = 1, row%count
+         call read_real(row%text(row%first(i):row%last(i)), number, all_are)
+         if (.not. all_are) return
+      end do
+      all_are = row%count > 1
+   end function all_numbers
 end module dg_survey_file

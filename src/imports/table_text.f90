@@ -2,9 +2,10 @@
 module dg_table_text
    use dg_table_number, only: plain_number
    use dg_table_unit, only: resembles_unit
-   use dg_text, only: lower_case, text_type
+   use dg_text, only: lower_case, text_type, to_text
    implicit none
    private
+   public :: skipped_rows_type, skipped_words
    public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_heading, split_row, &
              split_unit, without_comment
 
@@ -20,7 +21,37 @@ module dg_table_text
       character(:), allocatable :: text           !< without quotes
    end type row_type
 
+   !> Rows that are not read, of one kind.
+   type :: skipped_rows_type
+      integer :: count = 0
+      integer :: first_line = 0
+   contains
+      procedure :: add
+   end type skipped_rows_type
+
 contains
+
+   pure subroutine add(rows, line)
+      class(skipped_rows_type), intent(inout) :: rows
+      integer, intent(in) :: line
+      if (rows%count == 0) rows%first_line = line
+      rows%count = rows%count + 1
+   end subroutine add
+
+   !> Numbers of skipped rows in words: 'rows skipped: 2 that begin with # (first in line 7)'; '' where there are none.
+   pure function skipped_words(rows, kinds) result(words)
+      type(skipped_rows_type), intent(in) :: rows(:)
+      character(*), intent(in) :: kinds(:)        !< of each
+      character(:), allocatable :: words
+      integer :: i
+      words = ''
+      do i = 1, size(rows)
+         if (rows(i)%count == 0) cycle
+         if (words /= '') words = words//', '
+         words = words//to_text(rows(i)%count)//' '//trim(kinds(i))//' (first in line '//to_text(rows(i)%first_line)//')'
+      end do
+      if (words /= '') words = 'rows skipped: '//words
+   end function skipped_words
 
    !> What separates the fields of a header: ; , tab or blanks. Brackets do not count.
    pure function find_separator(header) result(separator)

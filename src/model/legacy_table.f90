@@ -14,6 +14,7 @@ module dg_legacy_table
    type :: legacy_table_type
       character(:), allocatable :: label             !< safe as part of a file name
       character(:), allocatable :: file
+      character(:), allocatable :: skipped           !< rows of the file that are not read, in words; '': all are
       integer :: case_index = 0                      !< in the model's cases
       logical :: has(quantity_count) = .false.
       real(wp), allocatable :: md(:)                 !< ascending [m]

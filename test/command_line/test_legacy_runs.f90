@@ -21,6 +21,7 @@ contains
       suite = TestSuite('legacy_runs')
       call suite%addTest(TestMethod('shipped_example_locates_the_error', test_example))
       call suite%addTest(TestMethod('every_form_of_table', test_forms))
+      call suite%addTest(TestMethod('rows_that_are_skipped', test_skipped))
       call suite%addTest(TestMethod('bad_tables', test_bad_tables))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
    end function legacy_runs_suite
@@ -44,6 +45,17 @@ contains
       call assertFalse(allocated(error), message='table')
       run = run_deck_text(good_deck()//group//keys//' /'//newline)
    end function run_with
+
+   !> Rows behind a mark of comments are counted in a note.
+   subroutine test_skipped()
+      type(run_type) :: run
+      run = run_with('md,axial|0,300|# remark|#200,280|900,0', '')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'test_legacy_table.txt: rows skipped: 1 that begin with # (first in line 4)') > 0, &
+                      message=run%diagnostics)
+      run = run_with('0     300|#  200280|900     0', ", md = '1:6', axial = '7:9'")
+      call assertTrue(index(run%diagnostics, 'rows skipped: 1 that begin with # (first in line 2)') > 0, message=run%diagnostics)
+   end subroutine test_skipped
 
    !> The wrong sign of curvature makes its error in the build section alone, in all three operations.
    subroutine test_example()

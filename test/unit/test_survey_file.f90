@@ -39,6 +39,7 @@ contains
       call suite%addTest(TestMethod('marks_between_thousands', test_thousands, tearDown=remove))
       call suite%addTest(TestMethod('cells_and_headings', test_widths, tearDown=remove))
       call suite%addTest(TestMethod('no_value', test_nulls, tearDown=remove))
+      call suite%addTest(TestMethod('rows_that_are_skipped', test_skipped, tearDown=remove))
       call suite%addTest(TestMethod('las_units_and_separators', test_las_forms, tearDown=remove))
       call suite%addTest(TestMethod('line_ends', test_line_ends, tearDown=remove))
       call suite%addTest(TestMethod('numbers_to_the_last_digit', test_last_digit))
@@ -354,6 +355,32 @@ contains
       call assertEqual([0.0_wp, 10.0_wp, 45.5_wp], stations%inclination/degree, round_off, message=what)
       call assertEqual([azimuth, 90.25_wp, 100.0_wp], stations%azimuth/degree, round_off, message=what)
    end subroutine check
+
+   !> Rows that hold a station and are not read are counted in words; other comments are not.
+   subroutine test_skipped()
+      call skip('none', '# 0 is surface|md,inc,azi|0,0,90|# 2 more:|500,10,90.25|1234.5,45.5,100', '')
+      call skip('commented', 'md,inc,azi|0,0,90|500,10,90.25|#700,80,90|# 800, 80, 90|1234.5,45.5,100', &
+                'rows skipped: 2 that begin with # (first in line 4)')
+      call skip('between blanks', 'md inc azi|0 0 90|500 10 90.25|# 700 80 90|1234.5 45.5 100', &
+                'rows skipped: 1 that begin with # (first in line 4)')
+      call skip('decimal comma', 'md;inc;azi|0;0;90|500;10;90,25|#700,5;80,0;90|1234,5;45,5;100', &
+                'rows skipped: 1 that begin with # (first in line 4)')
+      call skip('above the header', '0,0,90|Well 3, 4|md,inc,azi|0,0,90|500,10,90.25|1234.5,45.5,100', &
+                'rows skipped: 1 above the header (first in line 1)')
+      call skip('without a value', '~Version|VERS. 2.0:|WRAP. NO:|~Well|NULL. -999.25:|~Curve|DEPT.M :|DEVI.DEG :|HAZI.DEG :|'// &
+                '~ASCII|0 0 90|250 -999.25 90|500 10 90.25|1234.5 45.5 100', 'rows skipped: 1 without a value (first in line 12)')
+   end subroutine test_skipped
+
+   !> The stations in a table of which rows are skipped, and the words for these.
+   subroutine skip(what, table, expected)
+      character(*), intent(in) :: what, table, expected
+      type(station_list_type) :: stations
+      type(fault_list_type) :: faults
+      logical :: sound
+      call accept(what, table)
+      call read_survey_file(path, si_units(), stations, sound, faults)
+      call assertEqual(expected, stations%skipped, message=what)
+   end subroutine skip
 
    subroutine refuse(what, table, expected, units)
       character(*), intent(in) :: what, table, expected
