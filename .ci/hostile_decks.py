@@ -98,6 +98,12 @@ def changed(old, new, base=SI_DECK):
     return {"deck.nml": base.replace(old, new, 1), "wells/path.csv": SURVEY, "wells/other.csv": LEGACY}
 
 
+def stranger_catalogue():
+    """Collars from a catalogue of the user."""
+    files = changed("'hostile'", "'hostile', catalogue_file = 'wells/pipes.csv'")
+    return files | {"deck.nml": files["deck.nml"].replace("od = 165.1", "catalogue = 'a', od = 165.1")}
+
+
 def listed():
     """(name, files, expected status, text or texts that the message must hold, keywords of Run)"""
     good = DECKS[0]
@@ -129,15 +135,26 @@ def listed():
     yield "path in the name of a case", changed("name = 'up'", "name = '../../up'"), 2, "deck.nml:10", {}
     yield "path in a label", changed("label = 'other'", "label = '../other'"), 2, "deck.nml:14", {}
     yield "a name of 5000 letters", changed("name = 'up'", "name = '" + "u" * 5000 + "'"), 2, "deck.nml:10", {}
+    for sign in ("=", "+", "-", "@", "\t", " ="):
+        yield f"a title behind {sign!r}", changed("'hostile'", f"'{sign}1+1'"), 2, ("deck.nml:1: ", "A spreadsheet would run"), {}
+        yield f"a section behind {sign!r}", changed("'up', operation", f"'up', section = '{sign}1', operation"), 2, "deck.nml:10: ", {}
+    yield "signs inside names", changed("'hostile'", "'a=b+c-d@e'"), 0, "", {}
+    yield "a catalogue with a formula", {**stranger_catalogue(), "wells/pipes.csv": "name,kind,od_mm\n=1+1,collar,165.1\na,collar,165.1\n"}, 2, (
+        "pipes.csv:2: ", "A spreadsheet would run"), {}
+    for letter in "\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069":
+        yield f"a name with U+{ord(letter):04X}", changed("'casing'", f"'a{letter}b'".encode().decode("latin-1")), 2, (
+            "deck.nml:3: ", f"U+{ord(letter):04X}"), {}
+    for bytes_ in ("\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80"):
+        yield f"a name of the bytes {bytes_!r}", changed("'casing'", f"'a{bytes_}'"), 2, ("deck.nml:3: ", "is no UTF-8"), {}
+    yield "a commented row of the survey", {**good, "wells/path.csv": SURVEY.replace("400,", "#400,")}, 0, (
+        "path.csv: rows skipped: 1 that begin with # (first in line 5)"), {}
     yield "survey vanished", good, 2, "path.csv: survey file cannot be opened", {"before": remove("wells/path.csv")}
     yield "legacy vanished", good, 2, "other.csv", {"before": remove("wells/other.csv")}
     yield "deck vanished", good, 2, "deck.nml", {"before": remove("deck.nml")}
     yield "deck a folder", {"deck.nml/x": ""}, 2, "folder", {}
     yield "deck links to itself", good, 2, "deck.nml", {"before": link("deck.nml", "deck.nml")}
-    stranger = changed("'hostile'", "'hostile', catalogue_file = 'wells/pipe.csv'")
-    stranger["deck.nml"] = stranger["deck.nml"].replace("od = 165.1", "catalogue = 'a', od = 165.1")
     for what, name, files, place in (("deck", "deck.nml", good, "deck"), ("survey", "wells/path.csv", good, "deck.nml:2"),
-                                     ("legacy", "wells/other.csv", good, "deck.nml:14"), ("catalogue", "wells/pipe.csv", stranger, "deck.nml:1")):
+                                     ("legacy", "wells/other.csv", good, "deck.nml:14"), ("catalogue", "wells/pipes.csv", stranger_catalogue(), "deck.nml:1")):
         for kind, before in (("a pipe", named_pipe(name)), ("a device", link(name, "/dev/zero")), ("a folder", link(name, "."))):
             yield f"{what} is {kind}", files, 2, (place, f"(it is {kind}"), {"before": before, "seconds": 10.0}
     yield "a device on standard input", good, 2, "(it is a device", {"arguments": ["/dev/stdin", "--output", "out"], "seconds": 10.0}

@@ -15,7 +15,10 @@ TEXTS = ["", " ", "Bob's fit", "Bob's =1", 'x"y', "a,b", "a;b", r"a\b", "a\\", "
          "x" * 4096, "é".encode().decode("latin-1") * 2000, "<script>alert(1)</script>", "<td>NaN", "&amp;&lt;", "]]>", "--><b>", "../up",
          "/tmp/x", "=1+1", "-rf", "~", "*", "?", "[a]", "!x", "&job /", "/", "#x", f"`touch {CANARY}`", f"$(touch {CANARY})",
          f"'; system('touch {CANARY}'); '", f'"; system("touch {CANARY}"); "', f'".system("touch {CANARY}")."', f"`touch {CANARY}`\\",
-         f"a\nsystem 'touch {CANARY}'\n", f"a\n!touch {CANARY}\n", "NaN", "Infinity", "all", "hookload"]
+         f"a\nsystem 'touch {CANARY}'\n", f"a\n!touch {CANARY}\n", "NaN", "Infinity", "all", "hookload",
+         "+1", "-1+1", "@SUM(1)", "\t=1", "\r=1", " =1", "1=1", "a-b+c@d", "=cmd|' /C calc'!A0",
+         *(f"a{letter}b".encode().decode("latin-1") for letter in "\u061c\u200e\u200f\u202a\u202c\u2066\u2069"),
+         "\xe2\x80", "\xc0\xaf", "\xed\xa0\x80"]
 # Names from which files are called, legal ones but odd.
 NAMES = ["a", "A", "a_mcge", "a_soft", "1", "all", ".", "..", "-", "-o", ".hidden", "a.b", "a.csv", "a.unfinished", "a.partial", "part_1_of_2",
          "summary", "hookload", "u" * 100, "u" * 200, "u" * 240, "u" * 300, "CON", "a+b", "_", "NaN"]

@@ -29,6 +29,9 @@ GRAVITY = 9.80665
 COMPONENT = re.compile(r"^  (?:.*) \(.*\): (to surface|\S+ (?:m|ft)), od \S+ (?:mm|in), .*?(\S+) (?:kg/m|lbm/ft), density (\S+) ")
 
 
+FORMULA_SIGNS = tuple("=+-@\t\r")       # first letters of a cell that a spreadsheet takes for a formula
+
+
 def rows_of(path, found):
     """The rows of a CSV file; every number in it is one, every row as long as the header."""
     with path.open(newline="", encoding="latin-1") as file:
@@ -133,6 +136,8 @@ def faults_of_results(out, status, deck, echo_text=None, order=True):
     marked = 0                                                     # rows that make exit status 3
     for name, rows in tables.items():
         for row in rows:
+            found += [f"{name}: a spreadsheet runs the cell {cell[:40]!r}" for cell in row.values()
+                      if isinstance(cell, str) and cell.lstrip(" ")[:1] in FORMULA_SIGNS and not is_number(cell)][:1]
             if "status" in row and row["status"] not in STATUSES:
                 found.append(f"{name}: status {row['status']!r}")
             if "operation" in row and row["operation"] and row["operation"] not in OPERATIONS:
