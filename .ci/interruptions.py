@@ -15,6 +15,7 @@ Other lives:        the output folder is removed during the run, and a real disk
                     exit status 1 with a message, no traceback, nothing half done under a final name
 Two runs:           started together in one folder: one is done as if alone, the other refused by exit status 1 and told who
                     holds the folder, or done after it; so are four parts of which two are the same, while the others share it
+Gnuplot:            no gnuplot that hangs outlives a run that is ended by a signal, nor does what it has started
 Other names:        a run is killed, then a deck with other names of cases, models and sweeps is run in its folder: it leaves
                     what it leaves in a folder of its own, records of the killed run's unfinished work aside
 Ends in 'N passed, N failed'.
@@ -22,6 +23,7 @@ Ends in 'N passed, N failed'.
 import argparse
 import csv
 import io
+import os
 import pathlib
 import random
 import re
@@ -85,10 +87,10 @@ class Place:
         (self.home / "deck.nml").write_text(deck, encoding="utf-8")
         self.out = out or self.home / "out"
 
-    def start(self, *options, told="told"):
+    def start(self, *options, told="told", environment=None):
         with open(self.home / told, "wb") as errors:
             return subprocess.Popen([self.program, self.home / "deck.nml", "--output", self.out, "--threads", "2", *options],
-                                    stdout=subprocess.DEVNULL, stderr=errors, stdin=subprocess.DEVNULL)
+                                    stdout=subprocess.DEVNULL, stderr=errors, stdin=subprocess.DEVNULL, env=environment)
 
     def told(self, told="told"):
         return (self.home / told).read_text(errors="replace")
@@ -197,6 +199,43 @@ def two_runs(program, deck, whole, seconds, rng):
     return place, faults
 
 
+def is_running(process):
+    """Whether a process has not ended; one that nobody has waited for counts as ended."""
+    try:
+        return pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def gnuplot_left(program, deck, *_):
+    """Ends runs whose gnuplots hang, by one signal or by two of a kind."""
+    place, faults = Place(program, deck.replace("plots = .false.", "plots = .true.")), []
+    folder, numbers = place.home / "bin", place.home / "numbers"
+    folder.mkdir()
+    (folder / "gnuplot").write_text(f"#!/bin/sh\nsleep 60 &\necho $$ $! >>'{numbers}'\nwait\n", encoding="utf-8")
+    (folder / "gnuplot").chmod(0o755)
+    surroundings = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}")
+    for signals in ([signal.SIGKILL], [signal.SIGTERM], [signal.SIGINT], [signal.SIGTERM] * 2):
+        numbers.write_text("")
+        process = place.start(environment=surroundings)
+        end = time.monotonic() + TIME_LIMIT
+        while len(numbers.read_text().split()) < 4 and process.poll() is None and time.monotonic() < end:     # two gnuplots
+            time.sleep(0.01)
+        for number in signals:
+            process.send_signal(number)
+        process.wait(TIME_LIMIT)
+        started = numbers.read_text().split()
+        end = time.monotonic() + 5
+        while any(map(is_running, started)) and time.monotonic() < end:
+            time.sleep(0.01)
+        left = list(filter(is_running, started))
+        if len(started) < 4 or left:
+            faults.append(f"{[s.name for s in signals]}: {len(started)} processes of gnuplot, {len(left)} left: {place.told()[:200]}")
+        for one in left:
+            os.kill(int(one), signal.SIGKILL)
+    return place, faults
+
+
 def other_names(program, deck, _, seconds, rng):
     place = Place(program, deck)
     process = place.start()
@@ -258,7 +297,7 @@ def disk_full(program, deck, whole, rng):
     return place, [*story, *faults] if faults else []
 
 
-OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names}
+OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names, "gnuplot left": gnuplot_left}
 
 
 def main():
@@ -281,6 +320,7 @@ def main():
     print(f"undisturbed: {seconds:.1f} s, {len(whole)} files")
     passed = failed = skipped = 0
     lives = [("signals", seed) for seed in range(options.count)]
+    lives += [("gnuplot left", 0)]
     lives += [(kind, seed) for kind in ("folder removed", "disk full", "two runs", "other names")
               for seed in range(max(1, options.count // 4))]
     for kind, seed in lives:

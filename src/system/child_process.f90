@@ -1,13 +1,18 @@
 !> Another program, run without a shell: found on PATH, started in a folder of its own with what it prints kept in a file,
-!> waited for, and ended with all that it has started itself. POSIX calls; numbers of constants are those of Linux.
+!> waited for, and ended with all that it has started itself. It does not outlive this program. POSIX calls; numbers of
+!> constants are those of Linux.
 module dg_child_process
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_int64_t, c_loc, c_long, &
                                           c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
+   use dg_child_guard, only: end_guard, guard_type, start_guard
    use dg_error, only: error_type, raise, status_failure
    use dg_folder, only: is_executable
    use dg_interruption, only: is_interrupted
    use dg_kinds, only: wp
+   use dg_posix_spawn, only: append_to, c_actions_chdir, c_actions_destroy, c_actions_dup2, c_actions_init, c_actions_open, &
+                             c_attributes_destroy, c_attributes_init, c_attributes_set_flags, c_posix_spawn, read_only, set_group, &
+                             structure_size
    use dg_signal_handler, only: set_handler
    use dg_system_reason, only: words_of
    use dg_text, only: c_text, text_type
@@ -18,6 +23,7 @@ module dg_child_process
    type :: child_type
       integer(c_int) :: process = 0         !< its number, and that of the group of all that it starts
       logical :: running = .false.
+      type(guard_type) :: guard             !< ends it where this program is killed
       integer :: exit_status = 0            !< once it has ended; 128 + n where signal n ended it, as shells count
    end type child_type
 
@@ -38,94 +44,14 @@ module dg_child_process
    !> Where programs are looked for when PATH is not set.
    character(*), parameter :: usual_path = '/usr/local/bin:/usr/bin:/bin'
 
-   integer(c_int), parameter :: read_only = 0_c_int                        ! O_RDONLY
-   integer(c_int), parameter :: append_to = 1_c_int + 64_c_int + 1024_c_int  ! O_WRONLY + O_CREAT + O_APPEND
    integer(c_int), parameter :: rights = 438_c_int                         ! rw-rw-rw- less the umask
    integer(c_int), parameter :: without_waiting = 1_c_int                  ! WNOHANG
    integer(c_int), parameter :: terminate = 15_c_int, destroy = 9_c_int    ! SIGTERM, SIGKILL
    integer(c_int), parameter :: child_has_ended = 17_c_int                 ! SIGCHLD
-   integer, parameter :: set_group = 2                                     ! POSIX_SPAWN_SETPGROUP
-   !> 64-bit words for C's structures of posix_spawn: 80 and 336 bytes in the GNU C library.
-   integer, parameter :: structure_size = 64
    !> Most entries of an environment that are looked at.
    integer, parameter :: most_variables = 1000000
 
    interface
-      function c_posix_spawn(process, path, actions, attributes, arguments, environment) result(status) &
-         bind(c, name='posix_spawn')
-         import :: c_char, c_int, c_int64_t, c_ptr
-         implicit none
-         integer(c_int), intent(out) :: process
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int64_t), intent(in) :: actions(*), attributes(*)
-         type(c_ptr), intent(in) :: arguments(*), environment(*)
-         integer(c_int) :: status
-      end function c_posix_spawn
-
-      function c_actions_init(actions) result(status) bind(c, name='posix_spawn_file_actions_init')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int) :: status
-      end function c_actions_init
-
-      function c_actions_destroy(actions) result(status) bind(c, name='posix_spawn_file_actions_destroy')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int) :: status
-      end function c_actions_destroy
-
-      function c_actions_chdir(actions, path) result(status) bind(c, name='posix_spawn_file_actions_addchdir_np')
-         import :: c_char, c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int) :: status
-      end function c_actions_chdir
-
-      ! mode_t is unsigned int on Linux; 0666 is the same in int
-      function c_actions_open(actions, descriptor, path, flags, mode) result(status) &
-         bind(c, name='posix_spawn_file_actions_addopen')
-         import :: c_char, c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int), value :: descriptor, flags, mode
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int) :: status
-      end function c_actions_open
-
-      function c_actions_dup2(actions, from, to) result(status) bind(c, name='posix_spawn_file_actions_adddup2')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int), value :: from, to
-         integer(c_int) :: status
-      end function c_actions_dup2
-
-      function c_attributes_init(attributes) result(status) bind(c, name='posix_spawnattr_init')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: attributes(*)
-         integer(c_int) :: status
-      end function c_attributes_init
-
-      function c_attributes_destroy(attributes) result(status) bind(c, name='posix_spawnattr_destroy')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: attributes(*)
-         integer(c_int) :: status
-      end function c_attributes_destroy
-
-      ! takes a short, which C hands over in an int
-      function c_attributes_set_flags(attributes, flags) result(status) bind(c, name='posix_spawnattr_setflags')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: attributes(*)
-         integer(c_int), value :: flags
-         integer(c_int) :: status
-      end function c_attributes_set_flags
-
       function c_waitpid(process, status, options) result(ended) bind(c, name='waitpid')
          import :: c_int
          implicit none
@@ -236,6 +162,7 @@ contains
       freed = c_actions_destroy(actions)
       freed = c_attributes_destroy(attributes)
       child%running = status == 0
+      if (child%running) call start_guard(child%guard, child%process)
       if (status /= 0) call raise(error, status_failure, 'cannot start '//program//' in '//folder//': '//words_of(status))
    end subroutine start_child
 
@@ -276,6 +203,7 @@ contains
             if (child%exit_status > 0) child%exit_status = 128 + child%exit_status
             if (child%exit_status == 0) child%exit_status = iand(ishft(int(state), -8), 255)
             status = c_kill(-child%process, destroy)
+            call end_guard(child%guard)
             return
          end if
          if (heeds_signals .and. is_interrupted()) return
