@@ -15,9 +15,8 @@ contains
       integer :: order(size(texts))
       integer :: i
       call sort(size(texts), order, texts=texts)
-      do i = 1, size(texts)
-         first(order(i)) = order(i)
-         if (i == 1) cycle
+      first = [(i, i=1, size(texts))]
+      do i = 2, size(texts)
          if (texts(order(i))%text == texts(order(i - 1))%text) first(order(i)) = first(order(i - 1))
       end do
    end function first_equal

@@ -71,8 +71,8 @@ contains
                if (.not. row%closed(l)) cycle
                e = first + l - 1
                call find_contact(mesh, loads, gaps, e, work, contacts(l))
-               call take_gap_forces(mesh, gaps, l, contacts(l), work, row)
-               if (row%tangent) call enter_touch(mesh, gaps, e, work, contacts(l), row%part, l, touch)
+               call take_gap_forces(mesh, l, contacts(l), work, row)
+               if (row%tangent) call enter_touch(mesh, e, work, contacts(l), row%part, l, touch)
             end do
          end if
          if (row%tangent) then
@@ -237,9 +237,8 @@ contains
    end subroutine add_whirl
 
    !> A closed gap's MCGE: takes its force off its element's (Eqs. 4 and 6).
-   pure subroutine take_gap_forces(mesh, gaps, l, contact, work, row)
+   pure subroutine take_gap_forces(mesh, l, contact, work, row)
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: l                   !< its lane
       type(contact_type), intent(in) :: contact
       type(workspace_type), intent(inout) :: work
@@ -308,7 +307,7 @@ contains
             do l = 1, row%count
                if (.not. row%closed(l)) cycle
                call find_contact(mesh, loads, gaps, first + l - 1, work, contacts(l))
-               call enter_touch(mesh, gaps, first + l - 1, work, contacts(l), part_rest, l, touch)
+               call enter_touch(mesh, first + l - 1, work, contacts(l), part_rest, l, touch)
             end do
             call take_touch(row%frame, row%view, touch, row%blocks)
          end if

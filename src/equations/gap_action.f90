@@ -111,9 +111,8 @@ contains
    end subroutine no_touch
 
    !> Enters the contact of element e in a lane: what a part of the tangent takes of it.
-   pure subroutine enter_touch(mesh, gaps, e, work, contact, part, l, touch)
+   pure subroutine enter_touch(mesh, e, work, contact, part, l, touch)
       type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       type(workspace_type), intent(in) :: work
       type(contact_type), intent(in) :: contact
