@@ -69,7 +69,7 @@ contains
          slope = max(dot_product(work%d(:, n), t), steepest)
          lying%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
       end do
-      ! the spring that holds the bit in the analysis gives way by some hundredths of a millimetre: as much as tilts it by a percent
+      ! the bit's support in the analysis gives way by micrometres; the beam has none
       if (model%boundary%bit_centred) lying%y(1:2, mesh%nodes) = 0.0_wp
       do e = 1, mesh%elements
          first = max(e - 1, 1)
