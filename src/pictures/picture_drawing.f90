@@ -4,10 +4,12 @@ module dg_picture_drawing
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_child_process, only: child_type, end_child, start_child, wait_for_child
    use dg_error, only: error_type, raise, status_failure
+   use dg_file_identity, only: identity_of_link, identity_type
    use dg_file_system, only: delete_file, rename_file, unfinished_suffix
    use dg_gnuplot_script, only: ending_variable, spelled
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_kinds, only: wp
+   use dg_system_reason, only: reason_of_failed_write
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
@@ -36,6 +38,7 @@ module dg_picture_drawing
       integer :: first = 1, last = 0          !< numbers of its pictures
       integer :: begun = 0                    !< of them, when it was last asked
       integer(int64) :: asked = 0             !< when that was
+      logical :: suspect = .false.            !< the disk was full meanwhile: any of its pictures may lack a piece
    end type drawing_type
 
 contains
@@ -52,6 +55,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(drawing_type) :: drawings(at_a_time)
       character(:), allocatable :: done
+      character(:), allocatable :: reason               ! why the system took no more of a picture; '': it took all
+      character(:), allocatable :: found
       integer :: shares(2, 2*size(names) + at_a_time)   ! first and last picture of what is to be drawn
       integer :: i, k, next, known, bad, hung
       drawn = .false.
@@ -64,6 +69,7 @@ contains
       call share_out(size(names), shares, known)
       next = 1
       hung = 0
+      reason = ''
       do
          do k = 1, at_a_time
             associate (drawing => drawings(k))
@@ -79,7 +85,9 @@ contains
                if (drawing%child%running) then
                   if (is_silent(drawing, folder, names, patience)) hung = k
                else
-                  call end_drawing(drawing, folder, names, drawn, shares, known)
+                  call end_drawing(drawing, folder, names, drawn, shares, known, found)
+                  if (found /= '') reason = found
+                  drawings%suspect = drawings%suspect .or. found /= ''
                end if
             end associate
          end do
@@ -90,7 +98,11 @@ contains
          if (.not. drawings(k)%child%running) cycle
          call end_child(drawings(k)%child)
          do i = drawings(k)%first, drawings(k)%last
-            call take_picture(folder, names(i)%text, drawn(i))
+            if (drawings(k)%suspect) then
+               call delete_file(unfinished_path(folder, names(i)%text))
+            else
+               call take_picture(folder, names(i)%text, drawn(i), reason)
+            end if
          end do
       end do
       if (allocated(error)) return
@@ -107,8 +119,7 @@ contains
          call raise(error, status_failure, gnuplot//' drew nothing for '//to_text(patience)//' s and was ended: '//done// &
                     '; does it draw '//names(bad)%text//'.gp there when you run it yourself?')
       else
-         call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not; '//complaint_file// &
-                    ' there tells why')
+         call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not'//why(reason))
       end if
    end subroutine draw_pictures
 
@@ -141,6 +152,7 @@ contains
       end do
       call start_child(drawing%child, gnuplot, arguments, folder, complaint_file, hidden_variables, error)
       drawing%begun = 0
+      drawing%suspect = .false.
       call system_clock(drawing%asked)
    end subroutine start_gnuplot
 
@@ -168,20 +180,23 @@ contains
    end function is_silent
 
    !> After a gnuplot has ended: takes its pictures. Where it failed none of them counts, and each is to be drawn alone, unless it
-   !> was.
-   subroutine end_drawing(drawing, folder, names, drawn, shares, known)
+   !> was. So it is where the disk was full meanwhile: gnuplot leaves a piece out and goes on when there is room again.
+   subroutine end_drawing(drawing, folder, names, drawn, shares, known, reason)
       type(drawing_type), intent(inout) :: drawing
       character(*), intent(in) :: folder
       type(text_type), intent(in) :: names(:)
       logical, intent(inout) :: drawn(:)
       integer, intent(inout) :: shares(:, :)
       integer, intent(inout) :: known                   !< number of shares
+      character(:), allocatable, intent(out) :: reason  !< why the system took no more of a picture; '': it took all
       integer :: i
+      reason = ''
       do i = drawing%first, drawing%last
-         if (drawing%child%exit_status == 0) then
-            call take_picture(folder, names(i)%text, drawn(i))
+         if (drawing%child%exit_status == 0 .and. .not. drawing%suspect) then
+            call take_picture(folder, names(i)%text, drawn(i), reason)
             cycle
          end if
+         call note_reason(unfinished_path(folder, names(i)%text), reason)
          call delete_file(unfinished_path(folder, names(i)%text))       ! it may look whole
          if (drawing%first == drawing%last) cycle
          known = known + 1
@@ -190,16 +205,42 @@ contains
    end subroutine end_drawing
 
    !> Gives a picture its own name if it is whole.
-   subroutine take_picture(folder, name, drawn)
+   subroutine take_picture(folder, name, drawn, reason)
       character(*), intent(in) :: folder, name
       logical, intent(inout) :: drawn
+      character(:), allocatable, intent(inout) :: reason     !< see note_reason
       type(error_type), allocatable :: failure
       if (is_whole(unfinished_path(folder, name))) then
          call rename_file(unfinished_path(folder, name), picture_path(folder, name), failure)
          drawn = .not. allocated(failure)
+      else
+         call note_reason(unfinished_path(folder, name), reason)
       end if
       if (.not. drawn) call delete_file(unfinished_path(folder, name))
    end subroutine take_picture
+
+   !> Asks the system why a picture that has been begun ends early; gnuplot does not tell. `reason` stays where there is room.
+   subroutine note_reason(path, reason)
+      character(*), intent(in) :: path
+      character(:), allocatable, intent(inout) :: reason
+      type(identity_type) :: there
+      character(:), allocatable :: found
+      there = identity_of_link(path)
+      if (.not. there%is_regular) return
+      found = reason_of_failed_write(path)
+      if (found /= '') reason = found
+   end subroutine note_reason
+
+   !> The end of the message on pictures that are not drawn.
+   pure function why(reason) result(text)
+      character(*), intent(in) :: reason      !< see note_reason
+      character(:), allocatable :: text
+      if (reason == '') then
+         text = '; '//complaint_file//' there tells why'
+      else
+         text = ': '//reason
+      end if
+   end function why
 
    pure function picture_path(folder, name) result(path)
       character(*), intent(in) :: folder, name
