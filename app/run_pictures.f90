@@ -4,7 +4,7 @@ module dg_run_pictures
    use dg_case_result, only: case_result_type
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type, raise, status_failure
+   use dg_error, only: add_error, error_type, raise, status_failure
    use dg_html_report, only: write_html_report
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type
@@ -44,6 +44,6 @@ contains
       allocate (tables(0))
       if (allocated(printed%lines)) tables = printed%lines
       call write_html_report(job, model, results, wholes, tables, printed%outcome, pictures, echo, page_error)
-      if (allocated(page_error) .and. .not. allocated(error)) call move_alloc(page_error, error)
+      call add_error(error, page_error)
    end subroutine run_pictures
 end module dg_run_pictures

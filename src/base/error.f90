@@ -3,7 +3,7 @@
 module dg_error
    implicit none
    private
-   public :: error_type, raise
+   public :: error_type, raise, add_error
    public :: status_ok, status_failure, status_bad_input, status_not_converged
 
    !> Exit statuses of the program (contract of the command line).
@@ -28,4 +28,16 @@ contains
       error%status = status
       error%message = message
    end subroutine raise
+
+   !> Adds the message of another error, if there is one, to an error that may be there.
+   pure subroutine add_error(error, other)
+      type(error_type), allocatable, intent(inout) :: error
+      type(error_type), allocatable, intent(in) :: other
+      if (.not. allocated(other)) return
+      if (allocated(error)) then
+         error%message = error%message//'; '//other%message
+      else
+         error = other
+      end if
+   end subroutine add_error
 end module dg_error

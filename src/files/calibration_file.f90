@@ -7,7 +7,7 @@ module dg_calibration_file
                         quantity_moment, quantity_none, quantity_percent, quantity_text
    use dg_csv_table, only: add_row, add_rows_of, begin_table, csv_table_type, is_begun, write_table
    use dg_comparison, only: difference, known, percent_error
-   use dg_error, only: error_type
+   use dg_error, only: add_error, error_type
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, operation_name
    use dg_least_squares, only: fit_done
@@ -100,10 +100,20 @@ contains
          end associate
       end do
       call add_rows_of(others, factors)
-      call write_table(factors, job%output_dir//'/calibration.csv', error)
-      if (.not. allocated(error) .and. size(results) > 0) call write_table(data, job%output_dir//'/calibration_data.csv', error)
-      if (.not. allocated(error) .and. is_begun(predictions)) &
-         call write_table(predictions, job%output_dir//'/calibration_prediction.csv', error)
+      call write_one(factors, 'calibration.csv')
+      if (size(results) > 0) call write_one(data, 'calibration_data.csv')
+      if (is_begun(predictions)) call write_one(predictions, 'calibration_prediction.csv')
+
+   contains
+
+      !> The error names every file that could not be written.
+      subroutine write_one(table, name)
+         type(csv_table_type), intent(in) :: table
+         character(*), intent(in) :: name
+         type(error_type), allocatable :: failure
+         call write_table(table, job%output_dir//'/'//name, failure)
+         call add_error(error, failure)
+      end subroutine write_one
    end subroutine write_calibrations
 
    subroutine factor_fields(model, calibration, result, unknown, row)
