@@ -32,8 +32,9 @@ module dg_folder_lock
    integer(c_long), parameter :: whole_file = 0_c_long
    !> Parts of a division have bytes of their own: more than the most parts (9999) lie between divisions.
    integer(c_long), parameter :: bytes_of_division = 10000_c_long
-   !> A run that is about to end gives the folder free within this many tries, that long apart [us].
-   integer, parameter :: tries = 10
+   !> A run that is about to end gives the folder free within this many tries, that long apart [us]. One that has just begun has
+   !> entered its name in the file by the last of most_tries.
+   integer, parameter :: tries = 10, most_tries = 50
    integer(c_int), parameter :: pause = 20000_c_int
    integer, parameter :: longest_host = 256
    !> In the line of a holder: `process 123 on HOST since TIME, WHAT`.
@@ -138,8 +139,10 @@ contains
       integer(c_long) :: offset, length
       type(identity_type) :: there
       integer(c_int) :: number, status
+      character(:), allocatable :: who
       integer :: attempt
       note = ''
+      who = ''
       lock%path = folder//'/'//lock_name
       offset = 0_c_long
       length = whole_file
@@ -147,7 +150,7 @@ contains
          offset = parts*bytes_of_division + part
          length = 1_c_long
       end if
-      do attempt = 1, tries
+      do attempt = 1, most_tries
          there = identity_of_link(lock%path)
          if (there%exists .and. .not. there%is_regular) then
             call raise(error, status_failure, 'cannot lock the output folder: '//lock%path//' is no file; remove it')
@@ -173,11 +176,14 @@ contains
             return
          end if
          call close_file(lock)
+         if (attempt >= tries) who = holders(lock%path, part, parts)
+         if (who /= '') exit
          status = c_usleep(pause)
          if (status /= 0) cycle          ! woken by a signal
       end do
-      call raise(error, status_failure, 'the output folder '//folder//' is in use by another run: '// &
-                 holders(lock%path, part, parts)//'; wait for its end, or give another folder by --output')
+      if (who == '') who = 'one that has just begun or ended'
+      call raise(error, status_failure, 'the output folder '//folder//' is in use by another run: '//who// &
+                 '; wait for its end, or give another folder by --output')
    end subroutine lock_folder
 
    !> Gives the folder free. The last one removes the file.
@@ -233,7 +239,7 @@ contains
       if (parts > 0) mark = ', part '//to_text(part)//' of '//to_text(parts)
    end function mark_of
 
-   !> Who is in the way, as their lines say: those whose process is no more are left out.
+   !> Who is in the way, as their lines say: those whose process is no more are left out; '' where there is no line.
    function holders(path, part, parts) result(text)
       character(*), intent(in) :: path
       integer, intent(in) :: part, parts
@@ -254,7 +260,6 @@ contains
             text = text//line
          end associate
       end do
-      if (text == '') text = 'one that has just begun or ended'
    end function holders
 
    !> Whether a line is that of a process of this machine that has ended.
