@@ -13,6 +13,8 @@ module dg_folder
    integer(c_int), parameter :: all_rights = 511_c_int
    !> W_OK + X_OK of unistd.h: files can be made in the folder.
    integer(c_int), parameter :: may_write = 3_c_int
+   !> F_OK of unistd.h: the path exists.
+   integer(c_int), parameter :: is_there = 0_c_int
 
    integer, parameter :: longest_name = 256
    !> struct dirent of Linux on 64 bits.
@@ -78,15 +80,20 @@ contains
       character(*), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
       character(:), allocatable :: reason
+      character(:), allocatable :: above        ! why the first folder above it cannot be made; '': all are there
       integer :: i
       integer(c_int) :: status
+      above = ''
       do i = 2, len(path)
-         if (path(i:i) /= '/') cycle
-         if (path(i - 1:i - 1) /= '/') status = c_mkdir(c_text(path(:i - 1)), all_rights)
+         if (path(i:i) /= '/' .or. path(i - 1:i - 1) == '/') cycle
+         status = c_mkdir(c_text(path(:i - 1)), all_rights)
+         reason = system_reason()
+         if (above == '' .and. c_access(c_text(path(:i - 1)), is_there) /= 0) above = reason
       end do
       status = c_mkdir(c_text(path), all_rights)     ! fails where it exists: what counts is what is there now
       reason = system_reason()
       if (.not. is_folder(path)) then
+         if (above /= '') reason = above
          call raise(error, status_failure, 'cannot make the output folder '//path//': '//reason)
       else if (c_access(c_text(path), may_write) /= 0) then
          reason = system_reason()
@@ -98,8 +105,7 @@ contains
    function is_folder(path) result(is)
       character(*), intent(in) :: path
       logical :: is
-      integer(c_int), parameter :: exists = 0_c_int   ! F_OK
-      is = c_access(c_text(path//'/.'), exists) == 0
+      is = c_access(c_text(path//'/.'), is_there) == 0
    end function is_folder
 
    !> Whether a path is a file that may be run.
