@@ -146,8 +146,7 @@ contains
    pure function system_words(reason) result(words)
       character(*), intent(in) :: reason
       character(:), allocatable :: words
-      words = trim(reason(index(reason, ': ', back=.true.) + 1:))
-      words = adjustl(words)
+      words = trim(adjustl(reason(index(reason, ': ', back=.true.) + 1:)))
       if (words == '') words = 'the file is cut short'
    end function system_words
 
