@@ -13,6 +13,8 @@ over, and at last left to end by itself. After each ending:
 at the end          every file is that of the undisturbed run but for times, nothing else is left
 Other lives:        the output folder is removed during the run, and a real disk runs full in it (where mounting is allowed):
                     exit status 1 with a message, no traceback, nothing half done under a final name
+Read only:          a folder that cannot be written to, empty or with results: exit status 1, the reason, results unchanged
+Full disk, pictures: a picture under its final name is whole, and the message names the disk and the page
 Two runs:           started together in one folder: one is done as if alone, the other refused by exit status 1 and told who
                     holds the folder, or done after it; so are four parts of which two are the same, while the others share it
 Gnuplot:            no gnuplot that hangs outlives a run that is ended by a signal, nor does what it has started
@@ -272,12 +274,70 @@ def folder_removed(program, deck, whole, seconds, rng):
     return place, faults + [fault for fault in faults_of_files(place, whole, False) if "is not that" in fault]
 
 
+def mounted(folder, *options):
+    """Whether a file system of its own could be mounted at a folder."""
+    return subprocess.run(["mount", "-t", "tmpfs", *options, "tmpfs", folder], capture_output=True, check=False).returncode == 0
+
+
+def picture(path):
+    """A picture but for its time and for the empty groups that gnuplot begins its second picture with."""
+    return re.sub(rb"<g [^>]*>\n</g>\n", b"", without_times(path))
+
+
+def pictures_on_full_disk(program, *_):
+    """Disks of twelve sizes, the last with room for nearly all pictures: one that is there is whole."""
+    deck = DECK[:DECK.index("&sweep")].format(plots=".true.", length=60.0).replace("'mcge', 'soft'", "'soft', hdf5 = .false.")
+    place, faults = Place(program, deck), []
+    if place.start().wait(TIME_LIMIT):
+        return place, [place.told()]
+    whole = {name: picture(path) for name, path in place.files().items() if name.endswith(".svg")}
+    pages = sum(-(-path.stat().st_size // 4096) for path in place.files().values())
+    page = -(-(place.out / "report.html").stat().st_size // 4096)
+    shutil.rmtree(place.out)
+    place.out.mkdir()
+    for share in range(12):
+        size = f"size={4 * round((pages - page) * (0.45 + 0.05 * share))}k"
+        if not mounted(place.out, "-o", size):
+            return place, None
+        try:
+            status = place.start().wait(TIME_LIMIT)
+            faults += [f"{size}: {name} is cut" for name, path in place.files().items() if name in whole and picture(path) != whole[name]]
+            if status != 1 or "No space left on device" not in place.told() or "report.html" not in place.told():
+                faults.append(f"{size}: exit status {status}: {place.told()[:300]}")
+            faults += [f"{size}: {name} is left" for name in place.files() if name.endswith(UNFINISHED) or name == LOCK]
+        finally:
+            subprocess.run(["umount", place.out], check=False)
+    return place, faults
+
+
+def read_only(program, deck, *_):
+    """A folder that cannot be written to, empty, absent, or with results."""
+    place = Place(program, deck)
+    place.out.mkdir()
+    if not mounted(place.out):
+        return place, None
+    faults = []
+    try:
+        for out in (place.out, place.out / "new/folder", place.out):
+            held = sorted(place.files())
+            subprocess.run(["mount", "-o", "remount,ro", place.out], check=True)
+            status = place.start("--output", out).wait(TIME_LIMIT)
+            if status != 1 or "Read-only file system" not in place.told() or sorted(place.files()) != held:
+                faults.append(f"{out}: exit status {status}: {place.told()[:300]}")
+            subprocess.run(["mount", "-o", "remount,rw", place.out], check=True)
+            if not held and place.start().wait(TIME_LIMIT):
+                faults.append(place.told()[:300])
+    finally:
+        subprocess.run(["umount", place.out], check=False)
+    return place, faults
+
+
 def disk_full(program, deck, whole, rng):
     """A small file system of its own as output folder, filled to a random degree; None where mounting is not allowed."""
     place = Place(program, deck)
     place.out.mkdir()
     size = rng.randrange(8, 1600, 4)
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "tmpfs", place.out], capture_output=True, check=False).returncode:
+    if not mounted(place.out, "-o", f"size={size}k"):
         return place, None
     try:
         process = place.start()
@@ -297,7 +357,8 @@ def disk_full(program, deck, whole, rng):
     return place, [*story, *faults] if faults else []
 
 
-OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names, "gnuplot left": gnuplot_left}
+OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names, "gnuplot left": gnuplot_left,
+               "read only": read_only, "pictures on a full disk": pictures_on_full_disk}
 
 
 def main():
@@ -320,7 +381,7 @@ def main():
     print(f"undisturbed: {seconds:.1f} s, {len(whole)} files")
     passed = failed = skipped = 0
     lives = [("signals", seed) for seed in range(options.count)]
-    lives += [("gnuplot left", 0)]
+    lives += [(kind, 0) for kind in ("gnuplot left", "read only", "pictures on a full disk")]
     lives += [(kind, seed) for kind in ("folder removed", "disk full", "two runs", "other names")
               for seed in range(max(1, options.count // 4))]
     for kind, seed in lives:
@@ -341,7 +402,7 @@ def main():
             passed += 1
         shutil.rmtree(place.home, ignore_errors=True)
     if skipped:
-        print(f"{skipped} full disks not tried: no right to mount")
+        print(f"{skipped} file systems not tried: no right to mount")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed or not passed else 0
 
