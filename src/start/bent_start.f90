@@ -19,8 +19,8 @@ module dg_bent_start
    private
    public :: bend_start, new_start_beam, pressing_of_bend
 
-   !> Change of moments over the largest one at which a start is good enough [-].
-   real(wp), parameter :: settled = 1.0e-3_wp
+   !> Change of moments over the largest one at which a start is settled [-]: where its gaps are does not depend on the way there.
+   real(wp), parameter :: settled = 1.0e-5_wp
 
    !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]:
    !> else it might stand anywhere in the hole.
