@@ -19,8 +19,9 @@ module dg_bent_start
    private
    public :: bend_start, new_start_beam, pressing_of_bend
 
-   !> Change of moments over the largest one at which a start is settled [-]: where its gaps are does not depend on the way there.
-   real(wp), parameter :: settled = 1.0e-5_wp
+   !> Change of moments over the largest one at which a start is good enough [-]. The same at which it is settled, so that the
+   !> places of its gaps do not depend on the way there. A compressed string is held near where it was laid, and is not settled.
+   real(wp), parameter :: near = 1.0e-3_wp, settled = 1.0e-5_wp
 
    !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]:
    !> else it might stand anywhere in the hole.
@@ -92,16 +93,25 @@ contains
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
       logical, intent(out) :: found
-      real(wp) :: bent(4, mesh%nodes)
+      real(wp) :: bent(4, mesh%nodes), closer(4, mesh%nodes), firm(size(pressed, 1), size(pressed, 2))
+      logical :: compressed, closed
       integer :: e
       do e = 1, mesh%elements
          beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
       end do
       bent = y
       found = .false.
-      if (any(beam%viscous > 0.0_wp)) call solve_bending(beam, bent, settled, found, anchor=y, pressed=pressed)
-      if (.not. found) call solve_with_hardened_walls(beam, begin, bent, settled, found, anchor=y, pressed=pressed)
-      if (found) y = bent
+      compressed = any(beam%viscous > 0.0_wp)
+      if (compressed) call solve_bending(beam, bent, near, found, anchor=y, pressed=pressed)
+      if (.not. found) call solve_with_hardened_walls(beam, begin, bent, near, found, anchor=y, pressed=pressed)
+      if (.not. found) return
+      closer = bent
+      closed = .false.
+      if (.not. compressed) call solve_bending(beam, closer, settled, closed, anchor=y, pressed=firm)
+      y = bent
+      if (.not. closed) return
+      y = closer
+      pressed = firm
    end subroutine bend_start
 
    !> Largest contact load over its clearance that the bend of a housing is expected to have in a vertical hole [N/m2], where
