@@ -22,6 +22,8 @@ import subprocess
 import sys
 import tempfile
 
+from run_results import without_work
+
 MODELS = ("mcge", "soft", "rigid", "mixed")
 # Of the largest force, or torque: files hold ten digits, a case is iterated to 1e-9 of the weight. A compressed string has
 # equilibria next to each other, and where a gap rests within its thresholds round-off decides whether it counts as touching.
@@ -130,7 +132,7 @@ class Results:
         path.write_text(deck, encoding="utf-8")
         done = subprocess.run([program, path, "--output", self.folder, "--threads", str(threads)], capture_output=True, text=True,
                               timeout=TIME_LIMIT, check=False)
-        self.status, self.told = done.returncode, done.stderr.replace(f"/{name}", "")
+        self.status, self.told = done.returncode, without_work(done.stderr).replace(f"/{name}", "")
         summary = self.folder / "summary.csv"
         self.rows = list(csv.DictReader(summary.open(encoding="utf-8"))) if summary.is_file() else []
 

@@ -26,10 +26,17 @@ TEXTS = {"case", "section", "model", "operation", "status", "message", "gap_stat
          "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied", "governing_limit"}
 NO_NUMBER = re.compile(r"[-+]?(nan(\(.*\))?|inf(inity)?|\*+)", re.I)
 GRAVITY = 9.80665
+# Lines of standard error that tell how much there is to solve, and how long it takes.
+WORK = re.compile(r"^drillgap: [^\n]*\bsolutions?\b[^\n]*(\n|$)", re.M)
 COMPONENT = re.compile(r"^  (?:.*) \(.*\): (to surface|\S+ (?:m|ft)), od \S+ (?:mm|in), .*?(\S+) (?:kg/m|lbm/ft), density (\S+) ")
 
 
 FORMULA_SIGNS = tuple("=+-@\t\r")       # first letters of a cell that a spreadsheet takes for a formula
+
+
+def without_work(told):
+    """Standard error without the lines that tell of work: how long it takes depends on the machine."""
+    return WORK.sub("", told)
 
 
 def rows_of(path, found):
