@@ -62,6 +62,8 @@ module dg_least_squares
    real(wp), parameter :: first_damping = 1.0e-4_wp, damping_factor = 10.0_wp, most_damping = 1.0e12_wp
    !> An unknown is not felt where its whole scale moves no datum by this part of its deviation.
    real(wp), parameter :: felt = 1.0e-2_wp
+   !> Nor where it moves no datum by this part of the datum: iterations leave as much noise in a difference.
+   real(wp), parameter :: noise = 1.0e-5_wp
 
    !> So often a start is halved that has no values: a sixteenth of any friction is little.
    integer, parameter :: most_halvings = 4
@@ -193,7 +195,7 @@ contains
          if (known(k)) fit%jacobian(:, k) = (values(:, k) - fit%values)/(width(k)*deviation)
       end do
       do k = 1, size(scale)
-         fit%unfelt(k) = maxval(abs(fit%jacobian(:, k)))*scale(k) < felt
+         fit%unfelt(k) = all(abs(fit%jacobian(:, k))*scale(k) < max(felt, noise*abs(fit%values)/deviation))
       end do
    end subroutine differentiate
 
