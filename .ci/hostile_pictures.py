@@ -27,9 +27,9 @@ import time
 import xml.etree.ElementTree as xml
 
 TIME_LIMIT = 60
-NAMES = ["Bob's fit", "a,b", 'x"y', r"a\b", "`touch made`", 'system("touch made")', "@x", "%s", "%", "{/Symbol a}", "a^2_b",
+NAMES = ["Bob's fit", "a,b", 'x"y', r"a\b", "`touch made`", 'system("touch made")', "x@", "%s", "%", "{/Symbol a}", "a^2_b",
          "Größe ∑", "ends in \\", "tab\there", "#1", "' . system('touch made') . '", "'; system 'touch made'; x='", "''", "a'",
-         "a'\\", "`", '"', '""', "$0", "<touch made", "|touch made", "!touch made", "NaN", "-", "END", "\x01\x02", "\x1b[31m",
+         "a'\\", "`", '"', '""', "$0", "<touch made", "|touch made", "!touch made", "NaN", "a-", "END", "\x01\x02", "\x1b[31m",
          "\x7f",
          "é" * 300, "y" * 5000, "'" * 7, "ab", "]]]>>", "&amp;<b>", "{", "}", "[", "first'", "../made", "a/b", "driller's 12-1/4", "Bob's =1", "%" + "a𝄞" * 12]
 #: Marks of the two calibrations: legend, two factors before and after, an offset, three errors before and after.
