@@ -14,6 +14,7 @@ module dg_mesh
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: load_case_type, rotates
+   use dg_merge_sort, only: sorted_places
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_at, frame_on_arc, high_side
    use dg_vector, only: cross
@@ -242,7 +243,7 @@ contains
       breaks = [breaks, bit - all_centralizer_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)
-      call sort(breaks)
+      breaks = breaks(sorted_places(breaks))
       ! no component and no section of the hole is lost, however short
       gap = min(merge_share*element_length, longest_merge, 0.5_wp*minval(tops - [0.0_wp, tops(:size(tops) - 1)], &
                 mask=tops > [0.0_wp, tops(:size(tops) - 1)]), 0.5_wp*minval(model%holes%md_bottom - model%holes%md_top))
@@ -337,21 +338,4 @@ contains
       integer :: pieces
       pieces = max(1, ceiling(length/element_length*(1.0_wp - merge_share)))
    end function piece_count
-
-   !> Ascending order by insertion: a few hundred depths at most, nearly sorted.
-   pure subroutine sort(values)
-      real(wp), intent(inout) :: values(:)
-      real(wp) :: value
-      integer :: i, j
-      do i = 2, size(values)
-         value = values(i)
-         j = i - 1
-         do while (j >= 1)
-            if (values(j) <= value) exit
-            values(j + 1) = values(j)
-            j = j - 1
-         end do
-         values(j + 1) = value
-      end do
-   end subroutine sort
 end module dg_mesh

@@ -77,9 +77,7 @@ contains
       hole = hole_section_at(model%holes, md)
       if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
       if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
-      do i = 1, size(layout%tops) - 1
-         if (layout%tops(i) < md) exit
-      end do
+      i = first_above(layout%tops, md)
       if (i < size(layout%tops)) piece%top = max(piece%top, layout%tops(i))
       do k = 1, size(layout%fluids)
          if (layout%fluids(k) < md) piece%top = max(piece%top, layout%fluids(k))
@@ -101,6 +99,23 @@ contains
       if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
       if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
+
+   !> Number of the lowest component whose top lies above a depth; the last one where none does.
+   pure function first_above(tops, md) result(low)
+      real(wp), intent(in) :: tops(:)   !< depths, from the bit up [m]
+      real(wp), intent(in) :: md        !< [m]
+      integer :: low, middle, high
+      low = 1
+      high = size(tops)
+      do while (low < high)
+         middle = (low + high)/2
+         if (tops(middle) < md) then
+            high = middle
+         else
+            low = middle + 1
+         end if
+      end do
+   end function first_above
 
    !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
    pure subroutine at_offset(piece, offset, position, across, bend)

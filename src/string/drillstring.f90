@@ -58,19 +58,23 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops
       real(wp), allocatable :: ends(:)
-      real(wp) :: bottom, centre, half
-      integer :: i, k
-      allocate (ends(0))
-      bottom = 0.0_wp
+      real(wp) :: bottom(size(tops)), centre, half
+      integer :: joints(size(tops)), i, k, n
+      bottom = [0.0_wp, tops(:size(tops) - 1)]
+      joints = 0
       do i = 1, size(tops)
-         if (has_joints(string%components(i)) .and. .not. string%components(i)%centralizer%present) then
-            half = 0.5_wp*effective_joint_length(string%components(i))
-            do k = 0, int((tops(i) - bottom)/string%components(i)%joint_spacing) + 1
-               centre = bottom + k*string%components(i)%joint_spacing
-               ends = [ends, min(max([centre - half, centre + half], bottom), tops(i))]
-            end do
-         end if
-         bottom = tops(i)
+         if (has_joints(string%components(i)) .and. .not. string%components(i)%centralizer%present) &
+            joints(i) = int((tops(i) - bottom(i))/string%components(i)%joint_spacing) + 2
+      end do
+      allocate (ends(2*sum(joints)))
+      n = 0
+      do i = 1, size(tops)
+         half = 0.5_wp*effective_joint_length(string%components(i))
+         do k = 0, joints(i) - 1
+            centre = bottom(i) + k*string%components(i)%joint_spacing
+            ends(n + 1:n + 2) = min(max([centre - half, centre + half], bottom(i)), tops(i))
+            n = n + 2
+         end do
       end do
    end function joint_ends
 
@@ -79,13 +83,16 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops
       real(wp), allocatable :: ends(:)
-      real(wp) :: bottom
-      integer :: i
-      allocate (ends(0))
-      bottom = 0.0_wp
+      real(wp) :: bottom(size(tops))
+      integer :: after(size(tops) + 1), i
+      bottom = [0.0_wp, tops(:size(tops) - 1)]
+      after(1) = 0
       do i = 1, size(tops)
-         ends = [ends, bottom + centralizer_ends(string%components(i)%centralizer, tops(i) - bottom)]
-         bottom = tops(i)
+         after(i + 1) = after(i) + size(centralizer_ends(string%components(i)%centralizer, tops(i) - bottom(i)))
+      end do
+      allocate (ends(after(size(after))))
+      do i = 1, size(tops)
+         ends(after(i) + 1:after(i + 1)) = bottom(i) + centralizer_ends(string%components(i)%centralizer, tops(i) - bottom(i))
       end do
    end function all_centralizer_ends
 

@@ -5,6 +5,7 @@ module dg_sample_statistics
    use dg_sampled_model, only: draw_of, quantity_hookload, quantity_torque
    use dg_case_result, only: result_converged, result_locked_up, result_not_converged
    use dg_load_case, only: rotates
+   use dg_merge_sort, only: sorted_places
    use dg_sweep, only: point_at, point_type
    use dg_sweep_result, only: sweep_result_type
    use dg_uncertainty, only: piece_number, uncertainty_type
@@ -80,8 +81,7 @@ contains
       high = 0
       if (present(below)) low = below
       if (present(above)) high = above
-      sorted = numbers
-      call sort(sorted)
+      sorted = numbers(sorted_places(numbers))
       distribution%quantiles = quantile(sorted, shares, low, high)
       distribution%mean = sum(sorted)/real(n, wp)
       if (n > 1) distribution%deviation = norm2(sorted - distribution%mean)/sqrt(real(n - 1, wp))
@@ -106,37 +106,4 @@ contains
          numbers(i) = sorted(low) + (place - low)*(sorted(next) - sorted(low))
       end do
    end function quantile
-
-   !> Ascending order, by merging runs of doubling length.
-   pure subroutine sort(numbers)
-      real(wp), intent(inout) :: numbers(:)
-      real(wp) :: merged(size(numbers))
-      integer :: run, first, middle, last, i, j, k
-      run = 1
-      do while (run < size(numbers))
-         do first = 1, size(numbers), 2*run
-            middle = min(first + run, size(numbers) + 1)
-            last = min(first + 2*run, size(numbers) + 1)
-            i = first
-            j = middle
-            do k = first, last - 1
-               if (j >= last) then
-                  merged(k) = numbers(i)
-                  i = i + 1
-               else if (i >= middle) then
-                  merged(k) = numbers(j)
-                  j = j + 1
-               else if (numbers(j) < numbers(i)) then
-                  merged(k) = numbers(j)
-                  j = j + 1
-               else
-                  merged(k) = numbers(i)
-                  i = i + 1
-               end if
-            end do
-         end do
-         numbers = merged
-         run = 2*run
-      end do
-   end subroutine sort
 end module dg_sample_statistics
