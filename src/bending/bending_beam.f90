@@ -53,6 +53,9 @@ module dg_bending_beam
       integer, allocatable :: point(:)             !< nodes at which tool joints touch, from the top down
       integer, allocatable :: point_owner(:)       !< element of the analysis in which it lies
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
+      !> The same with the stiffnesses as Newton's steps take them, and how far inwards the wall then stands [m].
+      type(gap_law_type), allocatable :: point_press(:)
+      real(wp), allocatable :: point_moved(:)
    end type bending_beam_type
 
    !> The beam as it is bent.
@@ -112,7 +115,8 @@ contains
       do p = 1, size(beam%point)
          square = offset(1, p)**2 + offset(2, p)**2
          push(p)%force = 0.0_wp
-         if (square > beam%point_law(p)%clearance**2) call push_at(beam%point_law(p), offset(:, p), square, push(p))
+         if (square > (beam%point_law(p)%clearance - beam%point_moved(p))**2) &
+            call push_at(beam%point_press(p), beam%point_moved(p), offset(:, p), square, push(p))
       end do
    end subroutine press_points
 

@@ -26,6 +26,8 @@ module dg_bending_element
    type :: beam_element_type
       ! set by who makes the beam
       type(gap_law_type) :: law          !< of a metre of wall (stiffnesses in N/m2)
+      real(wp) :: contact = 0.0_wp, maximum = 0.0_wp  !< its stiffnesses as Newton's steps take them [N/m2]
+      real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards the wall then stands at the places of contact [m]
       real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
       real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
       ! set by set_element
@@ -88,16 +90,17 @@ contains
    end subroutine set_element
 
    !> How the wall presses where the string touches, by the law of dg_gap_state. A law for a metre of wall gives it per metre.
-   pure subroutine push_at(law, offset, square, push)
+   pure subroutine push_at(law, moved, offset, square, push)
       type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: moved       !< how far inwards the wall stands [m]
       real(wp), intent(in) :: offset(2)   !< not zero [m]
       real(wp), intent(in) :: square      !< of its length [m2]
       type(wall_push_type), intent(inout) :: push
       real(wp) :: distance, beyond
       distance = sqrt(square)
       push%stiffness = law%contact
-      push%force = law%contact*(distance - law%clearance)
-      beyond = distance - (1.0_wp + law%eps_nmax)*law%clearance
+      push%force = law%contact*(distance + moved - law%clearance)
+      beyond = distance + moved - (1.0_wp + law%eps_nmax)*law%clearance
       if (beyond > 0.0_wp) then
          push%stiffness = law%maximum
          push%force = push%force + (law%maximum - law%contact)*beyond

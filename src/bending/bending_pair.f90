@@ -33,8 +33,9 @@ module dg_bending_pair
    !> beam_element_type of two elements: `outer` and `inner` are what is there of the upper and the lower node. All are zero where
    !> there is no element.
    type :: beam_pair_type
-      real(wp), dimension(pair) :: clearance = 0.0_wp, contact = 0.0_wp, maximum = 0.0_wp   !< of the law [m, N/m2]
-      real(wp), dimension(pair) :: limit = 0.0_wp       !< distance from the hole axis from which the stiffness is `maximum` [m]
+      real(wp), dimension(pair) :: contact = 0.0_wp, maximum = 0.0_wp      !< stiffnesses of the wall [N/m2]
+      !> Distances from the hole axis from which the wall presses, and from which its stiffness is `maximum` [m].
+      real(wp), dimension(pair, contact_places) :: clearance = 0.0_wp, limit = 0.0_wp
       real(wp), dimension(pair) :: lever = 0.0_wp, around = 0.0_wp, length = 0.0_wp, per_length = 0.0_wp, ei = 0.0_wp
       real(wp), dimension(pair) :: bent_1 = 0.0_wp, bent_2 = 0.0_wp, twist = 0.0_wp, turn = 0.0_wp   !< bent; torque
       real(wp), dimension(pair) :: shear = 0.0_wp, outer_turn = 0.0_wp, inner_turn = 0.0_wp
@@ -62,10 +63,10 @@ contains
       outer = half
       inner = 3 - half
       sign = merge(1.0_wp, -1.0_wp, half == 1)
-      both%clearance(half) = element%law%clearance
-      both%contact(half) = element%law%contact
-      both%maximum(half) = element%law%maximum
-      both%limit(half) = (1.0_wp + element%law%eps_nmax)*element%law%clearance
+      both%contact(half) = element%contact
+      both%maximum(half) = element%maximum
+      both%clearance(half, :) = element%law%clearance - element%moved([outer, inner])
+      both%limit(half, :) = both%clearance(half, :) + element%law%eps_nmax*element%law%clearance
       both%lever(half) = sign*element%lever
       both%around(half) = element%around
       both%length(half) = element%length
@@ -128,8 +129,8 @@ contains
          offset(l, 2) = a1*outer(l, 2) + a3*inner(l, 2) + both%length(l)*(a2*u2 + a4*v2)
          offset(l, 3) = b1*outer(l, 1) + b3*inner(l, 1) + both%length(l)*(b2*u1 + b4*v1)
          offset(l, 4) = b1*outer(l, 2) + b3*inner(l, 2) + both%length(l)*(b2*u2 + b4*v2)
-         depth(l, 1) = offset(l, 1)**2 + offset(l, 2)**2 - both%clearance(l)**2
-         depth(l, 2) = offset(l, 3)**2 + offset(l, 4)**2 - both%clearance(l)**2
+         depth(l, 1) = offset(l, 1)**2 + offset(l, 2)**2 - both%clearance(l, 1)**2
+         depth(l, 2) = offset(l, 3)**2 + offset(l, 4)**2 - both%clearance(l, 2)**2
       end do
       push(1)%force = 0.0_wp
       push(2)%force = 0.0_wp
@@ -153,10 +154,10 @@ contains
             per_distance = 1.0_wp/max(distance, tiny(1.0_wp))
             contact = 0.5_wp*both%length(l)*both%contact(l)
             more = 0.5_wp*both%length(l)*both%maximum(l) - contact
-            force = contact*max(distance - both%clearance(l), 0.0_wp) + more*max(distance - both%limit(l), 0.0_wp)
+            force = contact*max(distance - both%clearance(l, p), 0.0_wp) + more*max(distance - both%limit(l, p), 0.0_wp)
             ! factors are one where the wall presses, else zero: the compiler makes jumps of merge
-            steep = contact*(0.5_wp - sign(0.5_wp, both%clearance(l) - distance)) &
-                    + more*(0.5_wp - sign(0.5_wp, both%limit(l) - distance))
+            steep = contact*(0.5_wp - sign(0.5_wp, both%clearance(l, p) - distance)) &
+                    + more*(0.5_wp - sign(0.5_wp, both%limit(l, p) - distance))
             n1 = offset(l, 1, p)*per_distance
             n2 = offset(l, 2, p)*per_distance
             turning = force*per_distance

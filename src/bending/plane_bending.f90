@@ -51,8 +51,8 @@ contains
          at_inner(l, 2) = f - both%inner_load(l, 3)
          offset(l, 1) = a1*outer(l, 1) + a3*inner(l, 1) + both%length(l)*(a2*u + a4*v)
          offset(l, 2) = b1*outer(l, 1) + b3*inner(l, 1) + both%length(l)*(b2*u + b4*v)
-         depth(l, 1) = abs(offset(l, 1)) - both%clearance(l)
-         depth(l, 2) = abs(offset(l, 2)) - both%clearance(l)
+         depth(l, 1) = abs(offset(l, 1)) - both%clearance(l, 1)
+         depth(l, 2) = abs(offset(l, 2)) - both%clearance(l, 2)
       end do
       push(1)%force = 0.0_wp
       push(2)%force = 0.0_wp
@@ -73,10 +73,10 @@ contains
             distance = abs(offset(l, p))
             contact = 0.5_wp*both%length(l)*both%contact(l)
             more = 0.5_wp*both%length(l)*both%maximum(l) - contact
-            force = contact*max(distance - both%clearance(l), 0.0_wp) + more*max(distance - both%limit(l), 0.0_wp)
+            force = contact*max(distance - both%clearance(l, p), 0.0_wp) + more*max(distance - both%limit(l, p), 0.0_wp)
             ! factors are one where the wall presses, else zero: the compiler makes jumps of merge
-            push(p)%k11(l) = contact*(0.5_wp - sign(0.5_wp, both%clearance(l) - distance)) &
-                             + more*(0.5_wp - sign(0.5_wp, both%limit(l) - distance))
+            push(p)%k11(l) = contact*(0.5_wp - sign(0.5_wp, both%clearance(l, p) - distance)) &
+                             + more*(0.5_wp - sign(0.5_wp, both%limit(l, p) - distance))
             push(p)%force(l) = force
             normal(l, p) = sign(force, offset(l, p))
          end do

@@ -10,6 +10,7 @@ module dg_deck_parts
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fault_list, only: fault_list_type, add_fault
+   use dg_hole_section, only: rigid_over_elastic
    use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type
@@ -24,8 +25,6 @@ module dg_deck_parts
    private
    public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig, draft_design
 
-   !> A rigid wall where the deck sets the elastic one alone: stiffer by the ratio of the defaults.
-   real(wp), parameter :: rigid_over_elastic = 10.0_wp
    !> Yield strength of tool joints where none is given [Pa]: 120 ksi, the least of API Spec 5DP.
    real(wp), parameter :: usual_joint_yield = 120.0e3_wp*6894.757293168_wp
    !> Wall left by wear, in the order of the classes (API RP 7G-2).
@@ -305,8 +304,7 @@ contains
       numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)
       numerics%gk_min = real_of(group, 'gk_min', numerics%gk_min)
       numerics%gk_contact = real_of(group, 'gk_contact', numerics%gk_contact)
-      ! a stiff wall may pass the default of the rigid one, which then goes with it
-      numerics%gk_max = real_of(group, 'gk_max', max(numerics%gk_max, rigid_over_elastic*numerics%gk_contact))
+      numerics%gk_max = real_of(group, 'gk_max', rigid_over_elastic*numerics%gk_contact)
       numerics%eps_n0 = real_of(group, 'eps_n0', numerics%eps_n0)
       numerics%eps_nmax = real_of(group, 'eps_nmax', numerics%eps_nmax)
       numerics%r_n0 = real_of(group, 'r_n0', numerics%r_n0)

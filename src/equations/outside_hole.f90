@@ -4,6 +4,7 @@ module dg_outside_hole
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
    use dg_gap_survey, only: node_lie, out_of_reach, point_on_string
+   use dg_hole_section, only: default_wall
    use dg_mesh, only: mesh_type
    use dg_profile, only: profile_type
    use dg_text, only: to_text
@@ -29,13 +30,6 @@ module dg_outside_hole
    integer, parameter :: shown = 2, shown_depth = 6
    !> Words by which every such message is known.
    character(*), parameter :: outside_place = ' outside its hole at '
-   !> Excess that a wall of the advised stiffness leaves, over the clearance [-]. A blade's edge presses a wall in by the square
-   !> root of its softness, or less.
-   real(wp), parameter :: left = 0.1_wp
-   !> Stiffness of a wall beyond its elastic range over that within, where a deck says no other [-].
-   real(wp), parameter :: rigid_over_elastic = 10.0_wp
-   !> Stiffest wall that is advised [N/m2]: rock and casing have no more.
-   real(wp), parameter :: stiffest_advised = 1.0e12_wp
 
    !> Where a string stands farthest outside, counted in clearances of the hole section and component there.
    type :: outside_type
@@ -139,13 +133,6 @@ contains
       least = max(tell_outside, mesh%eps_nmax(e))
    end function told_from
 
-   !> Stiffness of a wall that holds the string, a power of ten [N/m2].
-   pure function advised_wall(outside) result(wall)
-      type(outside_type), intent(in) :: outside
-      real(wp) :: wall
-      wall = 10.0_wp**ceiling(log10(rigid_over_elastic*max(outside%wall, 1.0_wp)*max(outside%excess/left, 1.0_wp)**2))
-   end function advised_wall
-
    !> What is said of a string that stands outside: where, how far, what to do.
    pure subroutine outside_message(units, outside, text)
       type(unit_system_type), intent(in) :: units
@@ -157,8 +144,8 @@ contains
       if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
       if (outside%gives_way) then
          text = 'the wall gives way: the string stands '//text
-         if (advised_wall(outside) <= stiffest_advised) text = text//'; set wall_stiffness to '// &
-            trim(in_units(units, unit_wall, advised_wall(outside), shown))
+         if (outside%wall < default_wall) text = text//'; set wall_stiffness to '// &
+            trim(in_units(units, unit_wall, default_wall, shown))//', the default, which is as good as rigid'
       else
          text = 'between its contact points the string stands '//text//': contact there may be off'
          if (outside%length > short) text = text//'; an element_length of '// &

@@ -51,7 +51,9 @@ contains
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance(2)
       real(wp) :: walls, places, slide
-      walls = maxval(gaps%law%maximum)/force_scale
+      associate (law => gaps%law)       ! no contact presses with more than the scale
+         walls = maxval(merge(law%maximum, law%contact, law%contact*law%clearance*law%eps_nmax < force_scale))/force_scale
+      end associate
       slide = max(1.0_wp, force_scale*sum(mesh%length/mesh%ea))
       tolerance = max(min(numerics%tolerance, loosest), &
                       slide*round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
@@ -70,7 +72,7 @@ contains
       allocate (laws(mesh%elements))
       do e = 1, mesh%elements
          laws(e) = gap_law_type(clearance=mesh%opening(e), contact=mesh%wall(e)*mesh%length(e), &
-            maximum=max(numerics%gk_max, mesh%wall(e))*mesh%length(e), eps_nmax=mesh%eps_nmax(e))
+            maximum=mesh%rigid(e)*mesh%length(e), eps_nmax=mesh%eps_nmax(e))
       end do
       gaps = new_gap_table(laws, merge(lower_node, middle, numerics%gap_location == gap_at_nodes))
       gaps%thresholds = gap_thresholds_type(eps_n0=numerics%eps_n0, r_n0=numerics%r_n0)

@@ -81,11 +81,11 @@ contains
       logical, intent(in) :: watched
       integer, intent(in) :: unknowns        !< of a node
       type(equilibrium_type), intent(out) :: it
-      real(wp), parameter :: least = 1.0e-9_wp      ! of the wall's stiffness, where nothing presses
+      real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
       it%numerics = numerics
       it%loads = loads
       it%tolerance = tolerance
-      it%soft = max(pressing, least*maxval(mesh%wall))/numerics%tuning%soft_penetration
+      it%soft = max(pressing, least)/numerics%tuning%soft_penetration
       it%raised = numerics%tuning%until_definite
       it%growth = numerics%tuning%growth
       it%watched = watched

@@ -12,7 +12,7 @@ module dg_mesh
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, component_at, component_tops, joint_ends
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
-   use dg_hole_section, only: hole_section_at
+   use dg_hole_section, only: hole_section_at, wall_of
    use dg_load_case, only: load_case_type, rotates
    use dg_merge_sort, only: sorted_places
    use dg_model, only: model_type, string_index
@@ -47,6 +47,7 @@ module dg_mesh
       real(wp), allocatable :: axial(:)          !< friction along the hole, > 0 pushes down the hole [-]
       real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
       real(wp), allocatable :: wall(:)           !< wall stiffness Gkc, or a bow spring's over its length [N/m2]
+      real(wp), allocatable :: rigid(:)          !< of the wall beyond its elastic range, Gkmax [N/m2]
       real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
       real(wp), allocatable :: drag(:)           !< running force of bow springs, > 0 pushes down the hole [N]
       logical, allocatable :: centralizer(:)     !< a centraliser touches, at the middle of its element
@@ -107,7 +108,7 @@ contains
       end do
       n = mesh%elements
       allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
-                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%eps_nmax(n), &
+                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%rigid(n), mesh%eps_nmax(n), &
                 mesh%lying(n), mesh%gathered(n), mesh%spacing(n), mesh%opening(n), mesh%drag(n), mesh%centralizer(n))
       top = mesh%md(1)
       allocate (tops(size(model%strings(index)%components)))
@@ -187,8 +188,7 @@ contains
             mesh%clearance(e) = room_of_held_bit(component, 0.5_wp*hole%diameter - mesh%radius(e))
          mesh%opening(e) = mesh%clearance(e)
          mesh%drag(e) = 0.0_wp
-         mesh%wall(e) = hole%wall_stiffness
-         if (.not. hole%wall_stiffness > 0.0_wp) mesh%wall(e) = model%numerics%gk_contact
+         call wall_of(hole, model%numerics%gk_contact, model%numerics%gk_max, mesh%wall(e), mesh%rigid(e))
          mesh%eps_nmax(e) = model%numerics%eps_nmax
          if (hole%mud_sheath > 0.0_wp) mesh%eps_nmax(e) = hole%mud_sheath/mesh%clearance(e)  ! = 2 t/(D - d)
          call find_friction(hole, component, load_case, mesh%centralizer(e), mesh%radius(e), 1.0_wp, mesh%axial(e), &

@@ -1,6 +1,7 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
+   use dg_hole_section, only: default_wall, rigid_over_elastic
    use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
    use dg_text, only: lower_case, quoted
    use dg_tuning, only: tuning_type
@@ -47,8 +48,8 @@ module dg_numerics
       integer :: max_iterations = 600          !< in all load steps of a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
-      real(wp) :: gk_contact = 1.0e8_wp        !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
-      real(wp) :: gk_max = 1.0e9_wp            !< of a rigid wall [N/m2]: Gkmax
+      real(wp) :: gk_contact = default_wall    !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
+      real(wp) :: gk_max = rigid_over_elastic*default_wall !< of a rigid wall [N/m2]: Gkmax
       real(wp) :: eps_n0 = 1.0e-8_wp           !< threshold of relative compression [-]: Eqs. 7-8
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8

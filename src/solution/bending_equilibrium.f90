@@ -6,6 +6,7 @@ module dg_bending_equilibrium
    use dg_bending_nodes, only: shape_at
    use dg_bending_solution, only: solve_bending
    use dg_mesh, only: mesh_type
+   use dg_moved_walls, only: solve_with_moved_walls
    implicit none
    private
    public :: solve_anchored, settle_firmly, is_near
@@ -16,16 +17,14 @@ module dg_bending_equilibrium
    !> Clearance that counts at least for that distance [m]: on short elements a bit or blade with less room may lie on its other
    !> side.
    real(wp), parameter :: least_room = 2.0e-3_wp
-   !> Stiffness of walls over their own, one after the other, where no equilibrium is found against their own [-].
-   real(wp), parameter :: soft_walls(3) = [1.0e-3_wp, 1.0e-2_wp, 1.0e-1_wp]
    !> Change of moments by the last step, over the largest [-], where the string is to be as it is: next to a stiff wall 0.2 % of a
    !> moment is a tenth of the bit's side force.
    real(wp), parameter :: firmly = 1.0e-6_wp
 
 contains
 
-   !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string. Where none is found the
-   !> string is bent against softer walls first: against stiff ones Newton's steps open and close one contact after the other.
+   !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string. Walls are no stiffer than
+   !> Newton's steps bear.
    subroutine solve_anchored(mesh, lying, beam, y, settled, found)
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying
@@ -33,51 +32,29 @@ contains
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(in) :: settled
       logical, intent(out) :: found
-      type(bending_beam_type) :: softer
-      real(wp) :: start(size(y, 1), size(y, 2))
-      integer :: i
-      start = y
-      call solve_once(mesh, lying, beam, y, settled, found)
-      if (found) return
-      y = start
-      softer = beam
-      do i = 1, size(soft_walls)
-         softer%element%law%contact = soft_walls(i)*beam%element%law%contact
-         softer%element%law%maximum = soft_walls(i)*beam%element%law%maximum
-         softer%point_law%contact = soft_walls(i)*beam%point_law%contact
-         softer%point_law%maximum = soft_walls(i)*beam%point_law%maximum
-         call solve_once(mesh, lying, softer, y, settled, found)
-      end do
-      call solve_once(mesh, lying, beam, y, settled, found)
+      real(wp), allocatable :: anchor(:, :)      ! or nothing
+      if (lying%anchored) allocate (anchor, source=shape_at(mesh%md, lying%y, beam%md))
+      call solve_bending(beam, y, settled, found, anchor)
    end subroutine solve_anchored
 
-   !> Goes on from an equilibrium until nothing changes. Where that finds no end, as at some walls of 1e9 kN/m2, the shape stays.
+   !> Goes on from an equilibrium until nothing changes, against the true walls. Where that finds no end the shape stays.
    subroutine settle_firmly(mesh, lying, beam, y)
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying
-      type(bending_beam_type), intent(in) :: beam
+      type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
+      type(bending_beam_type) :: firmer
+      real(wp), allocatable :: anchor(:, :)      ! or nothing
       real(wp) :: closer(size(y, 1), size(y, 2))
       logical :: found
       closer = y
-      call solve_once(mesh, lying, beam, closer, firmly, found)
-      if (found) y = closer
+      firmer = beam
+      if (lying%anchored) allocate (anchor, source=shape_at(mesh%md, lying%y, beam%md))
+      call solve_with_moved_walls(lying%firm, firmer, closer, firmly, found, anchor)
+      if (.not. found) return
+      y = closer
+      beam = firmer
    end subroutine settle_firmly
-
-   !> Equilibrium against the walls as they are.
-   subroutine solve_once(mesh, lying, beam, y, settled, found)
-      type(mesh_type), intent(in) :: mesh
-      type(lying_type), intent(in) :: lying
-      type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(inout) :: y(:, :)
-      real(wp), intent(in) :: settled
-      logical, intent(out) :: found
-      if (lying%anchored) then
-         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, lying%y, beam%md))
-      else
-         call solve_bending(beam, y, settled, found)
-      end if
-   end subroutine solve_once
 
    !> Whether the beam is at the string of the analysis: at the nodes of the mesh where that is compressed. In tension a string has
    !> one equilibrium, unless friction or a large torque make another.

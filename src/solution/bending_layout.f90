@@ -6,6 +6,7 @@ module dg_bending_layout
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
+   use dg_moved_walls, only: firm, soften_walls
    use dg_profile, only: profile_type
    use dg_trajectory, only: arc_at, closest_point, frame_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
@@ -42,6 +43,7 @@ module dg_bending_layout
       real(wp), allocatable :: load(:)       !< contact force per metre of an element and its neighbours (e) [N/m]
       logical, allocatable :: bends(:)       !< whether an element is bent again (e)
       real(wp) :: lateral(2) = 0.0_wp        !< direction across the hole of the plane that the string stays in; 0: none
+      real(wp) :: firm = firm                !< stiffness of its walls at one place of contact during Newton's steps [N/m]
       logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
    end type lying_type
 
@@ -296,6 +298,7 @@ contains
       call set_elements(beam)
       allocate (beam%point_law(size(beam%point)))
       beam%point_law = gaps%law(beam%point_owner)
+      call soften_walls(huge(1.0_wp), lying%firm, beam)
       beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)
       beam%centred(n) = model%boundary%bit_centred .and. nodes(n) >= mesh%md(mesh%nodes)
    end subroutine new_beam

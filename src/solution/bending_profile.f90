@@ -26,6 +26,7 @@ module dg_bending_profile
    use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
+   use dg_moved_walls, only: firm, less_firm
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -85,9 +86,10 @@ contains
          if (size(other) == size(nodes)) deallocate (other)       ! none of them has a node of its own
       end if
       deallocate (breaks, longest, lying%load)
-      do attempt = 1, merge(4, 2, allocated(other))
+      do attempt = 1, merge(8, 4, allocated(other))
          lying%anchored = mod(attempt, 2) == 0
-         if (attempt == 3) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
+         lying%firm = merge(firm, less_firm, mod(attempt - 1, 4) < 2)
+         if (attempt == 5) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
          call bend_again(model, mesh, gaps, work, lying, nodes, beam, bent, result%moment_error)
          if (.not. is_missing(result%moment_error)) exit
       end do
@@ -152,9 +154,10 @@ contains
          if (pass > 1 .and. round == 1) exit      ! the whole string asks for no more
          call solve_anchored(mesh, lying, beam, y, settled, found)
          if (.not. found) return
-         call settle_firmly(mesh, lying, beam, y)
          call recover_moments(beam, y, bent, moments, differences)
       end do
+      call settle_firmly(mesh, lying, beam, y)
+      call recover_moments(beam, y, bent, moments, differences)
       if (.not. is_near(mesh, lying, beam%md, y)) return
       error = maxval(differences)/largest_of(beam, moments)
       if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)

@@ -14,6 +14,7 @@ module dg_bent_start
    use dg_hardened_walls, only: solve_with_hardened_walls
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_model, only: model_type
+   use dg_moved_walls, only: firm, soften_walls
    use dg_trajectory, only: arc_at, frame_on_arc
    implicit none
    private
@@ -49,7 +50,7 @@ contains
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       allocate (beam%viscous(n), source=0.0_wp)
-      allocate (beam%point(0), beam%point_owner(0), beam%point_law(0))
+      allocate (beam%point(0), beam%point_owner(0), beam%point_law(0), beam%point_press(0), beam%point_moved(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
       beam%weight = mesh%weight
       beam%ei = mesh%ei
@@ -93,12 +94,13 @@ contains
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
       logical, intent(out) :: found
-      real(wp) :: bent(4, mesh%nodes), closer(4, mesh%nodes), firm(size(pressed, 1), size(pressed, 2))
+      real(wp) :: bent(4, mesh%nodes), closer(4, mesh%nodes), settling(size(pressed, 1), size(pressed, 2))
       logical :: compressed, closed
       integer :: e
       do e = 1, mesh%elements
          beam%element(e)%law = gap_law_type(clearance=mesh%opening(e), contact=wall(e), maximum=wall(e), eps_nmax=1.0_wp)
       end do
+      call soften_walls(huge(1.0_wp), firm, beam)
       bent = y
       found = .false.
       compressed = any(beam%viscous > 0.0_wp)
@@ -107,11 +109,11 @@ contains
       if (.not. found) return
       closer = bent
       closed = .false.
-      if (.not. compressed) call solve_bending(beam, closer, settled, closed, anchor=y, pressed=firm)
+      if (.not. compressed) call solve_bending(beam, closer, settled, closed, anchor=y, pressed=settling)
       y = bent
       if (.not. closed) return
       y = closer
-      pressed = firm
+      pressed = settling
    end subroutine bend_start
 
    !> Largest contact load over its clearance that the bend of a housing is expected to have in a vertical hole [N/m2], where

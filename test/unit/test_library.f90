@@ -285,7 +285,7 @@ contains
       call refuse(parts, 'fluids(1): collar = 17')
       call fill(parts)
       parts%numerics = settings_of('auto')
-      parts%numerics%gk_min = 1.0e9_wp
+      parts%numerics%gk_min = 2.0_wp*parts%numerics%gk_contact
       call refuse(parts, 'numerics: gk_min must be smaller')
       parts%numerics = settings_of('auto')
       parts%numerics%max_iterations = 0

@@ -132,6 +132,10 @@ contains
       call assertEqual(2, outside%elements)
       call assertTrue(outside%gives_way)
       call outside_message(si_units(), outside, text)
+      call assertEqual(0, index(text, 'wall_stiffness'), message='nothing is advised: '//text)
+      mesh%wall(3:4) = 1.0e8_wp
+      call measure_outside(model%trajectory, mesh, work, outside)
+      call outside_message(si_units(), outside, text)
       call assertGreaterThan(index(text, 'set wall_stiffness to 1e8 kN/m2'), 0, message=text)
       mesh%eps_nmax(3:4) = 0.6_wp
       call measure_outside(model%trajectory, mesh, work, outside)

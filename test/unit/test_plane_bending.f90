@@ -3,6 +3,7 @@ module dg_test_plane_bending
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use dg_bending_beam, only: bending_beam_type, set_elements
    use dg_bending_element, only: contact_places
+   use dg_moved_walls, only: soften_walls
    use dg_bending_solution, only: solve_bending
    use dg_gap_state, only: gap_law_type
    use dg_kinds, only: wp
@@ -54,6 +55,7 @@ contains
       beam%point_owner = [9]
       beam%point_law = [gap_law_type(clearance=0.03_wp, contact=1.0e8_wp, maximum=1.0e8_wp, eps_nmax=1.0_wp)]
       call set_elements(beam)
+      call soften_walls(huge(1.0_wp), huge(1.0_wp), beam)
    end function string_of
 
    !> Bends both ways from a line along the wall. Offsets may differ by a part of the largest, contact forces by one of theirs.

@@ -35,7 +35,7 @@ module dg_independent_beam
       real(wp) :: around = 0.0_wp             !< m [-]
       real(wp) :: youngs = 206.0e9_wp         !< [Pa]
       real(wp) :: gravity = 9.80665_wp        !< [m/s2]
-      real(wp) :: wall = 1.0e8_wp             !< stiffness of the wall per metre [N/m2]
+      real(wp) :: wall = 1.0e10_wp            !< stiffness of the wall per metre [N/m2]
       real(wp) :: step = 0.2_wp               !< distance of nodes [m]
       real(wp) :: bend = 0.0_wp, bend_above = 0.0_wp   !< of the string before loading, height of its middle above the bit [rad, m]
       real(wp) :: bend_length = 0.1_wp        !< over which it is bent [m]
@@ -83,7 +83,7 @@ contains
                away = beam%weight(:, i) + beam%tension(i)*beam%k_node(:, i)
                beam%y(:, i) = beam%clearance(i)*away/max(norm2(away), tiny(1.0_wp))
             end do
-            do stage = 4, 1, -1
+            do stage = 6, 1, -1
                call find_offsets(well, well%wall*0.1_wp**stage, beam, found)
             end do
          end if

@@ -251,12 +251,12 @@ contains
    !> A motor almost without weight under a limp string: where its bit has no side force nothing bends it, and bit and both blades
    !> lie on the hole's arc, 1/R = 2 bend/(L1 + L2), towards any toolface. Play of 0.3 mm at blades of 5 cm leaves 1 % of it open.
    subroutine test_three_points()
-      real(wp), parameter :: geometry_within = 0.02_wp, first = 2.0_wp, second = 7.0_wp, blade = 0.05_wp, bend = 1.0_wp*degree
+      real(wp), parameter :: first = 2.0_wp, second = 7.0_wp, blade = 0.05_wp, bend = 1.0_wp*degree, bend_length = 0.1_wp
       real(wp), parameter :: gauge = 0.2153_wp, toolfaces(3) = [0.0_wp, 70.0_wp*degree, 180.0_wp*degree]
       type(independent_well_type) :: well
       type(model_type) :: model
       type(steering_result_type) :: found
-      real(wp) :: expected
+      real(wp) :: expected, room, within
       integer :: i
       well = straight(40.0_wp, 0.0_wp, 0.0_wp)
       call build(well, gauge, model)
@@ -278,12 +278,15 @@ contains
       model%cases(1)%operation = operation_static
       model%cases(1)%wob = 1.0e3_wp
       expected = 2.0_wp*bend/(first + second)
+      ! a string that nearly floats may lie anywhere within its blades' clearance, and the bent blade touches with its ends
+      room = 0.5_wp*(well%diameter - gauge) + 0.125_wp*blade**2*bend/bend_length
+      within = 0.01_wp + 2.0_wp*room*(1.0_wp + (first + second)/first)/((first + second)*second)/expected
       do i = 1, size(toolfaces)
          call find_equilibrium_curvature(model, 1, toolfaces(i), 60.0_wp, optional_real(), found)
          call assertTrue(found%found, message='three points: '//found%message)
          if (.not. found%found) cycle
          call note('off, over the curvature of three points', norm2(found%curvature/expected - direction(toolfaces(i))))
-         call assertLessThan(norm2(found%curvature/expected - direction(toolfaces(i))), geometry_within, message='three points')
+         call assertLessThan(norm2(found%curvature/expected - direction(toolfaces(i))), within, message='three points')
       end do
    end subroutine test_three_points
 

@@ -22,7 +22,7 @@ module dg_test_columns
    !> Drill pipe, mud, gravity.
    real(wp), parameter :: od = 0.127_wp, id = 0.1086_wp, joint = 0.1619_wp, mass = 31.9_wp, yield = 931.0e6_wp
    real(wp), parameter :: mud = 1200.0_wp, gravity = 10.0_wp, hole = 0.2159_wp, steel = 7850.0_wp
-   real(wp), parameter :: youngs = 206.0e9_wp, poisson = 0.3_wp, makeup = 40.0e3_wp, rig = 2.0e6_wp, wall = 1.0e8_wp
+   real(wp), parameter :: youngs = 206.0e9_wp, poisson = 0.3_wp, makeup = 40.0e3_wp, rig = 2.0e6_wp, wall = 1.0e11_wp
    real(wp), parameter :: area = 0.25_wp*pi*(od**2 - id**2), inertia = pi/64.0_wp*(od**4 - id**4)
    real(wp), parameter :: joint_area = 0.25_wp*pi*(joint**2 - id**2), joint_inertia = pi/64.0_wp*(joint**4 - id**4)
    real(wp), parameter :: spacing = 9.5_wp    !< of joints, the default [m]

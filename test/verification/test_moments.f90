@@ -32,9 +32,10 @@ module dg_test_moments
    !> The rest of the columns. Axial force over the largest and torque over that at the top: between the nodes of the analysis
    !> they go along straight lines past contacts that stand at one place. Offset, as a vector, over the clearance; clock angle on
    !> the wall; contact summed up from the top over all of it; shear over the largest: it jumps at the ends of contact, where a
-   !> row tells little.
+   !> row is held to lie between what the reference has within some steps of it.
    real(wp), parameter :: axial_within = 4.0e-3_wp, torque_along_within = 0.01_wp, offset_within = 0.01_wp
-   real(wp), parameter :: clock_within = 0.5_wp*degree, sum_within = 0.03_wp, shear_within = 0.2_wp, shear_mean_within = 0.015_wp
+   real(wp), parameter :: clock_within = 0.5_wp*degree, sum_within = 0.03_wp, shear_within = 0.1_wp, shear_mean_within = 0.015_wp
+   real(wp), parameter :: at_a_jump = 0.5_wp
    !> All round a row that is held to lie on the wall, the string does [m].
    real(wp), parameter :: wall_part = 5.0_wp
    !> Hook load of the stiff string: it counts contact on both sides of a change of sides, where beams hang free.
@@ -347,10 +348,10 @@ contains
       type(case_result_type), intent(in) :: result
       real(wp), intent(in) :: place(:)
       character(*), intent(in) :: what
-      real(wp), dimension(size(place)) :: axial, torque, offset, clock, shear, summed, sums
+      real(wp), dimension(size(place)) :: axial, torque, offset, clock, shear, misplaced, summed, sums
       real(wp) :: distance(0:beam%n), force(0:beam%n), contact(0:beam%n), other(2)
       integer :: i
-      logical :: counts(size(place)), lies(size(place))
+      logical :: counts(size(place)), lies(size(place)), beside(0:beam%n)
       associate (profile => result%profile)
          distance = norm2(beam%y, dim=1)
          force(1:) = norm2(beam%shear, dim=1)
@@ -371,6 +372,10 @@ contains
             clock(i) = turn_of(profile%clock(i) - clock_at(beam, place(i)))
             shear(i) = 0.0_wp
             if (.not. is_missing(profile%shear(i))) shear(i) = (profile%shear(i) - value_at(beam, force, place(i)))/maxval(force)
+            misplaced(i) = 0.0_wp
+            beside = abs(beam%x - place(i)) < at_a_jump
+            if (abs(shear(i)) > 0.0_wp) misplaced(i) = max(profile%shear(i) - maxval(force, beside), &
+                                                           minval(force, beside) - profile%shear(i), 0.0_wp)/maxval(force)
             summed(i) = value_at(beam, contact, place(i))/contact(beam%n)
          end do
          sums(1) = 0.0_wp
@@ -382,6 +387,7 @@ contains
          call note(what//': offset off, over the clearance', maxval(abs(offset), mask=counts))
          call note(what//': clock off on the wall, deg', maxval(abs(clock), mask=counts .and. lies)/degree)
          call note(what//': shear off, over the largest', maxval(abs(shear), mask=counts))
+         call note(what//': the same, but for its place', maxval(misplaced, mask=counts))
          call note(what//': shear off, root mean square', mean_of(shear, place, counts))
          call note(what//': summed contact off', maxval(abs(sums/result%normal_force - summed), mask=counts))
          call note(what//': side force over the md, over the sum of contact', sums(size(sums))/result%normal_force - 1.0_wp)
@@ -390,7 +396,7 @@ contains
                              message=what//': torque along')
          call assertLessThan(maxval(abs(offset), mask=counts), offset_within, message=what//': offset')
          call assertLessThan(maxval(abs(clock), mask=counts .and. lies), clock_within, message=what//': clock')
-         call assertLessThan(maxval(abs(shear), mask=counts), shear_within, message=what//': shear')
+         call assertLessThan(maxval(misplaced, mask=counts), shear_within, message=what//': shear')
          call assertLessThan(mean_of(shear, place, counts), shear_mean_within, message=what//': shear, mean')
          call assertLessThan(maxval(abs(sums/result%normal_force - summed), mask=counts), sum_within, &
                              message=what//': contact along')

@@ -1,0 +1,99 @@
+!> Walls of a bending beam that are as stiff as they are, by steps against walls that yield.
+!>
+!> A wall of rock or steel yields by micrometres. Newton's steps against it open and close one contact after the other, and may
+!> cycle. They are taken against a wall that is no stiffer than `firm` at each place of contact. Where the string presses it by a
+!> force R, the wall is then moved inwards by as much as it yields to R more than the true one: the string presses it by R where R
+!> takes it into the true wall. From there it is solved once more. What is left of the wall's yielding is as small as the string's
+!> own stiffness is beside the wall's, over some metres a hundredth. Once is enough: on 120 wells a second time changed the largest
+!> moment by 0.05 % at most in nine of ten.
+!>
+!> This is the method of multipliers with the force R as the multiplier (augmented Lagrangian; Hestenes 1969, Multiplier and gradient
+!> methods, J. Optim. Theory Appl. 4, 303-320).
+module dg_moved_walls
+   use dg_kinds, only: wp
+   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
+   use dg_bending_element, only: contact_places
+   use dg_bending_solution, only: solve_bending
+   use dg_gap_state, only: depth_of, gap_law_type
+   implicit none
+   private
+   public :: solve_with_moved_walls, soften_walls, firm, less_firm
+
+   !> Stiffness of a wall at one place of contact that Newton's steps bear from any shape [N/m]; that of slim strings, which are a
+   !> thousand times less stiff than collars; and by how much stiffer walls may be next to an equilibrium [-].
+   real(wp), parameter :: firm = 3.0e8_wp, less_firm = 1.0e7_wp, firmer = 3.0_wp
+   !> Length of a tool joint's contact [m].
+   real(wp), parameter :: joint_length = 1.0_wp
+
+contains
+
+   !> Bends a beam against its true walls, from an equilibrium against walls that soften_walls has softened. Arguments as those of
+   !> solve_bending; walls of the beam are as they were moved on return.
+   pure subroutine solve_with_moved_walls(at_place, beam, y, settled, found, anchor)
+      real(wp), intent(in) :: at_place          !< to which its walls have been softened [N/m]
+      type(bending_beam_type), intent(inout) :: beam
+      real(wp), contiguous, intent(inout) :: y(:, :)
+      real(wp), intent(in) :: settled
+      logical, intent(out) :: found
+      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      type(bent_type) :: bent
+      call find_forces(beam, y, bent)
+      call soften_walls(huge(1.0_wp), firmer*at_place, beam)
+      call move_walls(bent, beam)
+      call solve_bending(beam, y, settled, found, anchor)
+   end subroutine solve_with_moved_walls
+
+   !> Puts walls where they are, no stiffer than given [N/m2] and than Newton's steps bear.
+   pure subroutine soften_walls(stiffness, at_place, beam)
+      real(wp), intent(in) :: stiffness      !< [N/m2]
+      real(wp), intent(in) :: at_place       !< at each place of contact [N/m]
+      type(bending_beam_type), intent(inout) :: beam
+      integer :: e
+      do e = 1, size(beam%element)
+         associate (element => beam%element(e), most => min(stiffness, contact_places*at_place/beam%element(e)%length))
+            element%contact = min(element%law%contact, most)
+            element%maximum = min(element%law%maximum, most)
+            element%moved = 0.0_wp
+         end associate
+      end do
+      beam%point_press = softened(beam%point_law, min(joint_length*stiffness, at_place))
+      beam%point_moved = 0.0_wp*beam%point_law%clearance
+   end subroutine soften_walls
+
+   !> A law with no stiffness above the given one.
+   elemental function softened(law, most) result(softer)
+      type(gap_law_type), intent(in) :: law
+      real(wp), intent(in) :: most           !< in the unit of the law [N/m2 or N/m]
+      type(gap_law_type) :: softer
+      softer = law
+      softer%contact = min(law%contact, most)
+      softer%maximum = min(law%maximum, most)
+   end function softened
+
+   !> Moves walls by the forces that a string presses them with.
+   pure subroutine move_walls(bent, beam)
+      type(bent_type), intent(in) :: bent
+      type(bending_beam_type), intent(inout) :: beam
+      integer :: e, p
+      do e = 1, size(beam%element)
+         associate (element => beam%element(e), press => softened(beam%element(e)%law, beam%element(e)%maximum))
+            if (.not. element%maximum < element%law%maximum) cycle
+            do p = 1, contact_places
+               if (bent%pressed(p, e) > 0.0_wp) &
+                  element%moved(p) = yielding(element%law, press, contact_places*bent%pressed(p, e)/element%length)
+            end do
+         end associate
+      end do
+      do p = 1, size(beam%point)
+         beam%point_moved(p) = yielding(beam%point_law(p), beam%point_press(p), bent%points(p))
+      end do
+   end subroutine move_walls
+
+   !> By how much more a softer wall yields to a force [m].
+   pure function yielding(law, softer, force) result(more)
+      type(gap_law_type), intent(in) :: law, softer
+      real(wp), intent(in) :: force          !< in the unit of the laws [N/m or N]
+      real(wp) :: more
+      more = depth_of(softer, force) - depth_of(law, force)
+   end function yielding
+end module dg_moved_walls
