@@ -15,7 +15,7 @@ module dg_hole_section
       real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
       real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
-      logical :: cased = .false.           !< for sweeps that vary friction of cased and open hole, and for tools that open below casing
+      logical :: cased = .false.           !< for sweeps by friction cased and open, and for tools that open
    end type hole_section_type
 
 contains

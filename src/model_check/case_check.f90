@@ -90,8 +90,8 @@ contains
                       'component', uppermost, ')')
    end subroutine check_string_length
 
-   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that opens
-   !> passes with its closed diameter down to where it opens.
+   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that
+   !> opens passes with its closed diameter down to where it opens.
    subroutine check_passage(components, places, holes, bit_depth, whose, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards
       integer, intent(in) :: places(:)                    !< of each
