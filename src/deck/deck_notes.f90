@@ -283,12 +283,13 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: upper_end
       associate (part => item%component, units => draft%units)
-         upper_end = lower_end - part%length
+         upper_end = 0.0_wp
+         if (part%length > 0.0_wp) upper_end = max(lower_end - part%length, 0.0_wp)
          if (.not. opens(part) .or. .not. lower_end > 0.0_wp .or. is_open(part, upper_end)) return
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
             ' counts as closed everywhere: a tool opens where its whole length is below opened_below = '// &
             trim(in_units(units, unit_length, part%opened_below, digits))//', and its upper end comes to '// &
-            trim(in_units(units, unit_length, max(upper_end, 0.0_wp), digits)))
+            trim(in_units(units, unit_length, upper_end, digits)))
       end associate
    end subroutine note_closed
 end module dg_deck_notes

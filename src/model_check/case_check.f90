@@ -113,7 +113,7 @@ contains
       do k = 1, size(components)
          if (lower_end <= 0.0_wp) return
          upper_end = 0.0_wp
-         if (components(k)%length > 0.0_wp) upper_end = lower_end - components(k)%length
+         if (components(k)%length > 0.0_wp) upper_end = max(lower_end - components(k)%length, 0.0_wp)
          if (is_open(components(k), upper_end)) &
             call check_open_passage(components(k), places(k), holes, lower_end, whose, units, found)
          diameter = closed_diameter(components(k))

@@ -176,6 +176,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call refuse('wob = 20.0', 'wob = 21.0', 'wob was 20 kN and is 21 kN')
       call refuse('diameter = 315.9', 'diameter = 316', 'hole 2, diameter was 315.9 mm and is 316 mm')
+      call refuse('opened_od = 250.0', 'opened_od = 251', 'component 2, opened_od was 250 mm and is 251 mm')
       call refuse('rpm = 60.0', 'rpm = 70.0', 'rotation was 60 rpm and is 70 rpm')
       call refuse('trip_speed = 0.3', 'trip_speed = 0.4', 'trip speed was 0.3 m/s and is 0.4 m/s')
    contains

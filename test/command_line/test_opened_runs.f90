@@ -6,7 +6,7 @@ module dg_test_opened_runs
    use dg_kinds, only: wp
    use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type, scratch
    use dg_result_rows, only: field, lines_of, number
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, text_list, text_type, to_text
    implicit none
    private
    public :: opened_runs_suite
@@ -126,8 +126,8 @@ contains
       call assertEqual(0, index(run%output, 'note '), message=run%output)
       run = run_deck_text(replaced(deck(), tool, tool//', opened_below = 1150'), '--check')
       call assertTrue(index(run%output, noted//'1150 m, and its upper end comes to 1138.8 m') > 0, message=run%output)
-      run = run_deck_text(replaced(deck(), 'bit_depth = 1200.0', 'bit_depth = 400.0')//"&sweep operations = 'up', bit_depth_to = 600 /"//newline, &
-                          '--check')
+      run = run_deck_text(replaced(deck(), 'bit_depth = 1200.0', 'bit_depth = 400.0')// &
+                          "&sweep operations = 'up', bit_depth_to = 600 /"//newline, '--check')
       call assertTrue(index(run%output, noted//'700 m, and its upper end comes to 538.8 m') > 0, message=run%output)
       run = run_deck_text(replaced(deck(), 'bit_depth = 1200.0', 'bit_depth = 400.0')// &
                           "&sweep operations = 'up', bit_depth_to = 1200 /"//newline, '--check')
@@ -160,9 +160,9 @@ contains
       call append_text(lines, 'name,kind,od_mm,id_mm,joint_od_mm,opened_od_mm')
       call append_text(lines, 'UR 213-250,stabilizer,190.0,71.4,213.0,250.0')
       call write_text_file(scratch//'/tools.csv', lines, error)
-      lines = [text_type(replaced(replaced(deck(), "&job", "&job catalogue_file = 'tools.csv', "), &
-                                  "kind = 'stabilizer', length = 1.2, od = 190.0, id = 71.4"//newline//'  '//tool, &
-                                  "length = 1.2, catalogue = 'UR 213-250'"))]
+      lines = text_list(replaced(replaced(deck(), "&job", "&job catalogue_file = 'tools.csv', "), &
+                                 "kind = 'stabilizer', length = 1.2, od = 190.0, id = 71.4"//newline//'  '//tool, &
+                                 "length = 1.2, catalogue = 'UR 213-250'"))
       call write_text_file(deck_path, lines, error)
       run = run_program(deck_path//' --check')
       call assertEqual(0, run%status, message=run%diagnostics)

@@ -3,7 +3,6 @@ module dg_test_opened_tools
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: component_type
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_trip_out
@@ -20,7 +19,7 @@ module dg_test_opened_tools
    character(*), parameter :: methods(4) = [character(5) :: 'soft', 'rigid', 'mixed', 'mcge']
    real(wp), parameter :: shoe = 1400.0_wp, bottom = 2000.0_wp
    real(wp), parameter :: hole = 0.2509_wp, closed = 0.213_wp, opened = 0.2477_wp   !< diameters [m]
-   real(wp), parameter :: pilot = 30.0_wp, tool = 1.2_wp                            !< lengths of bit and collars, and of the tool [m]
+   real(wp), parameter :: pilot = 30.0_wp, tool = 1.2_wp                            !< lengths below the tool and of it [m]
    real(wp), parameter :: same = 1.0e-10_wp
 
 contains
