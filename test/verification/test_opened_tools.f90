@@ -2,16 +2,22 @@
 module dg_test_opened_tools
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
+   use dg_assembly_picture, only: assembly_script
    use dg_case_result, only: case_result_type, result_converged
+   use dg_component, only: component_type
    use dg_error, only: error_type
+   use dg_job, only: job_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_trip_out
+   use dg_load_case, only: operation_rotary_drilling, operation_trip_out, optional_real
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: part, three_part_well
+   use dg_text, only: text_type
+   use dg_units, only: si_units
+   use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
    public :: opened_tools_suite
@@ -32,6 +38,7 @@ contains
       call suite%addTest(TestMethod('opens_as_a_whole', test_whole))
       call suite%addTest(TestMethod('joint_by_joint', test_discrete))
       call suite%addTest(TestMethod('bicentre_bit', test_bit))
+      call suite%addTest(TestMethod('picture', test_picture))
       call suite%addTest(TestMethod('packer_fills_its_hole', test_packer))
    end function opened_tools_suite
 
@@ -41,15 +48,20 @@ contains
       real(wp), intent(in) :: bit                      !< [m]
       real(wp), intent(in) :: touching                 !< closed diameter of the reamer [m]
       real(wp), intent(in), optional :: opened_od      !< absent: the reamer does not open [m]
+      type(component_type), allocatable :: parts(:)
       call three_part_well(model, [0.0_wp, 600.0_wp, 1200.0_wp, bottom], [0.0_wp, 0.0_wp, 50.0_wp, 55.0_wp], shoe)
       model%holes(2)%diameter = hole
       model%cases(1)%bit_depth = bit
-      associate (parts => model%strings(1)%components)
-         model%strings(1)%components = [part('collar', pilot, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp), &
-                                        part('stabilizer', tool, 0.19_wp, 0.0714_wp, 190.0_wp, touching), parts]
+      associate (above => model%strings(1)%components)
+         allocate (parts(2 + size(above)))
+         parts(1) = part('collar', pilot, 0.17145_wp, 0.0714_wp, 160.87051759_wp, 0.0_wp)
+         parts(2) = part('stabilizer', tool, 0.19_wp, 0.0714_wp, 190.0_wp, touching)
+         parts(3:) = above
       end associate
+      call move_alloc(parts, model%strings(1)%components)
       if (present(opened_od)) model%strings(1)%components(2)%opened_od = opened_od
-      model%strings(1)%components(2)%opened_below = shoe
+      if (present(opened_od)) model%strings(1)%components(2)%opened_below = shoe
+      model%strings(1)%components%yield = 700.0e6_wp
    end subroutine build
 
    subroutine solve_by(model, method, operation, result)
@@ -89,6 +101,7 @@ contains
       character(*), intent(in) :: what
       type(case_result_type) :: one, other
       type(along_string_type) :: along, along_other
+      type(whole_string_type) :: whole, whole_other
       call solve_by(first, method, operation, one)
       call solve_by(second, method, operation, other)
       call assertEqual(other%hookload, one%hookload, same*abs(other%hookload), message=what//': hook load')
@@ -102,6 +115,12 @@ contains
       call find_along_string(second, other, along_other)
       call assertTrue(all(abs(along%sinusoidal - along_other%sinusoidal) <= same*abs(along_other%sinusoidal)), &
                       message=what//': buckling limits')
+      call find_whole_string(first, one, along, optional_real(), whole)
+      call find_whole_string(second, other, along_other, optional_real(), whole_other)
+      call assertEqual(whole_other%wob_lockup%value, whole%wob_lockup%value, same*whole_other%wob_lockup%value, &
+                       message=what//': weight on bit before lock-up')
+      call assertEqual(whole_other%wob_yield%value, whole%wob_yield%value, same*whole_other%wob_lockup%value, &
+                       message=what//': weight on bit before yield')
    end subroutine compare_by
 
    !> Hook load, torque and sum of contact of a model by the beams [N, N.m, N].
@@ -173,6 +192,29 @@ contains
       plain%strings(1)%components(1)%joint_od = hole
       call compare(tool_model, plain, 'bit')
    end subroutine test_bit
+
+   !> The picture of the assembly draws what touches.
+   subroutine test_picture()
+      type(model_type) :: models(2)
+      type(case_result_type) :: results(2)
+      type(job_type) :: job
+      type(text_type), allocatable :: lines(:), wanted(:)
+      integer :: i, k
+      job%units = si_units()
+      do k = 1, 2
+         call build(models(1), merge(bottom, shoe - 10.0_wp, k == 1), closed, opened)
+         call build(models(2), merge(bottom, shoe - 10.0_wp, k == 1), merge(opened, closed, k == 1))
+         do i = 1, 2
+            call solve_by(models(i), size(methods), operation_trip_out, results(i))
+         end do
+         call assembly_script('a', job, models(1), results(1), lines)
+         call assembly_script('a', job, models(2), results(2), wanted)
+         call assertEqual(size(wanted), size(lines))
+         do i = 1, min(size(wanted), size(lines))
+            if (lines(i)%text /= wanted(i)%text) call assertEqual(wanted(i)%text, lines(i)%text)
+         end do
+      end do
+   end subroutine test_picture
 
    !> What is as wide as its hole has a quarter of a millimetre of room, as a bit has; it is solved by all methods.
    subroutine test_packer()
