@@ -8,7 +8,7 @@ module dg_test_opened_tools
    use dg_error, only: error_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_trip_out, optional_real
+   use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out, optional_real
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string
@@ -39,6 +39,7 @@ contains
       call suite%addTest(TestMethod('joint_by_joint', test_discrete))
       call suite%addTest(TestMethod('bicentre_bit', test_bit))
       call suite%addTest(TestMethod('picture', test_picture))
+      call suite%addTest(TestMethod('weight_that_yields_it', test_yield))
       call suite%addTest(TestMethod('packer_fills_its_hole', test_packer))
    end function opened_tools_suite
 
@@ -215,6 +216,36 @@ contains
          end do
       end do
    end subroutine test_picture
+
+   !> A long slender tool that coils before it yields: its clearance says under which weight on bit.
+   subroutine test_yield()
+      type(model_type) :: models(3)
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      real(wp) :: weight(3)
+      integer :: i
+      call build(models(1), bottom, closed, opened)
+      call build(models(2), bottom, opened)
+      call build(models(3), bottom, closed)
+      do i = 1, 3
+         associate (parts => models(i)%strings(1)%components)
+            parts%yield = 0.0_wp
+            parts(2)%yield = 300.0e6_wp
+            parts(2)%length = 200.0_wp
+            parts(2)%od = 0.06_wp
+            parts(2)%id = 0.05_wp
+            parts(2)%mass = 10.0_wp
+         end associate
+         call solve_by(models(i), 1, operation_trip_in, result)
+         call find_along_string(models(i), result, along)
+         call find_whole_string(models(i), result, along, optional_real(), whole)
+         call assertTrue(whole%wob_yield%present)
+         weight(i) = whole%wob_yield%value
+      end do
+      call assertEqual(weight(2), weight(1), same*weight(2), message='open')
+      call assertGreaterThan(weight(2), 1.01_wp*weight(3), message='less room, more weight')
+   end subroutine test_yield
 
    !> What is as wide as its hole has a quarter of a millimetre of room, as a bit has; it is solved by all methods.
    subroutine test_packer()
