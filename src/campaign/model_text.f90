@@ -3,7 +3,7 @@
 module dg_model_text
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_type, has_bend
+   use dg_component, only: component_type, has_bend, opens
    use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
@@ -197,6 +197,10 @@ contains
       call add_line(lines, head//'youngs = '//to_text(part%youngs))
       call add_line(lines, head//'poisson = '//to_text(part%poisson))
       call add_line(lines, head//'joint_od = '//to_text(part%joint_od))
+      if (opens(part)) then
+         call add_line(lines, head//'opened_od = '//to_text(part%opened_od))
+         call add_line(lines, head//'opened_below = '//to_text(part%opened_below))
+      end if
       call add_line(lines, head//'joint_length = '//to_text(part%joint_length))
       call add_line(lines, head//'joint_spacing = '//to_text(part%joint_spacing))
       if (.not. is_missing(part%friction_axial)) &

@@ -26,8 +26,8 @@ module dg_catalogue
    character(*), parameter :: catalogue_within = '(catalogue of the program)'
 
    !> Keys of &component that a catalogue may give.
-   character(*), parameter :: numeric_keys(14) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
-      'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion']
+   character(*), parameter :: numeric_keys(15) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
+      'opened_od', 'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion']
    character(*), parameter :: kind_of_grades = 'grade'
    !> Lists of entries in which a name is looked for, so that a catalogue of many thousands takes no longer an entry.
    integer, parameter :: buckets = 10007, spread_factor = 31

@@ -11,6 +11,7 @@ module dg_deck_check
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model_fault, only: fault_words, model_faults_type
+   use dg_opening_check, only: settle_opening
    use dg_string_check, only: check_in_string
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
@@ -103,6 +104,7 @@ contains
       integer :: first(size(draft%cases))
       integer :: i
       call check_strings(draft, faults)
+      call settle_openings(draft, faults)
       do i = 1, size(names)
          names(i)%text = lower_case(draft%cases(i)%load_case%name)
       end do
@@ -155,6 +157,25 @@ contains
       end do
       call tell_faults(draft, found, faults)
    end subroutine check_strings
+
+   !> Gives tools that open their depth, by the hole.
+   subroutine settle_openings(draft, faults)
+      type(draft_type), intent(inout) :: draft
+      type(fault_list_type), intent(inout) :: faults
+      type(model_faults_type) :: found
+      type(hole_section_type) :: sections(size(draft%holes))
+      integer :: i
+      if (.not. all(draft%holes%sound)) return
+      do i = 1, size(sections)
+         sections(i) = draft%holes(i)%section
+      end do
+      do i = 1, size(draft%components)
+         if (.not. draft%components(i)%sound) cycle
+         call settle_opening(draft%components(i)%component, i, sections, found)
+         draft%components(i)%sound = found%count == 0
+         call tell_faults(draft, found, faults)
+      end do
+   end subroutine settle_openings
 
    !> Names of cases become file names: unique, also where letter case does not count.
    subroutine tell_name(draft, i, first, faults)
@@ -281,6 +302,7 @@ contains
          line = draft%components(place)%line
          if (key == 'length') line = draft%components(place)%line_length
          if (key == 'od') line = draft%components(place)%line_diameter
+         if (key == 'opened_od') line = draft%components(place)%line_opened
          if (key == 'density') line = draft%components(place)%line_density
       case ('centralizer')
          line = draft%components(place)%line_centralizer

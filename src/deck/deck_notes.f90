@@ -2,7 +2,7 @@
 !> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: contact_diameter, has_bend, has_blades, tube_area
+   use dg_component, only: closed_diameter, has_bend, has_blades, is_open, opens, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_error, only: error_type
@@ -74,6 +74,7 @@ contains
       do i = 1, size(draft%components)
          call note_component(draft, draft%components(i), narrowest, notes)
          call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
+         call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
          if (size(notes) < before + most_notes) cycle
          call append_text(notes, 'more notes on components are left out')
          exit
@@ -179,10 +180,11 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: tube
       associate (part => item%component, units => draft%units)
-         if (narrowest > widest_hole*contact_diameter(part)) call note('it is '// &
-            trim(in_units(units, unit_diameter, contact_diameter(part), digits))//' wide in holes of '// &
+         if (narrowest > widest_hole*closed_diameter(part)) call note('it is '// &
+            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//' wide in holes of '// &
             trim(in_units(units, unit_diameter, narrowest, digits))//' and more; mind the units')
-         if (has_blades(part) .and. .not. part%joint_od > part%od) call note('a stabilizer without joint_od touches at its od, '// &
+         if (has_blades(part) .and. .not. (part%joint_od > part%od .or. opens(part))) &
+            call note('a stabilizer without joint_od touches at its od, '// &
             trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
@@ -272,4 +274,22 @@ contains
                           trim(in_units(draft%units, unit_length, below, digits))//' long')
       end if
    end subroutine note_unused
+
+   !> A tool that opens, but stands above its depth of opening whatever the deck asks for.
+   subroutine note_closed(draft, item, lower_end, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: lower_end         !< greatest measured depth of its lower end [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: upper_end
+      associate (part => item%component, units => draft%units)
+         upper_end = 0.0_wp
+         if (part%length > 0.0_wp) upper_end = max(lower_end - part%length, 0.0_wp)
+         if (.not. opens(part) .or. .not. lower_end > 0.0_wp .or. is_open(part, upper_end)) return
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
+            ' counts as closed everywhere: a tool opens where its whole length is below opened_below = '// &
+            trim(in_units(units, unit_length, part%opened_below, digits))//', and its upper end comes to '// &
+            trim(in_units(units, unit_length, upper_end, digits)))
+      end associate
+   end subroutine note_closed
 end module dg_deck_notes

@@ -69,6 +69,7 @@ contains
       item%line_length = line_of(group, 'length')
       item%line_density = line_of(group, 'density')
       item%line_diameter = line_of(group, 'od')
+      item%line_opened = line_of(group, 'opened_od')
       item%sound = is_whole(group)
       item%connected = is_sound(group, 'connection')
       item%string = text_of(group, 'string', 'main')
@@ -84,6 +85,8 @@ contains
          part%poisson = real_of(group, 'poisson', part%poisson)
          part%joint_od = real_of(group, 'joint_od', part%joint_od)
          part%joint_length = real_of(group, 'joint_length', part%joint_length)
+         part%opened_od = real_of(group, 'opened_od', part%opened_od)
+         part%opened_below = real_of(group, 'opened_below', part%opened_below)
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
          part%yield = real_of(group, 'yield', part%yield)
          part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
@@ -103,7 +106,8 @@ contains
       do i = 1, found%count
          associate (wrong => found%items(i))
             if (wrong%key == 'id' .and. .not. is_sound(group, 'id')) cycle
-            if (any(wrong%key == [character(8) :: 'id', 'joint_od']) .and. .not. is_sound(group, 'od')) cycle
+            if (any(wrong%key == [character(9) :: 'id', 'joint_od', 'opened_od']) .and. .not. is_sound(group, 'od')) cycle
+            if (wrong%key == 'opened_below' .and. is_given(group, 'opened_od') .and. .not. is_sound(group, 'opened_od')) cycle
             call fault(line_of(group, trim(wrong%key)), wrong%message)
          end associate
       end do

@@ -152,7 +152,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(29) = [ &
+   type(key_rule_type), parameter :: component_keys(31) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -178,6 +178,10 @@ module dg_deck_keys
          meaning='of one tool joint'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
          meaning='distance between tool joints'), &
+      key_rule_type('component', 'opened_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='of a tool that opens: the diameter that touches and must pass where it is open; 0: it does not open'), &
+      key_rule_type('component', 'opened_below', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='measured depth from which on the whole tool is open; default the lower end of the last cased section'), &
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &

@@ -2,7 +2,7 @@
 module dg_deck_echo
    use dg_kinds, only: wp
    use dg_calibration_echo, only: add_calibrations
-   use dg_component, only: component_type, has_bend, is_worn, worn_od
+   use dg_component, only: component_type, has_bend, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_job, only: job_type, model_name
@@ -155,6 +155,7 @@ contains
                   quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
                   quantity(part%density, units%density, unit_label(units, unit_density))// &
                   optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))// &
+                  opening_text(units, part)// &
                   optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
@@ -166,6 +167,16 @@ contains
          end do
       end associate
    end subroutine add_string
+
+   !> Diameter of a tool that opens, and the depth from which on it is open.
+   pure function opening_text(units, part) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      character(:), allocatable :: text
+      text = ''
+      if (opens(part)) text = ', opens to '//quantity(part%opened_od, units%diameter, unit_label(units, unit_diameter))// &
+                              ' below '//quantity(part%opened_below, units%length, unit_label(units, unit_length))
+   end function opening_text
 
    !> The centralisers of a component.
    pure function centralizer_text(units, centralizer) result(text)

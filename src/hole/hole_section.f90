@@ -1,9 +1,10 @@
 !> The hole in sections along measured depth: diameter, friction, wall.
 module dg_hole_section
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    implicit none
    private
-   public :: hole_section_type, default_wall, hole_section_at, rigid_over_elastic, wall_of
+   public :: hole_section_type, default_wall, hole_section_at, last_shoe, rigid_over_elastic, wall_of
 
    !> Stiffness of a wall where none is given [N/m2]: half of solid steel's, as good as rigid. Ten times more changes the largest
    !> moment of nine in ten wells by less than 0.3 %.
@@ -25,7 +26,7 @@ module dg_hole_section
       real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
       real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
-      logical :: cased = .false.           !< for sweeps that vary friction of cased and open hole
+      logical :: cased = .false.           !< for sweeps by friction cased and open, and for tools that open
    end type hole_section_type
 
 contains
@@ -58,4 +59,15 @@ contains
       end do
       index = size(sections)
    end function hole_section_at
+
+   !> Measured depth of the lower end of the last cased section [m]; missing where no section is cased.
+   pure function last_shoe(sections) result(md)
+      type(hole_section_type), intent(in) :: sections(:)   !< from the top down
+      real(wp) :: md
+      integer :: i
+      md = missing
+      do i = 1, size(sections)
+         if (sections(i)%cased) md = sections(i)%md_bottom
+      end do
+   end function last_shoe
 end module dg_hole_section

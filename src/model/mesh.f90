@@ -89,7 +89,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: depths(:)   !< of the nodes, from the first station to the bit [m]
       type(mesh_type), intent(out) :: mesh
-      real(wp) :: end_point(3), middle, top, distance
+      real(wp) :: end_point(3), middle, top, upper_end, distance
       real(wp), allocatable :: tops(:)
       integer :: e, n, index, part
       index = string_index(model%strings, load_case%string)
@@ -122,6 +122,7 @@ contains
          mesh%chord(:, e) = end_point - mesh%base(:, e)
          middle = 0.5_wp*(mesh%md(e) + mesh%md(e + 1))
          part = component_at(tops, load_case%bit_depth - middle)
+         upper_end = load_case%bit_depth - tops(part)
          associate (component => model%strings(index)%components(part))
             mesh%ea(e) = axial_stiffness(component)
             mesh%ei(e) = bending_stiffness(component)
@@ -131,7 +132,8 @@ contains
             distance = load_case%bit_depth - middle
             if (part > 1) distance = distance - tops(part - 1)
             mesh%centralizer(e) = at_centralizer(component%centralizer, distance)
-            mesh%radius(e) = 0.5_wp*merge(centralizer_diameter(component), contact_diameter(component), mesh%centralizer(e))
+            mesh%radius(e) = 0.5_wp*merge(centralizer_diameter(component), contact_diameter(component, upper_end), &
+                                          mesh%centralizer(e))
             call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
             mesh%gathered(e) = 1.0_wp

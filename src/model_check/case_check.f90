@@ -1,11 +1,12 @@
 !> Load cases: what their operation needs, and whether hole and string reach where the bit is and the string passes the hole.
 module dg_case_check
-   use dg_component, only: centralizer_diameter, component_type, is_bit
+   use dg_component, only: closed_diameter, component_type, is_bit, is_open
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, moves_axially, operation_name, rotates
    use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
+   use dg_opening_check, only: check_open_passage, opening_advice
    use dg_text, only: quoted, suggestion
    use dg_units, only: unit_system_type
    implicit none
@@ -89,7 +90,8 @@ contains
                       'component', uppermost, ')')
    end subroutine check_string_length
 
-   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole.
+   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that
+   !> opens passes with its closed diameter down to where it opens.
    subroutine check_passage(components, places, holes, bit_depth, whose, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards
       integer, intent(in) :: places(:)                    !< of each
@@ -101,7 +103,7 @@ contains
       character(:), allocatable :: part
       real(wp) :: narrowest(size(holes))                  ! diameter of a section and all above it [m]
       integer :: k, h, lowest
-      real(wp) :: lower_end, diameter
+      real(wp) :: lower_end, upper_end, diameter
       narrowest = holes%diameter
       do h = 2, size(holes)
          narrowest(h) = min(narrowest(h), narrowest(h - 1))
@@ -110,24 +112,31 @@ contains
       lowest = size(holes)                                ! section that the lower end of the component has come to
       do k = 1, size(components)
          if (lower_end <= 0.0_wp) return
-         diameter = centralizer_diameter(components(k))
+         upper_end = 0.0_wp
+         if (components(k)%length > 0.0_wp) upper_end = max(lower_end - components(k)%length, 0.0_wp)
+         if (is_open(components(k), upper_end)) &
+            call check_open_passage(components(k), places(k), holes, lower_end, whose, units, found)
+         diameter = closed_diameter(components(k))
          do while (lowest > 0)
             if (holes(lowest)%md_top < lower_end) exit
             lowest = lowest - 1
          end do
          part = 'component'
-         if (components(k)%centralizer%present .and. .not. components(k)%centralizer%bow) part = 'centralizer'
+         if (components(k)%centralizer%present .and. .not. components(k)%centralizer%bow) then
+            part = 'centralizer'
+            diameter = components(k)%centralizer%od
+         end if
          do h = 1, lowest
             if (diameter < narrowest(lowest)) exit
             if (diameter < holes(h)%diameter) cycle
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
             call note_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
                             ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
-                            '; needs a diameter < '//wide(holes(h)%diameter))
+                            '; needs a diameter < '//wide(holes(h)%diameter)//opening_advice(components(k), holes, lowest, units))
             exit
          end do
-         lower_end = lower_end - components(k)%length
          if (components(k)%length <= 0.0_wp) return
+         lower_end = upper_end
       end do
    contains
       function wide(width) result(text)

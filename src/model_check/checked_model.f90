@@ -14,6 +14,7 @@ module dg_checked_model
    use dg_model_fault, only: fault_words, model_fault_type, model_faults_type, note_fault
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: settings_of
+   use dg_opening_check, only: settle_opening
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
       check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
    use dg_settings_check, only: check_numerics
@@ -57,6 +58,7 @@ contains
       call take_holes(parts, sound_survey, model, report, sound_holes)
       call take_fluids(parts, sound_survey, model, report, sound_fluids)
       call take_strings(parts, sound_fluids, model, report)
+      if (report%count == 0) call settle_openings(model, report)
       call check_settings(model, report)
       allocate (model%cases(0))
       call report_error(report, error)
@@ -283,6 +285,20 @@ contains
          call tell(found, where, string, report)
       end associate
    end subroutine take_component
+
+   !> Gives tools that open their depth. Everything else of holes and strings is right.
+   subroutine settle_openings(model, report)
+      type(model_type), intent(inout) :: model
+      type(report_type), intent(inout) :: report
+      type(model_faults_type) :: found
+      integer :: i, j
+      do i = 1, size(model%strings)
+         do j = 1, size(model%strings(i)%components)
+            call settle_opening(model%strings(i)%components(j), j, model%holes, found)
+            call tell(found, 'strings('//to_text(i)//')%components('//to_text(j)//')', i, report)
+         end do
+      end do
+   end subroutine settle_openings
 
    subroutine check_settings(model, report)
       type(model_type), intent(in) :: model

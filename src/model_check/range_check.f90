@@ -139,6 +139,8 @@ contains
       call check_range(ranges, 'youngs', component%youngs, found)
       call check_range(ranges, 'poisson', component%poisson, found)
       call check_range(ranges, 'joint_od', component%joint_od, found)
+      call check_range(ranges, 'opened_od', component%opened_od, found)
+      call check_where_there(ranges, 'opened_below', component%opened_below, found)
       call check_range(ranges, 'joint_length', component%joint_length, found)
       call check_range(ranges, 'joint_spacing', component%joint_spacing, found)
       call check_range(ranges, 'yield', component%yield, found)

@@ -1,8 +1,9 @@
 !> Drillstrings: what goes together within a component, and of components one above the other.
 module dg_string_check
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_type, contact_diameter
+   use dg_component, only: closed_diameter, component_type, opens
    use dg_kinds, only: wp
+   use dg_missing, only: is_missing
    use dg_model_fault, only: diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
    use dg_text, only: quoted, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -27,6 +28,11 @@ contains
             ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
          if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) call fault('joint_length', 'joint_length = '// &
             long(part%joint_length)//' is greater than joint_spacing = '//long(part%joint_spacing))
+         if (opens(part) .and. part%opened_od <= closed_diameter(part)) call fault('opened_od', 'opened_od = '// &
+            wide(part%opened_od)//' is not greater than the closed diameter, '//wide(closed_diameter(part))// &
+            ' (the larger of od and joint_od)')
+         if (.not. (opens(part) .or. is_missing(part%opened_below))) call fault('opened_below', 'opened_below = '// &
+            long(part%opened_below)//' has no meaning without opened_od, the diameter of the open tool; give both')
       end associate
    contains
       subroutine fault(key, message)
@@ -80,13 +86,14 @@ contains
       associate (part => component)
          if (part%length > 0.0_wp .and. centralizer%first >= part%length) call fault('first', 'the lowest stands '// &
             far(centralizer%first)//' above the lower end of '//quoted(part%name)//', which is '//far(part%length)//' long')
-         if (centralizer%od <= contact_diameter(part)) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
+         if (opens(part)) call fault('component', quoted(part%name)//' has opened_od; a tool that opens carries no centralizers')
+         if (centralizer%od <= closed_diameter(part)) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
             wide(centralizer%od)//' is not greater than that of '//quoted(part%name)//' (', 'component', place, '), '// &
-            wide(contact_diameter(part)))
+            wide(closed_diameter(part)))
          if (.not. centralizer%bow) return
-         if (centralizer%rated_hole <= contact_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
+         if (centralizer%rated_hole <= closed_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
             wide(centralizer%rated_hole)//' is not greater than the diameter of '//quoted(part%name)//', '// &
-            wide(contact_diameter(part)))
+            wide(closed_diameter(part)))
       end associate
    contains
       subroutine fault(key, message)

@@ -4,7 +4,7 @@ module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_column, only: quantity_moment, quantity_width, unit_text
-   use dg_component, only: has_blades, has_joints
+   use dg_component, only: contact_diameter, has_blades, has_joints
    use dg_depth_panels, only: add_points
    use dg_drillstring, only: all_centralizer_ends, component_at, component_tops, drillstring_type, joint_ends
    use dg_gnuplot_script, only: add_series, colour_of, cut_text, dash_of, end_script, legend, panel, plot, series_type, spelled, &
@@ -139,7 +139,7 @@ contains
       type(profile_type), intent(in) :: profile
       real(wp), intent(in) :: half             !< of the widest hole [m]
       real(wp), allocatable :: part_tops(:), joints(:), rings(:)
-      real(wp) :: ends(2), free_from
+      real(wp) :: ends(2), free_from, touching
       integer :: i, k
       allocate (part_tops, source=component_tops(string, sheet%bit - profile%md(1)))
       free_from = 0.0_wp
@@ -148,10 +148,11 @@ contains
             ends = [0.0_wp, part_tops(k)]
             if (k > 1) ends(1) = part_tops(k - 1)
             if (ends(1) >= sheet%shown .or. ends(2) <= ends(1)) cycle
+            touching = contact_diameter(part, sheet%bit - part_tops(k))
             ends(2) = min(ends(2), sheet%shown)
             call add_piece(sheet, profile, '$body'//to_text(k), ends, 0.5_wp*part%od, body_look)
-            if (has_blades(part) .or. (part%joint_od > part%od .and. .not. has_joints(part))) &
-               call add_piece(sheet, profile, '$blade'//to_text(k), ends, 0.5_wp*part%joint_od, blade_look)
+            if (has_blades(part) .or. (touching > part%od .and. .not. has_joints(part))) &
+               call add_piece(sheet, profile, '$blade'//to_text(k), ends, 0.5_wp*touching, blade_look)
             call name_part(sheet, part%name, ends, half, free_from)
          end associate
       end do

@@ -175,7 +175,7 @@ contains
             profile%side_force(i) = norm2(contact(:, i))
             profile%bending(i) = bending_stiffness(string%components(part))*norm2(curvature)
             if (profile%side_force(i) <= contact_threshold) cycle
-            clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(string%components(part)))
+            clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(string%components(part), bit - tops(part)))
             profile%displacement(i) = max(clearance, 0.0_wp)
             profile%clock(i) = clock_angle(tangent, contact(:, i))
             profile%gap_state(i) = state_elastic

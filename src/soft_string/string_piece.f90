@@ -86,10 +86,11 @@ contains
       associate (load_case => model%cases(layout%case_index), part => model%strings(layout%string)%components(i))
          piece%weight = buoyed_weight(part, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
                                       density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
-         piece%radius = 0.5_wp*centralizer_diameter(part)
+         piece%radius = 0.5_wp*contact_diameter(part, layout%tops(i))
+         if (part%centralizer%present) piece%radius = 0.5_wp*centralizer_diameter(part)
          piece%stiffness = bending_stiffness(part)
          piece%stretching = axial_stiffness(part)
-         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part))
+         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, layout%tops(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
          if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &

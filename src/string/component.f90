@@ -4,13 +4,14 @@ module dg_component
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
    use dg_constants, only: pi, steel_density
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_text, only: lower_case
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: contact_diameter, centralizer_diameter, buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, &
-             is_worn, has_bend, is_bit, room_of, room_of_held_bit
+   public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
+   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, is_bit, room_of, &
+             room_of_held_bit
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -18,6 +19,8 @@ module dg_component
    real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Tilt that a bit's own cut leaves room for [-]: more than the largest bend, 5 deg, tilts it.
    real(wp), parameter :: most_tilt = 0.1_wp
+   !> A tool whose upper end stands higher than its depth of opening by less than this is open: round-off of depths [m].
+   real(wp), parameter :: depth_round_off = 1.0e-6_wp
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 
@@ -44,6 +47,8 @@ module dg_component
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
       real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
       real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
+      real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
+      real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
       type(centralizer_type) :: centralizer  !< on its body
    end type component_type
 
@@ -100,19 +105,46 @@ contains
       gj = bending_stiffness(component)/(1.0_wp + component%poisson)
    end function torsional_stiffness
 
-   !> Diameter that touches the wall first [m]: the joint's where there is one, else the body's.
-   !> It is also twice the radius at which friction turns into torque.
-   elemental function contact_diameter(component) result(diameter)
+   !> Diameter with which the component passes the hole before it opens, if it does [m]: the joint's where there is one, else the
+   !> body's.
+   elemental function closed_diameter(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
       diameter = max(component%joint_od, component%od)
+   end function closed_diameter
+
+   !> Diameter that touches the wall first where the component stands [m]: that of a tool that is open there, else the closed one.
+   !> It is also twice the radius at which friction turns into torque.
+   elemental function contact_diameter(component, upper_end) result(diameter)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
+      real(wp) :: diameter
+      diameter = closed_diameter(component)
+      if (is_open(component, upper_end)) diameter = component%opened_od
    end function contact_diameter
 
-   !> Diameter at which the component rubs where its centralisers touch [m]: that of rigid ones; within a bow spring the pipe turns.
+   !> Whether the component is a tool that opens: under-reamer, expandable stabiliser, bicentre bit, packer.
+   elemental function opens(component) result(does)
+      type(component_type), intent(in) :: component
+      logical :: does
+      does = component%opened_od > 0.0_wp
+   end function opens
+
+   !> Whether a tool is open. It opens as a whole, where no part of it stands above the depth from which on it is open.
+   elemental function is_open(component, upper_end) result(is)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
+      logical :: is
+      is = opens(component) .and. .not. is_missing(component%opened_below)
+      if (is) is = upper_end >= component%opened_below - depth_round_off
+   end function is_open
+
+   !> Diameter at which the component rubs where its centralisers touch [m]: that of rigid ones; within a bow spring the pipe
+   !> turns. Tools that open have none.
    elemental function centralizer_diameter(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
-      diameter = contact_diameter(component)
+      diameter = closed_diameter(component)
       if (component%centralizer%present .and. .not. component%centralizer%bow) diameter = component%centralizer%od
    end function centralizer_diameter
 
@@ -150,12 +182,14 @@ contains
       if (allocated(component%kind)) is = lower_case(component%kind) == 'bit'
    end function is_bit
 
-   !> Whether the component is a stabiliser, which touches at its joint_od all along, at its od where it has none.
+   !> Whether the component has blades, which touch all along it: a stabiliser at its joint_od, at its od where it has none, or
+   !> another tool that opens, open or closed. A bit has none.
    elemental function has_blades(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
       has = .false.
       if (allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) == 1
+      if (.not. has) has = opens(component) .and. .not. is_bit(component)
    end function has_blades
 
    !> Whether the component is bent before anything loads it.

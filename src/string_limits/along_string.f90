@@ -121,7 +121,8 @@ contains
                if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1) .or. &
                    abs(weight(2) - weight(1)) > 0.0_wp) &
                   call put_limits(model, i, profile%md(i), -profile%axial(i), components(part(side)), weight(side), &
-                                  model%holes(hole(side))%diameter, arc(side), along)
+                                  0.5_wp*(model%holes(hole(side))%diameter - &
+                                          contact_diameter(components(part(side)), bit - tops(part(side)))), arc(side), along)
                if (result%model == model_mcge) call put_standoff(i, components(part(side))%od, &
                                                                  model%holes(hole(side))%diameter, profile%displacement(i), along)
             end do
@@ -241,21 +242,20 @@ contains
    end subroutine put_standoff
 
    !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
-   pure subroutine put_limits(model, i, md, compression, part, weight, diameter, arc, along)
+   pure subroutine put_limits(model, i, md, compression, part, weight, clearance, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
       real(wp), intent(in) :: md        !< [m]
       real(wp), intent(in) :: compression   !< [N]
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: weight    !< buoyed [N/m]
-      real(wp), intent(in) :: diameter  !< of the hole [m]
+      real(wp), intent(in) :: clearance !< (D - d)/2 [m]
       integer, intent(in) :: arc        !< of the trajectory
       type(along_string_type), intent(inout) :: along
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
-      real(wp) :: position(3), tangent(3), curvature(3), clearance, ei, across(3), inclined, vertical
+      real(wp) :: position(3), tangent(3), curvature(3), ei, across(3), inclined, vertical
       call point_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, position, tangent, curvature)
       along%curvature(i) = max(along%curvature(i), norm2(curvature))
-      clearance = 0.5_wp*(diameter - contact_diameter(part))
       if (.not. clearance > 0.0_wp) return
       ei = bending_stiffness(part)
       across = weight*(down - tangent(3)*tangent)

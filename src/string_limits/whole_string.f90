@@ -314,7 +314,7 @@ contains
       real(wp), dimension(size(result%profile%md)) :: axial, torque
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, moment
-      integer :: i, side
+      integer :: i, side, place
       margin = endless
       bit = model%cases(result%case_index)%bit_depth
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, &
@@ -324,12 +324,13 @@ contains
          do i = 1, size(axial)
             if (axial(i) >= 0.0_wp) cycle
             do side = -1, 1, 2
-               associate (part => string%components(component_at(tops, max(bit - result%profile%md(i) + side*hair, 0.0_wp))))
+               place = component_at(tops, max(bit - result%profile%md(i) + side*hair, 0.0_wp))
+               associate (part => string%components(place))
                   if (.not. part%yield > 0.0_wp) cycle
                   moment = result%profile%bending(i)
                   if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
                   if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
-                     0.25_wp*(along%hole_diameter(i) - contact_diameter(part))*axial(i)
+                     0.25_wp*(along%hole_diameter(i) - contact_diameter(part, bit - tops(place)))*axial(i)
                   margin = min(margin, axial(i) + tension_capacity(worn_od(part), part%id, torque(i), moment, &
                                                       along%inside_pressure(i) - along%pressure(i), part%yield))
                end associate

@@ -28,6 +28,7 @@ contains
       use dg_test_sweep_runs, only: sweep_runs_suite
       use dg_test_calibration_runs, only: calibration_runs_suite
       use dg_test_changed_keys, only: changed_keys_suite
+      use dg_test_opened_runs, only: opened_runs_suite
       use dg_test_path_runs, only: path_runs_suite
       use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
@@ -49,6 +50,7 @@ contains
       call suite%addTest(study_runs_suite())
       call suite%addTest(sweep_runs_suite())
       call suite%addTest(changed_keys_suite())
+      call suite%addTest(opened_runs_suite())
       call suite%addTest(part_runs_suite())
       call suite%addTest(again_runs_suite())
       call suite%addTest(calibration_runs_suite())

@@ -15,7 +15,7 @@ module dg_test_changed_keys
    character(*), parameter :: record = results_path//'/sweep_b.part_1_of_2'
    character(*), parameter :: again = deck_path//' --output '//results_path//' --part 1/2'
    !> What stands in the deck, and instead of it.
-   character(*), parameter :: changes(2, 62) = reshape([character(80) :: &
+   character(*), parameter :: changes(2, 65) = reshape([character(80) :: &
       'gravity = 9.8', 'gravity = 9.7', &
       "interpolation = 'minimum_curvature'", "interpolation = 'spline'", &
       'inc = 0.0, 0.0, 30.0', 'inc = 0.0, 0.0, 31.0', &
@@ -51,6 +51,9 @@ module dg_test_changed_keys
       'youngs = 206.0', 'youngs = 200.0', &
       'poisson = 0.3,', 'poisson = 0.2,', &
       'joint_od = 168.3', 'joint_od = 169.0', &
+      'opened_od = 250.0', 'opened_od = 251.0', &
+      'opened_below = 500.0', 'opened_below = 501.0', &
+      ', opened_below = 500.0', '', &
       'joint_length = 0.51', 'joint_length = 0.55', &
       'joint_spacing = 9.4', 'joint_spacing = 9.6', &
       'yield = 931.0', 'yield = 700.0', &
@@ -78,7 +81,7 @@ module dg_test_changed_keys
       'wob = 20.0', 'wob = 21.0', &
       'tob = 1.0', 'tob = 1.1', &
       'rpm = 60.0', 'rpm = 70.0', &
-      'trip_speed = 0.3', 'trip_speed = 0.4'], [2, 62])
+      'trip_speed = 0.3', 'trip_speed = 0.4'], [2, 65])
 
 contains
 
@@ -102,6 +105,8 @@ contains
              "&fluid where = 'inside', density = 1300.0, above_bit = 100.0, float_collar = 'none' /"//newline// &
              "&component name = 'collars', kind = 'collar', length = 105.0, od = 171.45, id = 71.4, mass = 140.0"//newline// &
              "  density = 7850.0, youngs = 206.0, poisson = 0.3, friction_scale = 0.9 /"//newline// &
+             "&component name = 'reamer', kind = 'reamer', length = 1.5, od = 190.0, id = 60.0, opened_od = 250.0"// &
+             ", opened_below = 500.0 /"//newline// &
              "&component name = 'pipe', length = 300.0, od = 127.0, id = 108.6, joint_od = 168.3, joint_length = 0.51"//newline// &
              "  joint_spacing = 9.4, yield = 931.0, makeup_torque = 20.0, wear_class = 'new', connection = 'NC50'"//newline// &
              "  joint_id = 82.0, joint_yield = 827.0 /"//newline// &
@@ -171,6 +176,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call refuse('wob = 20.0', 'wob = 21.0', 'wob was 20 kN and is 21 kN')
       call refuse('diameter = 315.9', 'diameter = 316', 'hole 2, diameter was 315.9 mm and is 316 mm')
+      call refuse('opened_od = 250.0', 'opened_od = 251', 'component 2, opened_od was 250 mm and is 251 mm')
       call refuse('rpm = 60.0', 'rpm = 70.0', 'rotation was 60 rpm and is 70 rpm')
       call refuse('trip_speed = 0.3', 'trip_speed = 0.4', 'trip speed was 0.3 m/s and is 0.4 m/s')
    contains

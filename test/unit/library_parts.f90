@@ -8,7 +8,7 @@ module dg_library_parts
    private
    public :: drilling, fill, loads, quantities, refuse, refuse_case, spoil, spoil_case
 
-   integer, parameter :: quantities = 36   !< that `spoil` knows
+   integer, parameter :: quantities = 38   !< that `spoil` knows
    integer, parameter :: loads = 8         !< that `spoil_case` knows
 
 contains
@@ -123,6 +123,8 @@ contains
             part%centralizer%present = .true.
             part%centralizer%od = 0.2_wp
             part%centralizer%spacing = number
+         case (37); part%opened_od = number
+         case (38); part%opened_below = number
          case default
          end select
       end associate

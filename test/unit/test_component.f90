@@ -1,7 +1,7 @@
 module dg_test_component
-   use funit, only: assertEqual, assertRelativelyEqual, TestMethod, TestSuite
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, contact_diameter, &
-      torsional_stiffness, tube_area, tube_inertia
+   use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, closed_diameter, component_type, contact_diameter, &
+      has_blades, has_joints, is_open, opens, torsional_stiffness, tube_area, tube_inertia
    use dg_constants, only: pi, standard_gravity
    use dg_kinds, only: wp
    implicit none
@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('section_of_a_bar', test_section_of_a_bar))
       call suite%addTest(TestMethod('stiffness', test_stiffness))
       call suite%addTest(TestMethod('joint_touches_first', test_joint_touches_first))
+      call suite%addTest(TestMethod('tool_that_opens', test_tool_that_opens))
       call suite%addTest(TestMethod('weight_in_mud', test_weight_in_mud))
    end function component_suite
 
@@ -50,10 +51,33 @@ contains
    subroutine test_joint_touches_first()
       type(component_type) :: pipe
       pipe%od = 0.127_wp
-      call assertEqual(0.127_wp, contact_diameter(pipe), message='no joint: the body')
+      call assertEqual(0.127_wp, contact_diameter(pipe, 1.0e3_wp), message='no joint: the body')
       pipe%joint_od = 0.168_wp
-      call assertEqual(0.168_wp, contact_diameter(pipe), message='the joint')
+      call assertEqual(0.168_wp, contact_diameter(pipe, 1.0e3_wp), message='the joint')
    end subroutine test_joint_touches_first
+
+   !> The diameter by depth of the upper end: closed above, open from opened_below on, to a thousandth of a millimetre.
+   subroutine test_tool_that_opens()
+      type(component_type) :: tool
+      real(wp), parameter :: depths(4) = [0.0_wp, 1499.9_wp, 1500.0_wp - 0.5e-6_wp, 2000.0_wp]
+      tool%kind = 'reamer'
+      tool%od = 0.19_wp
+      tool%joint_od = 0.213_wp
+      call assertFalse(opens(tool))
+      call assertTrue(has_joints(tool), message='as any part with a joint_od')
+      call assertFalse(is_open(tool, 1.0e4_wp))
+      tool%opened_od = 0.25_wp
+      call assertTrue(opens(tool))
+      call assertEqual(0.213_wp, contact_diameter(tool, 1.0e4_wp), message='closed while nobody has said where it opens')
+      tool%opened_below = 1500.0_wp
+      call assertEqual([0.213_wp, 0.213_wp, 0.25_wp, 0.25_wp], contact_diameter(tool, depths))
+      call assertEqual(0.213_wp, closed_diameter(tool))
+      call assertTrue(has_blades(tool), message='it touches all along')
+      call assertFalse(has_joints(tool))
+      tool%kind = 'bit'
+      call assertFalse(has_blades(tool), message='a bicentre bit')
+      call assertEqual(0.25_wp, contact_diameter(tool, 1500.0_wp))
+   end subroutine test_tool_that_opens
 
    subroutine test_weight_in_mud()
       type(component_type) :: pipe

@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('fluids_and_settings', test_fluids))
       call suite%addTest(TestMethod('load_cases', test_load_cases))
       call suite%addTest(TestMethod('all_faults_at_once', test_all_faults))
+      call suite%addTest(TestMethod('tool_that_opens', test_tool))
       call suite%addTest(TestMethod('more_memory_than_there_is', test_memory))
       call suite%addTest(TestMethod('threads', test_threads))
       call suite%addTest(TestMethod('results_that_are_no_numbers', test_runaway))
@@ -334,6 +335,33 @@ contains
       if (allocated(error)) call assertTrue(index(error%message, 'does not pass the hole of 0.2159 m (holes(2))') > 0, &
                                             message=error%message)
    end subroutine test_load_cases
+
+   !> Collars that open below the casing at 1500 m, or below 2350 m: those with a joint_od of that diameter, or without.
+   subroutine test_tool()
+      type(model_parts_type) :: parts
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      real(wp) :: torque(4)
+      integer :: i
+      do i = 1, 4
+         call fill(parts)
+         parts%holes(1)%cased = .true.
+         associate (part => parts%strings(1)%components(1))
+            if (i == 2) part%joint_od = 0.21_wp
+            if (i > 2) part%opened_od = 0.21_wp
+            if (i == 4) part%opened_below = 2350.0_wp
+         end associate
+         call new_model(model, parts, error)
+         call assertFalse(allocated(error))
+         call solve(model, drilling(), 'soft', result, error)
+         call assertFalse(allocated(error))
+         torque(i) = result%torque
+      end do
+      call assertEqual(torque(2), torque(3), message='open')
+      call assertEqual(torque(1), torque(4), message='closed')
+      call assertTrue(torque(2) > torque(1), message='torque knows the diameter')
+   end subroutine test_tool
 
    !> Tool joints every five millimetres in a hole of 49 km: elements of a millimetre, 300 GB.
    subroutine test_memory()

@@ -62,6 +62,14 @@ contains
          call refuse_once(parts, 'survey: ')
       end do
       call fill(parts)
+      parts%strings(1)%components(1)%opened_od = 0.21_wp
+      call refuse_once(parts, 'strings(1)%components(1): ''collar'' has opened_od and no depth from which on it is open')
+      parts%strings(1)%components(1)%opened_od = 0.16_wp
+      call refuse_once(parts, 'opened_od = 0.16 is not greater than the closed diameter, 0.1651')
+      parts%strings(1)%components(1)%opened_od = 0.0_wp
+      parts%strings(1)%components(1)%opened_below = 1500.0_wp
+      call refuse_once(parts, 'opened_below = 1500 has no meaning without opened_od')
+      call fill(parts)
       parts%numerics = settings_of('nonsense')
       call refuse_once(parts, 'numerics: settings_of(''nonsense'') is unknown; legal: auto, fast, standard, reference')
       parts%numerics = settings_of('')

@@ -19,6 +19,7 @@ contains
       use dg_test_straight_holes, only: straight_holes_suite
       use dg_test_centralizers, only: centralizers_suite
       use dg_test_component_friction, only: component_friction_suite
+      use dg_test_opened_tools, only: opened_tools_suite
       use dg_test_beams, only: beams_suite
       use dg_test_supports, only: supports_suite
       use dg_test_contacts, only: contacts_suite
@@ -52,6 +53,7 @@ contains
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())
       call suite%addTest(component_friction_suite())
+      call suite%addTest(opened_tools_suite())
       call suite%addTest(centralizers_suite())
       call suite%addTest(beams_suite())
       call suite%addTest(supports_suite())

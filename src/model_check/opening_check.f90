@@ -1,0 +1,76 @@
+!> Tools that open: the depth from which on they are open, and whether they pass the hole from there.
+module dg_opening_check
+   use dg_component, only: closed_diameter, component_type, opens
+   use dg_hole_section, only: hole_section_type, last_shoe
+   use dg_kinds, only: wp
+   use dg_missing, only: is_missing
+   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
+   use dg_text, only: quoted
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: settle_opening, check_open_passage, opening_advice
+
+contains
+
+   !> Gives a tool that opens its default depth: the lower end of the last cased section.
+   subroutine settle_opening(component, place, holes, found)
+      type(component_type), intent(inout) :: component
+      integer, intent(in) :: place                     !< of the component
+      type(hole_section_type), intent(in) :: holes(:)  !< from the top down
+      type(model_faults_type), intent(inout) :: found
+      if (.not. opens(component)) return
+      if (is_missing(component%opened_below)) component%opened_below = last_shoe(holes)
+      if (is_missing(component%opened_below)) call note_fault(found, 'component', place, 'opened_od', quoted(component%name)// &
+         ' has opened_od and no depth from which on it is open; give opened_below, or cased = .true. in the hole sections that '// &
+         'are cased')
+   end subroutine settle_opening
+
+   !> A tool that is open is no wider than each hole section between the depth where it opened and where it stands. It may be as
+   !> wide: under-reamers cut their hole, packers fill it.
+   subroutine check_open_passage(component, place, holes, lower_end, whose, units, found)
+      type(component_type), intent(in) :: component       !< that is open
+      integer, intent(in) :: place
+      type(hole_section_type), intent(in) :: holes(:)     !< from the top down
+      real(wp), intent(in) :: lower_end                   !< measured depth of the component's lower end [m]
+      character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
+      type(unit_system_type), intent(in) :: units
+      type(model_faults_type), intent(inout) :: found
+      character(:), allocatable :: other
+      integer :: h
+      do h = size(holes), 1, -1
+         if (holes(h)%md_top >= lower_end .or. holes(h)%diameter >= component%opened_od) cycle
+         if (holes(h)%md_bottom <= component%opened_below) return
+         other = ''
+         if (holes(h)%md_bottom < lower_end) other = ' or opened_below >= '//depth_words(units, holes(h)%md_bottom)
+         call note_fault(found, 'component', place, 'opened_od', quoted(component%name)//' opened to '// &
+                         diameter_words(units, component%opened_od, diameter_digits)//' does not pass the hole of '// &
+                         diameter_words(units, holes(h)%diameter, diameter_digits)//' (', 'hole', h, ') in '//whose// &
+                         '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)//other)
+         return
+      end do
+   end subroutine check_open_passage
+
+   !> What is said besides of a component that is too wide for a section above the one where it stands, and no wider than that one:
+   !> it may be a tool that opens. Empty where that is no way out.
+   function opening_advice(component, holes, lowest, units) result(text)
+      type(component_type), intent(in) :: component
+      type(hole_section_type), intent(in) :: holes(:)     !< from the top down
+      integer, intent(in) :: lowest                       !< section that its lower end has come to
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      character(:), allocatable :: key
+      integer :: h
+      text = ''
+      if (opens(component) .or. component%centralizer%present .or. closed_diameter(component) > holes(lowest)%diameter) return
+      do h = lowest - 1, 1, -1
+         if (closed_diameter(component) < holes(h)%diameter) cycle
+         key = 'od'
+         if (component%joint_od > component%od) key = 'joint_od'
+         text = '. If it is a tool that opens, give its closed diameter as '//key//', opened_od = '// &
+                diameter_words(units, closed_diameter(component), diameter_digits)//' and opened_below = '// &
+                depth_words(units, holes(h)%md_bottom)
+         return
+      end do
+   end function opening_advice
+end module dg_opening_check
