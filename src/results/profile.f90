@@ -54,6 +54,7 @@ contains
       type(profile_type), intent(in) :: profile
       integer, intent(in) :: rows(:)
       type(profile_type) :: taken
+      taken = new_profile(size(rows))
       taken%md = profile%md(rows)
       taken%tvd = profile%tvd(rows)
       taken%north = profile%north(rows)

@@ -27,7 +27,7 @@ contains
       integer, allocatable, intent(out) :: side(:)      !< of each row, see dg_profile
       integer :: rows(2*size(md)), sides(2*size(md)), upper(4), lower(4), i, n
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit
+      real(wp) :: bit, next
       logical :: first, changes
       bit = model%cases(case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string_index(model%strings, model%cases(case_index)%string)), &
@@ -38,15 +38,14 @@ contains
          n = n + 1
          rows(n) = i
          sides(n) = side_none
-         if (i > 1) then
-            if (.not. md(i) > md(i - 1)) sides(n) = side_below
-         end if
+         if (i > 1 .and. .not. md(i) > md(max(i - 1, 1))) sides(n) = side_below
          if (i == size(md)) exit
-         if (.not. md(i + 1) > md(i)) then
+         next = md(min(i + 1, size(md)))
+         if (.not. next > md(i)) then
             sides(n) = side_above
             cycle
          end if
-         lower = found_at(model, tops, bit, 0.5_wp*(md(i) + md(i + 1)))
+         lower = found_at(model, tops, bit, 0.5_wp*(md(i) + next))
          changes = .not. first .and. sides(n) == side_none
          if (changes) changes = any(lower /= upper)
          if (changes) then
