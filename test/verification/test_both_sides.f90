@@ -16,6 +16,7 @@ module dg_test_both_sides
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_profile, only: new_profile, profile_type, side_above, side_below, side_none
+   use dg_profile_columns, only: code_names, profile_codes, profile_columns
    use dg_profile_rows, only: part_rows
    use dg_solve_case, only: solve_case
    use dg_stuck_string, only: value_at
@@ -42,6 +43,7 @@ contains
       call suite%addTest(TestMethod('true_axial_force_at_a_shoulder', test_shoulders))
       call suite%addTest(TestMethod('limits_use_both_sides', test_limits))
       call suite%addTest(TestMethod('closed_collar', test_collar))
+      call suite%addTest(TestMethod('column_side', test_column))
       call suite%addTest(TestMethod('rows_are_doubled_once', test_once))
       call suite%addTest(TestMethod('depths_that_stand_twice', test_twice))
    end function both_sides_suite
@@ -194,6 +196,29 @@ contains
                                     rounding)
       end do
    end subroutine test_collar
+
+   !> The last column of a profile's file tells the sides apart: above, below, else empty.
+   subroutine test_column()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      integer, allocatable :: codes(:)
+      character(10) :: names(0:2)
+      integer :: row
+      call build(model)
+      model%cases(1)%operation = operation_trip_out
+      call find(model, model_soft, result, along, whole)
+      allocate (codes(size(result%profile%md)))
+      call assertEqual('side', trim(profile_columns(size(profile_columns))%name), message='the last column')
+      call profile_codes('side', result%profile, along, codes)
+      names = code_names('side')
+      row = minloc(abs(result%profile%md - (depth - collar)), dim=1)
+      call assertEqual('', trim(names(codes(row - 1))))
+      call assertEqual('above', trim(names(codes(row))))
+      call assertEqual('below', trim(names(codes(row + 1))))
+      call assertEqual('', trim(names(codes(row + 2))))
+   end subroutine test_column
 
    !> Rows that are doubled already stay as they are.
    subroutine test_once()
