@@ -75,7 +75,7 @@ def check_group(group, rows):
         else:
             expect(not data.chunks, f"{data.name}: small, but chunked")
         if "values" in data.attrs:
-            words = {int(word.split()[0]): word.split()[1] for word in data.attrs["values"].split(", ")}
+            words = {int(word.split()[0]): word.split()[1].replace("(empty)", "") for word in data.attrs["values"].split(", ")}
             expect([words[int(code)] for code in data] == [row[name] for row in rows], f"{data.name} differs from the profile")
         else:
             expect(same(data[:], column(rows, name)), f"{data.name} differs from the profile")
@@ -128,9 +128,10 @@ def field(data, name):
 
 def check_view(path, hole_path, rows):
     string, hole = grid(path), grid(hole_path)
-    expect(cells(string, VTK_POLY_LINE) == 1 and string.GetNumberOfPoints() == len(rows), f"{path.name}: the string is no line")
+    pieces = 1 + sum(row["side"] == "below" for row in rows)
+    expect(cells(string, VTK_POLY_LINE) == pieces and string.GetNumberOfPoints() == len(rows), f"{path.name}: the string is no line")
     for name in rows[0]:
-        if name in ("gap_state", "buckling"):
+        if name in ("gap_state", "buckling", "side"):
             expect(field(string, name) is not None, f"{path.name}: no field {name}")
         elif not numpy.isnan(column(rows, name)).all():
             expect(field(string, name) is not None and same(field(string, name), column(rows, name)), f"{path.name}: field {name}")
@@ -139,10 +140,13 @@ def check_view(path, hole_path, rows):
     expect(numpy.allclose(off, column(rows, "displacement_mm")/1000.0, rtol=0.0, atol=NEAR), f"{path.name}: string off its place")
     expect(numpy.allclose(points(string) - axis, field(string, "offset_m"), rtol=0.0, atol=NEAR), f"{path.name}: offset_m")
     # every ring of the tube is round its row of the axis
+    # at a depth with two rows, round one of them
     row_of = {round(depth, 6): i for i, depth in enumerate(column(rows, "md_m"))}
-    rings = [row_of[round(depth, 6)] for depth in field(hole, "md_m")]
+    rings = numpy.array([row_of[round(depth, 6)] for depth in field(hole, "md_m")])
+    uppers = rings - numpy.array([rows[i]["side"] == "below" for i in rings])
     off = numpy.linalg.norm(points(hole) - axis[rings], axis=1)
-    expect(numpy.allclose(off, column(rows, "hole_mm")[rings]/2000.0, rtol=0.0, atol=NEAR), f"{path.name}: the tube is not round")
+    wrong = [numpy.abs(off - column(rows, "hole_mm")[of]/2000.0) for of in (rings, uppers)]
+    expect(numpy.minimum(*wrong).max() < NEAR, f"{path.name}: the tube is not round")
     expect(cells(hole, VTK_TRIANGLE_STRIP) > 2 and rings[0] == 0 and rings[-1] == len(rows) - 1, f"{path.name}: the tube has no wall")
     expect(set(numpy.unique(strip_points(hole))) == set(range(hole.GetNumberOfPoints())), f"{path.name}: loose points of the tube")
 

@@ -37,9 +37,10 @@ contains
       model%boundary%bit_centred = .false.
    end subroutine cut_string
 
-   !> A quantity of a profile at a depth, by a straight line between its neighbours.
+   !> A quantity of a profile at a depth, by a straight line between its neighbours; at a depth with two rows, of the lower
+   !> side.
    pure function value_at(md, values, depth) result(value)
-      real(wp), intent(in) :: md(:)               !< ascending [m]
+      real(wp), intent(in) :: md(:)               !< never decreasing; its last two differ [m]
       real(wp), intent(in) :: values(:)
       real(wp), intent(in) :: depth               !< [m]
       real(wp) :: value

@@ -2,8 +2,9 @@
 !> later).
 !>
 !> VTK's own HDF5 format as its documentation has it, version 1.0: one unstructured grid a file, which every reader since knows.
-!> The string is one line through the places where it lies, with every column along the string that has values on its points; the
-!> hole is a tube. Points are (east, north, up) in the deck's unit of length, so that up is up on the screen. The offset of the
+!> The string is a line through the places where it lies, with every column along the string that has values on its points. It is
+!> one line from change to change of component, hole section or fluid, so that no line has two points at one place. The hole is a
+!> tube. Points are (east, north, up) in the deck's unit of length, so that up is up on the screen. The offset of the
 !> string from the hole axis is kept as a vector beside them: 'Warp By Vector' magnifies it.
 module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
@@ -16,7 +17,7 @@ module dg_paraview_file
                            write_data
    use dg_job, only: job_type
    use dg_missing, only: is_missing
-   use dg_profile, only: profile_type
+   use dg_profile, only: profile_type, side_below
    use dg_profile_columns, only: profile_codes, profile_columns, profile_values
    use dg_trajectory, only: high_side, tangent_of
    use dg_vector, only: cross
@@ -35,7 +36,7 @@ module dg_paraview_file
 
 contains
 
-   !> Writes the string of one result to `path`, as one line with its fields.
+   !> Writes the string of one result to `path`, as lines with their fields.
    subroutine write_string_view(path, job, profile, along, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
@@ -50,7 +51,8 @@ contains
       n = size(profile%md)
       offset = string_offsets(profile)
       call put_grid(file, path, to_screen(axis_of(profile) + offset)/job%units%length)
-      call put_cells(file, line_cell, [0_int64, int(n, int64)], [(i, i=0_int64, n - 1_int64)])
+      call put_cells(file, line_cell, [0_int64, pack([(i, i=0_int64, n - 1_int64)], profile%side == side_below), int(n, int64)], &
+                     [(i, i=0_int64, n - 1_int64)])
       do j = 1, size(profile_columns)
          associate (column => profile_columns(j))
             if (column%quantity == quantity_text) then
@@ -165,7 +167,8 @@ contains
       right = cross(tangent, high)
    end subroutine across
 
-   !> Rows at which the tube has a ring: ends, changes of diameter, and as often as the hole turns.
+   !> Rows at which the tube has a ring: ends, changes of diameter, and as often as the hole turns. Of two rows at one depth both
+   !> have one where the diameter changes.
    pure function tube_rows(profile, diameter) result(rows)
       type(profile_type), intent(in) :: profile
       real(wp), intent(in) :: diameter(:)    !< of the hole at each row [m]
@@ -180,6 +183,10 @@ contains
          if (abs(diameter(i) - diameter(i - 1)) > 0.0_wp) kept(i - 1:i) = .true.
          if (norm2(here - last) > ring_angle) kept(i - 1:i) = .true.
          if (kept(i)) last = here
+      end do
+      do i = 2, size(diameter)
+         if (kept(i - 1) .and. profile%side(i) == side_below .and. .not. abs(diameter(i) - diameter(i - 1)) > 0.0_wp) &
+            kept(i) = .false.
       end do
       kept(1) = .true.
       kept(size(kept)) = .true.

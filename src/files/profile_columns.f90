@@ -7,12 +7,12 @@ module dg_profile_columns
    use dg_column, only: column_type, quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
                         quantity_moment, quantity_none, quantity_percent, quantity_stress, quantity_text, quantity_width
    use dg_missing, only: is_missing, missing
-   use dg_profile, only: profile_type, state_name
+   use dg_profile, only: profile_type, side_name, state_name
    implicit none
    private
    public :: profile_columns, profile_values, profile_codes, code_names
 
-   type(column_type), parameter :: profile_columns(38) = [ &
+   type(column_type), parameter :: profile_columns(39) = [ &
       column_type('md', quantity_length, 'measured depth, of the point before loading'), &
       column_type('tvd', quantity_length, 'true vertical depth of the hole axis, from the first station'), &
       column_type('north', quantity_length, 'of the hole axis, from the first station'), &
@@ -54,14 +54,16 @@ module dg_profile_columns
          'column bending; 1 where joints were solved one by one; empty without joints, and in compression beyond the '// &
          'closed form'), &
       column_type('jointed_bending_stress', quantity_stress, 'joint_magnification times bending_stress, in the body of the '// &
-         'pipe; where two components meet, of the one in which it is larger'), &
+         'pipe'), &
       column_type('joint_von_mises', quantity_stress, 'equivalent stress in a tool joint, if one stands here; empty '// &
          'without joints'), &
       column_type('joint_side_force', quantity_force, 'contact force of a tool joint: side_force times the distance of joints; '// &
          'of joints solved one by one that of the joint that stands here, 0 between; empty without joints'), &
       column_type('standoff', quantity_percent, 'least distance of the body from the wall, over that of a centred one: 100 '// &
          'where it is centred, 0 where it touches; of mcge alone'), &
-      column_type('inside_pressure', quantity_stress, 'of the fluid inside, pump pressure included; at a closed collar below it')]
+      column_type('inside_pressure', quantity_stress, 'of the fluid inside, pump pressure included'), &
+      column_type('side', quantity_text, 'above or below where a component, hole section or fluid changes: that depth has '// &
+         'a row for each side; else empty')]
 
 contains
 
@@ -124,6 +126,7 @@ contains
       select case (name)
       case ('gap_state'); codes = profile%gap_state
       case ('buckling'); codes = along%buckling
+      case ('side'); codes = profile%side
       case default
       end select
    end subroutine profile_codes
@@ -136,6 +139,7 @@ contains
       select case (name)
       case ('gap_state'); names = state_name
       case ('buckling'); names = buckling_name
+      case ('side'); names = side_name
       case default
       end select
    end function code_names

@@ -267,14 +267,16 @@ contains
       end do
    end subroutine put_row
 
-   !> '0 free, 1 elastic, 2 rigid'.
+   !> '0 free, 1 elastic, 2 rigid'; a name that is empty in CSV files is '(empty)'.
    pure function code_text(names) result(text)
       character(*), intent(in) :: names(0:)
       character(:), allocatable :: text
       integer :: i
-      text = '0 '//trim(names(0))
-      do i = 1, ubound(names, 1)
-         text = text//', '//to_text(i)//' '//trim(names(i))
+      text = ''
+      do i = 0, ubound(names, 1)
+         if (i > 0) text = text//', '
+         text = text//to_text(i)//' '//trim(names(i))
+         if (names(i) == '') text = text//'(empty)'
       end do
    end function code_text
 

@@ -9,7 +9,8 @@ module dg_fluid
    use dg_kinds, only: wp
    implicit none
    private
-   public :: fluid_type, mud_type, standing_mud, density_at, fluid_top, fluid_tops, fills, heaviest_fluid, cut_mud, shift_mud
+   public :: fluid_type, mud_type, standing_mud, density_at, fluid_at, fluid_top, fluid_tops, fills, heaviest_fluid, &
+             cut_mud, shift_mud
    public :: side_inside, side_outside, collar_none, collar_closed, collar_open_below, collar_name
 
    integer, parameter :: side_inside = 1

@@ -6,7 +6,7 @@ module dg_legacy_comparison
    use dg_kinds, only: wp
    use dg_hole_interval, only: hole_intervals, interval_type
    use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_torque
-   use dg_profile, only: profile_type
+   use dg_profile, only: profile_type, side_below
    use dg_trajectory, only: trajectory_type
    implicit none
    private
@@ -44,14 +44,15 @@ module dg_legacy_comparison
 
 contains
 
-   !> Lays a table beside a profile. Rows beyond the ends of the string are counted and left out.
+   !> Lays a table beside a profile. Rows beyond the ends of the string are counted and left out. At a depth where the profile has
+   !> two rows, to round-off of depths, the lower side is compared.
    pure subroutine compare_with_legacy(table, profile, trajectory, comparison)
       type(legacy_table_type), intent(in) :: table
       type(profile_type), intent(in) :: profile
       type(trajectory_type), intent(in) :: trajectory
       type(comparison_type), intent(out) :: comparison
       logical :: inside(size(table%md))
-      real(wp) :: slack
+      real(wp) :: slack, md
       integer :: i, n
       n = size(profile%md)
       slack = 1.0e-6_wp*profile%md(n)     ! round-off of converted depths
@@ -63,11 +64,14 @@ contains
          comparison%theirs(:, i) = pack(table%values(:, i), inside)
       end do
       do i = 1, size(comparison%md)
-         comparison%ours(i, 1) = interpolated(profile%md, profile%axial, comparison%md(i))
-         comparison%ours(i, 2) = interpolated(profile%md, profile%torque, comparison%md(i))
-         comparison%ours(i, 3) = interpolated(profile%md, profile%side_force, comparison%md(i))
+         md = comparison%md(i)
+         n = findloc(abs(profile%md - md) <= slack .and. profile%side == side_below, .true., dim=1)
+         if (n > 0) md = profile%md(n)
+         comparison%ours(i, 1) = interpolated(profile%md, profile%axial, md)
+         comparison%ours(i, 2) = interpolated(profile%md, profile%torque, md)
+         comparison%ours(i, 3) = interpolated(profile%md, profile%side_force, md)
       end do
-      allocate (comparison%intervals, source=hole_intervals(trajectory, profile%md(n)))
+      allocate (comparison%intervals, source=hole_intervals(trajectory, profile%md(size(profile%md))))
       if (size(comparison%md) == 0) return
       do i = 1, quantity_count
          if (table%has(i)) call find_parting(comparison%md, comparison%theirs(:, i) - comparison%ours(:, i), &
@@ -125,9 +129,9 @@ contains
       end do
    end subroutine find_parting
 
-   !> Linear interpolation in a table; its end values beyond its ends.
+   !> Linear interpolation in a table; its end values beyond its ends. At a place that stands twice, the second value.
    pure function interpolated(x, y, at) result(value)
-      real(wp), intent(in) :: x(:)   !< ascending
+      real(wp), intent(in) :: x(:)   !< never decreasing
       real(wp), intent(in) :: y(:)
       real(wp), intent(in) :: at
       real(wp) :: value

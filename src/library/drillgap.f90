@@ -30,7 +30,7 @@ module drillgap
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_parts_by_call, only: add_component, add_fluid, add_hole
-   use dg_profile, only: profile_type, state_elastic, state_free, state_rigid
+   use dg_profile, only: profile_type, side_above, side_below, side_none, state_elastic, state_free, state_rigid
    use dg_read_deck, only: read_checked_deck => read_deck
    use dg_rig, only: rig_type
    use dg_solve_case, only: solve_case
@@ -54,7 +54,7 @@ module drillgap
    public :: solve, solve_cases, outcome_type, method_name
    public :: case_result_type, profile_type, gap_row_type, contact_point_type, iteration_type
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: state_free, state_elastic, state_rigid
+   public :: state_free, state_elastic, state_rigid, side_none, side_above, side_below
 
    !> Names of the methods: nonlinear beams with contact gap elements, soft string, stiff string on the hole axis, stiff where
    !> stiffness matters.

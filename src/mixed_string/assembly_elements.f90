@@ -16,6 +16,7 @@ module dg_assembly_elements
    use dg_fluid, only: cut_mud
    use dg_model, only: model_type, string_index
    use dg_profile, only: new_profile, profile_type
+   use dg_profile_rows, only: part_rows
    use dg_rigid_string, only: solve_at_changes
    use dg_soft_string_loads, only: soft_string_at
    use dg_static_analysis, only: solve_static_analysis
@@ -96,6 +97,7 @@ contains
       result%states = result%states + above%states
       beams = result%profile
       call join_profiles(above%profile, beams, result%profile)
+      call part_rows(model, case_index, result%profile)     ! the join may be where something changes
    end subroutine solve_with_elements
 
    !> Bending stiffness of the uppermost component [N.m2].
@@ -158,5 +160,6 @@ contains
       whole%clock = [upper%clock(:n), lower%clock]
       whole%shear = [upper%shear(:n), lower%shear]
       whole%gap_state = [upper%gap_state(:n), lower%gap_state]
+      whole%side = [upper%side(:n), lower%side]
    end subroutine join_profiles
 end module dg_assembly_elements

@@ -17,7 +17,7 @@ module dg_forces_picture
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
-   use dg_profile, only: state_free
+   use dg_profile, only: side_above, state_free
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -247,19 +247,21 @@ contains
       integer :: k, i, n
       logical, allocatable :: shown(:)
       real(wp), allocatable :: angles(:)
+      integer, allocatable :: rows(:)     ! one a depth
       allocate (series(0))
       ! the first model on top, those below it larger, so that all can be seen
       do k = size(results), 1, -1
          associate (profile => results(k)%profile, block => '$clock'//to_text(k))
             if (allocated(shown)) deallocate (shown, angles)
-            allocate (shown, source=profile%gap_state /= state_free)
-            shown = shown .and. .not. lone_angles(profile%clock, shown)
+            rows = pack([(i, i=1, size(profile%side))], profile%side /= side_above)
+            allocate (shown, source=profile%gap_state(rows) /= state_free)
+            shown = shown .and. .not. lone_angles(profile%clock(rows), shown)
             n = (count(shown) + most_marks - 1)/most_marks
             if (n > 1) shown = shown .and. [(modulo(i, n) == 0, i=1, size(shown))]
-            allocate (angles, source=pack(profile%clock, shown)/sheet%units%angle)
+            allocate (angles, source=pack(profile%clock(rows), shown)/sheet%units%angle)
             ! cut open at 270 deg, not at the high side: a string that lies there is one curve
             where (angles > 270.0_wp) angles = angles - 360.0_wp
-            call add_points(sheet%body, block, angles, pack(profile%md, shown)/sheet%units%length)
+            call add_points(sheet%body, block, angles, pack(profile%md(rows), shown)/sheet%units%length)
             call add_series(series, block//' using 1:2', mark_style(k, 0.2_wp + 0.12_wp*k), '')
          end associate
       end do

@@ -13,6 +13,7 @@ module dg_rigid_string
    use dg_job, only: model_rigid
    use dg_model, only: model_type
    use dg_rigid_string_loads, only: rigid_string_at
+   use dg_profile_rows, only: lay_rows
    use dg_soft_string, only: check_string_case, subdivided, take_profile, take_totals
    use dg_soft_string_loads, only: soft_totals_type
    use dg_string_piece, only: breakpoints
@@ -47,12 +48,15 @@ contains
       type(change_type), intent(in) :: changes(:)
       type(case_result_type), intent(out) :: result
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :), across(:, :)
+      integer, allocatable :: from(:), side(:)
       type(soft_totals_type) :: totals
       md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      call lay_rows(model, case_index, md, from, side)
+      md = md(from)
       allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), across(2, size(md)))
       call rigid_string_at(model, case_index, changes, md, axial, torque, contact, across, totals)
       call take_totals(model, case_index, md, axial, torque, totals, result)
-      call take_profile(model, case_index, md, axial, torque, contact, result)
+      call take_profile(model, case_index, md, side, axial, torque, contact, result)
       result%profile%bending = across(1, :)
       result%profile%shear = across(2, :)
       call refuse_runaway(result)

@@ -38,13 +38,13 @@ module dg_rigid_string_loads
 
 contains
 
-   !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths; where they
-   !> jump `contact` is the one just below.
+   !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths. Where they jump `contact`
+   !> and `across` are those just below; at a depth that stands twice, those just above and just below.
    pure subroutine rigid_string_at(model, case_index, stiff_at, md, axial, torque, contact, across, totals)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(change_type), intent(in) :: stiff_at(:) !< changes at which the string is stiff, from the top down
-      real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
+      real(wp), intent(in) :: md(:)                !< never decreasing, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
       real(wp), intent(out) :: contact(:, :)       !< (3, :) force of the string on the wall, across the hole [N/m]
@@ -53,7 +53,7 @@ contains
       type(change_type), allocatable :: changes(:)
       type(layout_type) :: layout
       type(piece_type) :: piece
-      real(wp) :: position, force, moment
+      real(wp) :: position, force, moment, nearby
       integer :: i
       associate (load_case => model%cases(case_index))
          position = load_case%bit_depth
@@ -71,7 +71,11 @@ contains
          end do
          axial(i) = force
          torque(i) = moment
-         call forces_across(piece, changes, md(i), force, moment, contact(:, i), across(:, i))
+         nearby = md(i) + spacing(md(i))
+         if (i < size(md)) then
+            if (.not. md(i + 1) > md(i)) nearby = md(i) - spacing(md(i))
+         end if
+         call forces_across(piece, changes, md(i), nearby, force, moment, contact(:, i), across(:, i))
          if (position <= piece%top .and. i > 1) piece = piece_above(model, layout, position, 1.0_wp)
       end do
    end subroutine rigid_string_at
@@ -194,15 +198,16 @@ contains
       here%contact = force*here%bend + across + shear_slope - moment*cross(tangent, more_slope)
    end function balance
 
-   !> Contact force [N/m], and resultant moment [N.m] and resultant shear force [N] just below a depth.
-   pure subroutine forces_across(piece, changes, md, force, moment, contact, across)
+   !> Contact force [N/m], and resultant moment [N.m] and resultant shear force [N] on one side of a depth.
+   pure subroutine forces_across(piece, changes, md, side, force, moment, contact, across)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
-      real(wp), intent(in) :: md, force, moment
+      real(wp), intent(in) :: md, side        !< a depth, and one on the side meant [m]
+      real(wp), intent(in) :: force, moment   !< [N], torque [N.m]
       real(wp), intent(out) :: contact(3), across(2)
       type(balance_type) :: here
       real(wp) :: position(3), tangent(3), curvature(3)
-      here = balance(piece, changes, md, md + spacing(md), force, moment)
+      here = balance(piece, changes, md, side, force, moment)
       call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, curvature)
       contact = climbed(piece, tangent, here%contact)
       across = [norm2(here%bending), norm2(here%shear - moment*cross(tangent, here%bend))]

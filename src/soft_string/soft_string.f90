@@ -11,7 +11,8 @@ module dg_soft_string
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
-   use dg_profile, only: profile_type, new_profile, state_free, state_elastic
+   use dg_profile, only: profile_type, new_profile, piece_depths, side_above, side_none, state_free, state_elastic
+   use dg_profile_rows, only: lay_rows
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
    use dg_string_range, only: range_warning
@@ -40,6 +41,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< .true.: no profile, for those who solve thousands of cases
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
+      integer, allocatable :: from(:), side(:)
       type(soft_totals_type) :: totals
       integer(int64) :: start, finish
       logical :: with_profile
@@ -49,13 +51,17 @@ contains
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
       md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      if (with_profile) then
+         call lay_rows(model, case_index, md, from, side)
+         md = md(from)
+         allocate (contact(3, size(md)))   ! else absent below
+      end if
       allocate (axial(size(md)), torque(size(md)))
-      if (with_profile) allocate (contact(3, size(md)))   ! else absent below
       call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
       call take_totals(model, case_index, md, axial, torque, totals, result)
       result%model = model_soft
       if (with_profile) then
-         call take_profile(model, case_index, md, axial, torque, contact, result)
+         call take_profile(model, case_index, md, side, axial, torque, contact, result)
          call system_clock(finish)
          result%seconds = seconds_between(start, finish)
       end if
@@ -128,43 +134,49 @@ contains
       allocate (result%history(0))
    end subroutine take_totals
 
-   !> Profile of such a string, and how many of its points touch.
-   pure subroutine take_profile(model, case_index, md, axial, torque, contact, result)
+   !> Profile of such a string, and how many of its points touch; two rows at one depth are one point.
+   pure subroutine take_profile(model, case_index, md, side, axial, torque, contact, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: md(:), axial(:), torque(:), contact(:, :)   !< as for fill_profile
+      real(wp), intent(in) :: md(:)                                !< as for fill_profile
+      integer, intent(in) :: side(:)
+      real(wp), intent(in) :: axial(:), torque(:), contact(:, :)
       type(case_result_type), intent(inout) :: result
-      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      call fill_profile(model, case_index, md, side, axial, torque, contact, result%profile)
       result%states = 0
-      result%states(state_elastic) = count(result%profile%gap_state == state_elastic)
-      result%states(state_free) = count(result%profile%gap_state == state_free)
+      result%states(state_elastic) = count(result%profile%gap_state == state_elastic .and. side /= side_above)
+      result%states(state_free) = count(result%profile%gap_state == state_free .and. side /= side_above)
    end subroutine take_profile
 
    !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is the one that
    !> the hole's curvature asks of the body: a soft string carries none, a real one that follows the hole does.
-   pure subroutine fill_profile(model, case_index, md, axial, torque, contact, profile)
+   pure subroutine fill_profile(model, case_index, md, side, axial, torque, contact, profile)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: md(:)          !< [m]
+      real(wp), intent(in) :: md(:)          !< of the rows, from lay_rows [m]
+      integer, intent(in) :: side(:)         !< of the rows, from lay_rows
       real(wp), intent(in) :: axial(:)       !< [N]
       real(wp), intent(in) :: torque(:)      !< [N.m]
       real(wp), intent(in) :: contact(:, :)  !< (3, size(md)) [N/m]
       type(profile_type), intent(out) :: profile
       real(wp) :: position(3), tangent(3), curvature(3), bit, clearance
+      real(wp) :: depths(size(md))
       real(wp), allocatable :: tops(:)
       integer :: i, arc, hole, part
       profile = new_profile(size(md))
+      profile%md = md
+      profile%side = side
+      depths = piece_depths(profile)
       bit = model%cases(case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          arc = 1
          do i = 1, size(md)
-            arc = arc_at(model%trajectory, md(i), near=arc)
-            hole = hole_section_at(model%holes, md(i))
-            part = component_at(tops, bit - md(i))
+            arc = arc_at(model%trajectory, merge(md(i), depths(i), side(i) == side_none), near=arc)
+            hole = hole_section_at(model%holes, depths(i))
+            part = component_at(tops, bit - depths(i))
             call point_on_arc(model%trajectory%arcs(arc), md(i) - model%trajectory%arcs(arc)%md, position, tangent, curvature)
             position = position + model%trajectory%arcs(arc)%origin
-            profile%md(i) = md(i)
             profile%north(i) = position(1)
             profile%east(i) = position(2)
             profile%tvd(i) = position(3)

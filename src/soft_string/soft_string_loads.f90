@@ -67,11 +67,12 @@ module dg_soft_string_loads
 contains
 
    !> Axial force, torque and contact of the soft string of a load case at given depths.
-   !> Where weight, curvature or friction jump, `contact` is the one just below the depth.
+   !> Where weight, curvature or friction jump, `contact` is the one just below the depth; at a depth that stands twice, those
+   !> just above and just below.
    pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, totals, other)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: md(:)                !< ascending, from the first station to the bit [m]
+      real(wp), intent(in) :: md(:)                !< never decreasing, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
       !> (3, :) force of the string on the wall, across the hole, coils left out [N/m]

@@ -32,6 +32,7 @@ module dg_static_analysis
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, start_type
+   use dg_profile_rows, only: part_rows
    use dg_recovery, only: recover_profile
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
@@ -117,6 +118,7 @@ contains
       end if
       if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
+      if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call refuse_runaway(result)
       call system_clock(finish)
       result%seconds = seconds_between(start, finish)

@@ -11,6 +11,7 @@ module dg_static_result
    use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
+   use dg_profile_rows, only: lay_rows
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -189,11 +190,14 @@ contains
       type(case_result_type), intent(out) :: result
       type(soft_totals_type) :: totals
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
+      integer, allocatable :: from(:), side(:)
       real(wp) :: position(3), tangent(3), most
       md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
+      call lay_rows(model, case_index, md, from, side)
+      md = md(from)
       allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
       call soft_string_at(model, case_index, md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
-      call fill_profile(model, case_index, md, axial, torque, contact, result%profile)
+      call fill_profile(model, case_index, md, side, axial, torque, contact, result%profile)
       call position_at(model%trajectory, md(size(md)), position, tangent)
       result%case_index = case_index
       result%model = model_mcge

@@ -2,8 +2,8 @@
 !> pressures, true axial force, stresses, safety factors, buckling limits. One place for all models.
 !>
 !> Pressures are those of the fluids at rest (dg_fluid_pressure).
-!> Where two components, hole sections or bends meet, both sides are looked at: stresses are those of the
-!> more highly used side, buckling limits the lower ones.
+!> A row has one component, hole section and pair of fluids: those on its side (dg_profile). Where two bends meet at a row without
+!> a side, buckling limits are the lower ones.
 module dg_along_string
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
@@ -15,12 +15,13 @@ module dg_along_string
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_hole_section, only: hole_section_at
-   use dg_job, only: model_mcge, model_soft
+   use dg_job, only: model_mcge
    use dg_joint_bending, only: joint_magnification
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: pipe_stress, pipe_stress_type, true_axial
+   use dg_profile, only: piece_depths, side_above, side_below
    use dg_pull_margin, only: pull_margin
    use dg_trajectory, only: arc_at, point_on_arc, top_md
    implicit none
@@ -32,8 +33,7 @@ module dg_along_string
    !> without them.
    type :: along_string_type
       real(wp), allocatable :: pressure(:)          !< of the fluid outside [Pa]
-      real(wp), allocatable :: inside_pressure(:)   !< of the fluid inside; at a closed collar, below it [Pa]
-      real(wp), allocatable :: inside_above(:)      !< the same, above the collar [Pa]
+      real(wp), allocatable :: inside_pressure(:)   !< of the fluid inside [Pa]
       real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
       real(wp), allocatable :: axial_stress(:)      !< of the true axial force [Pa]
       real(wp), allocatable :: bending_stress(:)    !< amplitude at the outer surface [Pa]
@@ -55,16 +55,14 @@ module dg_along_string
       real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
       real(wp), allocatable :: buckling_margin(:)   !< compression left before sinusoidal buckling [N]
       integer, allocatable :: buckling(:)           !< buckling_none, buckling_sinusoidal, buckling_helical
-      real(wp), allocatable :: curvature(:)         !< of the hole, the larger of both sides [1/m]
-      real(wp), allocatable :: od(:)                !< of the body of the stressed side [m]
-      real(wp), allocatable :: hole_diameter(:)     !< the smaller of both sides [m]
+      real(wp), allocatable :: curvature(:)         !< of the hole, the larger where two bends meet [1/m]
+      real(wp), allocatable :: od(:)                !< of the body [m]
+      real(wp), allocatable :: hole_diameter(:)     !< of the hole [m]
       real(wp), allocatable :: standoff(:)          !< of the body, least annular distance over that of a centred one [-]
    end type along_string_type
 
-   !> Half the distance between what counts as above and below a row [m].
+   !> Half the distance between two places that are in the bend above a row and in that below it [m].
    real(wp), parameter :: hair = 1.0e-6_wp
-   !> Difference of pressures at one place that is round-off of depths [Pa].
-   real(wp), parameter :: no_pressure = 1.0_wp
 
 contains
 
@@ -75,11 +73,12 @@ contains
       type(along_string_type), intent(out) :: along
       real(wp), allocatable :: tops(:)
       type(fluid_column_type) :: outside, inside
-      real(wp) :: bit, depth, moment(2), pressure(2), weight(2)
-      integer :: i, n, side, string, owner, part(2), hole(2), arc(2)
-      logical :: apart, solved(2)   ! joint by joint; bending between contacts, on either side
+      real(wp) :: bit, weight, depths(size(result%profile%md))
+      integer :: i, k, n, string, part, hole, first, last, arc(2)
+      logical :: apart, solved      ! joint by joint; bending between contacts
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
       n = size(result%profile%md)
+      depths = piece_depths(result%profile)
       along = new_along_string(n)
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
@@ -89,53 +88,40 @@ contains
       associate (profile => result%profile, components => model%strings(string)%components)
          arc = 1
          do i = 1, n
-            do side = 1, 2
-               depth = min(max(profile%md(i) + merge(-hair, hair, side == 1), top_md(model%trajectory)), bit)
-               part(side) = component_at(tops, bit - depth)
-               hole(side) = hole_section_at(model%holes, depth)
-               arc(side) = arc_at(model%trajectory, depth, near=arc(side))
-               pressure(side) = pressure_at(inside, depth, profile%tvd(i))
-               weight(side) = buoyed_weight(components(part(side)), density_at(model%mud, side_outside, depth, bit), &
-                                            density_at(model%mud, side_inside, depth, bit), model%gravity)
-               solved(side) = apart .or. (components(part(side))%centralizer%present .and. result%model == model_mcge)
+            part = component_at(tops, bit - depths(i))
+            hole = hole_section_at(model%holes, depths(i))
+            ! two bends may meet at a row that stands for no side
+            first = merge(2, 1, profile%side(i) == side_below)
+            last = merge(1, 2, profile%side(i) == side_above)
+            do k = first, last
+               arc(k) = arc_at(model%trajectory, min(max(profile%md(i) + merge(-hair, hair, k == 1), &
+                                                         top_md(model%trajectory)), bit), near=arc(k))
             end do
-            along%pressure(i) = pressure_at(outside, depth, profile%tvd(i))
-            along%inside_above(i) = pressure(1)
-            along%inside_pressure(i) = pressure(2)
-            along%hole_diameter(i) = minval(model%holes(hole)%diameter)
-            owner = component_at(tops, bit - profile%md(i))
-            do side = 1, 2
-               ! A stiff string carries one moment across a joint. That of a soft one is the curvature of the hole times
-               ! the stiffness of the component at the row: each side has its own.
-               moment(side) = profile%bending(i)
-               if (result%model == model_soft) moment(side) = moment(side)*bending_stiffness(components(part(side)))/ &
-                  bending_stiffness(components(owner))
-               if (side == 1 .or. part(2) /= part(1) .or. abs(pressure(2) - pressure(1)) > no_pressure) then
-                  call put_stress(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
-                                  along)
-                  call put_joint(i, components(part(side)), profile%axial(i), profile%torque(i), moment(side), pressure(side), &
-                                 curvature_at(model, profile%md(i), arc(side)), solved(side), along)
-                  if (has_joints(components(part(side))) .and. .not. solved(side)) call keep_most(along%joint_side_force(i), &
-                     profile%side_force(i)*components(part(side))%joint_spacing)
-               end if
-               if (side == 1 .or. part(2) /= part(1) .or. hole(2) /= hole(1) .or. arc(2) /= arc(1) .or. &
-                   abs(weight(2) - weight(1)) > 0.0_wp) &
-                  call put_limits(model, i, profile%md(i), -profile%axial(i), components(part(side)), weight(side), &
-                                  0.5_wp*(model%holes(hole(side))%diameter - &
-                                          contact_diameter(components(part(side)), bit - tops(part(side)))), arc(side), along)
-               if (result%model == model_mcge) call put_standoff(i, components(part(side))%od, &
-                                                                 model%holes(hole(side))%diameter, profile%displacement(i), along)
+            weight = buoyed_weight(components(part), density_at(model%mud, side_outside, depths(i), bit), &
+                                   density_at(model%mud, side_inside, depths(i), bit), model%gravity)
+            solved = apart .or. (components(part)%centralizer%present .and. result%model == model_mcge)
+            along%pressure(i) = pressure_at(outside, depths(i), profile%tvd(i))
+            along%inside_pressure(i) = pressure_at(inside, depths(i), profile%tvd(i))
+            along%hole_diameter(i) = model%holes(hole)%diameter
+            call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), along)
+            call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), &
+                           curvature_at(model, profile%md(i), arc(first)), solved, along)
+            if (has_joints(components(part)) .and. .not. solved) &
+               along%joint_side_force(i) = profile%side_force(i)*components(part)%joint_spacing
+            do k = first, last
+               if (k == first .or. arc(2) /= arc(1)) call put_limits(model, i, profile%md(i), -profile%axial(i), components(part), &
+                                                                     weight, model%holes(hole)%diameter, arc(k), along)
             end do
+            if (result%model == model_mcge) along%standoff(i) = standoff_of(components(part)%od, model%holes(hole)%diameter, &
+                                                                            profile%displacement(i))
             if (rotates(model%cases(result%case_index)%operation)) along%bending_range(i) = 2.0_wp*along%bending_stress(i)
             if (.not. is_missing(along%sinusoidal(i))) then
                along%buckling_margin(i) = along%sinusoidal(i) + profile%axial(i)
                along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
             end if
-            do side = 1, 2
-               if (components(part(side))%yield > 0.0_wp) call keep_least(along%overpull(i), &
-                  pull_margin(components(part(side)), profile%axial(i), profile%torque(i), moment(side), along%curvature(i), &
-                              solved(side), along%buckling(i) /= buckling_none, pressure(side) - along%pressure(i)))
-            end do
+            if (components(part)%yield > 0.0_wp) along%overpull(i) = &
+               pull_margin(components(part), profile%axial(i), profile%torque(i), profile%bending(i), along%curvature(i), solved, &
+                           along%buckling(i) /= buckling_none, along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
       if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
@@ -149,58 +135,44 @@ contains
       where (.not. is_missing(along%magnification)) along%joint_side_force = 0.0_wp
       do i = 1, size(result%contacts)
          if (result%contacts(i)%kind /= contact_joint) cycle
-         row = minloc(abs(result%profile%md - result%contacts(i)%md), dim=1)
-         call keep_most(along%joint_side_force(row), result%contacts(i)%force)
+         row = minloc(abs(result%profile%md - result%contacts(i)%md), dim=1, mask=.not. is_missing(along%magnification))
+         if (row > 0) along%joint_side_force(row) = max(along%joint_side_force(row), result%contacts(i)%force)
       end do
    end subroutine put_joint_forces
 
-   !> Stresses at row `i` on one side of it; kept where this side is used more highly than the one before.
-   pure subroutine put_stress(i, part, axial, torque, moment, inside, along)
+   !> Stresses at row `i`, whose pressures are there already.
+   pure subroutine put_stress(i, part, axial, torque, moment, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial    !< effective [N]
       real(wp), intent(in) :: torque   !< [N.m]
       real(wp), intent(in) :: moment   !< [N.m]
-      real(wp), intent(in) :: inside   !< pressure [Pa]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
-      real(wp) :: force, factor, od
-      logical :: second, worse
+      real(wp) :: od
       od = worn_od(part)
-      force = true_axial(axial, od, part%id, along%pressure(i), inside)
-      stress = pipe_stress(od, part%id, force, torque, moment, along%pressure(i), inside)
-      second = along%od(i) > 0.0_wp
-      factor = missing
-      ! A string under no load at all has no factor.
-      if (part%yield > 0.0_wp .and. stress%von_mises > epsilon(1.0_wp)*part%yield) factor = part%yield/stress%von_mises
-      worse = .not. second .or. stress%von_mises > along%von_mises(i)
-      if (second .and. .not. is_missing(factor) .and. .not. is_missing(along%safety_factor(i))) &
-         worse = factor < along%safety_factor(i)
-      if (worse) then
-         along%od(i) = part%od
-         along%true_axial(i) = force
-         along%axial_stress(i) = stress%axial
-         along%bending_stress(i) = stress%bending
-         along%per_moment(i) = 0.5_wp*od/tube_inertia(od, part%id)
-         along%torsional_stress(i) = stress%torsional
-         along%hoop_stress(i) = stress%hoop
-         along%von_mises(i) = stress%von_mises
-         if (.not. is_missing(factor)) along%safety_factor(i) = factor
-      else if (is_missing(along%safety_factor(i))) then
-         along%safety_factor(i) = factor
-      end if
+      along%od(i) = part%od
+      along%true_axial(i) = true_axial(axial, od, part%id, along%pressure(i), along%inside_pressure(i))
+      stress = pipe_stress(od, part%id, along%true_axial(i), torque, moment, along%pressure(i), along%inside_pressure(i))
+      along%axial_stress(i) = stress%axial
+      along%bending_stress(i) = stress%bending
+      along%per_moment(i) = 0.5_wp*od/tube_inertia(od, part%id)
+      along%torsional_stress(i) = stress%torsional
+      along%hoop_stress(i) = stress%hoop
+      along%von_mises(i) = stress%von_mises
       if (.not. part%yield > 0.0_wp) return
-      call keep_least(along%envelope_margin(i), 1.0_wp - stress%von_mises/part%yield)
+      ! A string under no load at all has no factor.
+      if (stress%von_mises > epsilon(1.0_wp)*part%yield) along%safety_factor(i) = part%yield/stress%von_mises
+      along%envelope_margin(i) = 1.0_wp - stress%von_mises/part%yield
    end subroutine put_stress
 
-   !> Bending between tool joints and stress in them at row `i`, for a component that has some; kept where larger than on the other
-   !> side. A model that solved joint by joint has its magnification in its moments. The joint's bore is taken to be the
-   !> pipe's, which is on the safe side. In compression bending is largest between joints, so that a joint has the mean one.
-   pure subroutine put_joint(i, part, axial, torque, moment, inside, curvature, apart, along)
+   !> Bending between tool joints and stress in them at row `i`, for a component that has some. A model that solved joint by joint
+   !> has its magnification in its moments. The joint's bore is taken to be the pipe's, which is on the safe side. In compression
+   !> bending is largest between joints, so that a joint has the mean one.
+   pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
-      real(wp), intent(in) :: inside                  !< pressure [Pa]
       real(wp), intent(in) :: curvature               !< of the hole [1/m]
       logical, intent(in) :: apart                    !< whether joints were solved one by one
       type(along_string_type), intent(inout) :: along
@@ -211,13 +183,13 @@ contains
       if (.not. apart) factor = joint_magnification(axial, bending_stiffness(part), 0.5_wp*part%joint_spacing, curvature, &
                                                     0.5_wp*(part%joint_od - part%od))
       if (.not. is_missing(factor)) then
-         call keep_most(along%magnification(i), factor)
-         call keep_most(along%jointed_bending(i), factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id))
+         along%magnification(i) = factor
+         along%jointed_bending(i) = factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id)
       end if
       if (axial < 0.0_wp) factor = 1.0_wp
-      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), inside)
-      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), inside)
-      call keep_most(along%joint_von_mises(i), stress%von_mises)
+      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%inside_pressure(i))
+      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%inside_pressure(i))
+      along%joint_von_mises(i) = stress%von_mises
    end subroutine put_joint
 
    !> Curvature of one arc [1/m]; the depth serves a spline, whose curvature varies.
@@ -231,17 +203,16 @@ contains
       curvature = norm2(bend)
    end function curvature_at
 
-   !> Standoff of the body at row `i` on one side of it, as API 10D-2 has it: 1 where it is centred, 0 where it touches; kept where
-   !> less than on the other side.
-   pure subroutine put_standoff(i, od, diameter, displacement, along)
-      integer, intent(in) :: i
+   !> Standoff of a body [-], as API 10D-2 has it: 1 where it is centred, 0 where it touches; missing where it fills its hole.
+   pure function standoff_of(od, diameter, displacement) result(standoff)
       real(wp), intent(in) :: od, diameter   !< of body and hole [m]
       real(wp), intent(in) :: displacement   !< of the string off the hole axis [m]
-      type(along_string_type), intent(inout) :: along
-      if (diameter > od) call keep_least(along%standoff(i), max(1.0_wp - displacement/(0.5_wp*(diameter - od)), 0.0_wp))
-   end subroutine put_standoff
+      real(wp) :: standoff
+      standoff = missing
+      if (diameter > od) standoff = max(1.0_wp - displacement/(0.5_wp*(diameter - od)), 0.0_wp)
+   end function standoff_of
 
-   !> Buckling limits at row `i` on one side of it; kept where lower than the one before.
+   !> Buckling limits at row `i` in one of the bends that meet there; kept where lower than in the other.
    pure subroutine put_limits(model, i, md, compression, part, weight, clearance, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
@@ -279,22 +250,11 @@ contains
       end if
    end subroutine keep_least
 
-   !> The larger of a number that may be missing and one that is there.
-   pure subroutine keep_most(number, candidate)
-      real(wp), intent(inout) :: number
-      real(wp), intent(in) :: candidate
-      if (is_missing(number)) then
-         number = candidate
-      else
-         number = max(number, candidate)
-      end if
-   end subroutine keep_most
-
    !> Columns of `n` rows, all zero or missing.
    pure function new_along_string(n) result(along)
       integer, intent(in) :: n
       type(along_string_type) :: along
-      allocate (along%pressure(n), along%inside_pressure(n), along%inside_above(n), along%true_axial(n), &
+      allocate (along%pressure(n), along%inside_pressure(n), along%true_axial(n), &
                 along%axial_stress(n), along%bending_stress(n), along%per_moment(n), &
                 along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)

@@ -1,8 +1,8 @@
 !> How much of each strength of a string is used, load times design factor over strength, and which is used most: the limit that
 !> governs.
 !>
-!> Tension is the effective one, as API rates pipe in mud. Where two components meet, both are looked at, and the connection is
-!> the weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
+!> Tension is the effective one, as API rates pipe in mud. Where two components meet each has a row, and the connection is the
+!> weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
 module dg_utilisation
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -13,6 +13,7 @@ module dg_utilisation
    use dg_load_case, only: given, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
+   use dg_profile, only: piece_depths
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
                                torsional_strength
    use dg_trajectory, only: top_md
@@ -36,8 +37,6 @@ module dg_utilisation
 
    !> By how much more a limit must be used to count as used more [-]: beyond round-off.
    real(wp), parameter :: as_much = 1.0e-6_wp
-   !> Half the distance between what counts as above and below a row [m].
-   real(wp), parameter :: hair = 1.0e-6_wp
 
 contains
 
@@ -50,24 +49,16 @@ contains
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, its block counted in [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, distance, inside
-      integer :: i, side, part, last
+      real(wp) :: bit, depths(size(result%profile%md))
+      integer :: i
       bit = model%cases(result%case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
                  profile => result%profile)
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         depths = piece_depths(profile)
          do i = 1, size(profile%md)
-            last = 0
-            do side = -1, 1, 2
-               distance = min(max(bit - profile%md(i) - side*hair, 0.0_wp), tops(size(tops)))
-               part = component_at(tops, distance)
-               inside = along%inside_pressure(i)
-               if (side < 0) inside = along%inside_above(i)
-               if (part == last .and. abs(along%inside_above(i) - along%inside_pressure(i)) <= 0.0_wp) cycle
-               last = part
-               call use_component(string%components(part), factors, profile%axial(i), profile%torque(i), along%pressure(i), &
-                                  inside, profile%md(i), utilisation)
-            end do
+            call use_component(string%components(component_at(tops, bit - depths(i))), factors, profile%axial(i), &
+                               profile%torque(i), along%pressure(i), along%inside_pressure(i), profile%md(i), utilisation)
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
                factors%von_mises/along%safety_factor(i), profile%md(i))
          end do

@@ -13,6 +13,7 @@ module dg_whole_string
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: tension_capacity
+   use dg_profile, only: piece_depths
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: top_md
    use dg_utilisation, only: utilisation_type
@@ -67,8 +68,6 @@ module dg_whole_string
    !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is
    !> no change of sign by round-off at a bit that carries nothing.
    real(wp), parameter :: no_force = 1.0e-9_wp
-   !> Half the distance between what counts as above and below a row [m].
-   real(wp), parameter :: hair = 1.0e-6_wp
    !> To what part of the bracket a weight on bit is searched [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
    !> Margin of a string that nothing can make yield [N].
@@ -203,12 +202,13 @@ contains
       type(whole_string_type), intent(inout) :: whole
       real(wp), allocatable :: tops(:), ei(:)
       integer :: shape(size(result%profile%md)), i
-      real(wp) :: length, bit
+      real(wp) :: length, bit, depths(size(result%profile%md))
       bit = model%cases(result%case_index)%bit_depth
       associate (profile => result%profile, string => model%strings(string_index(model%strings, &
                                                                                  model%cases(result%case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
-         allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - profile%md(i)))), &
+         depths = piece_depths(profile)
+         allocate (ei, source=[(bending_stiffness(string%components(component_at(tops, bit - depths(i)))), &
                                 i=1, size(profile%md))])
          call find_buckled_shape(profile%md, profile%axial, &
                                  profile%displacement/room_of(0.5_wp*(along%hole_diameter - along%od)), profile%clock, ei, &
@@ -222,32 +222,30 @@ contains
       end associate
    end subroutine add_shape
 
-   !> Hook load against the rig, torque against the make-up torque of the connections. A connection at a joint of two
-   !> components is the weaker one's.
+   !> Hook load against the rig, torque against the make-up torque of the connections. Where two components meet each has a row,
+   !> so that the weaker connection counts.
    pure subroutine add_margins(model, result, rig_limit, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(optional_real), intent(in) :: rig_limit
       type(whole_string_type), intent(inout) :: whole
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, distance, margin
-      integer :: i, side, string
+      real(wp) :: bit, margin, depths(size(result%profile%md))
+      integer :: i, string
       whole%rig_limit = rig_limit
       if (rig_limit%present) whole%rig_margin = given(rig_limit%value - model%rig%block_weight - result%hookload)
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      depths = piece_depths(result%profile)
       do i = 1, size(result%profile%md)
-         do side = -1, 1, 2
-            distance = max(bit - result%profile%md(i) + side*hair, 0.0_wp)
-            associate (part => model%strings(string)%components(component_at(tops, distance)))
-               if (.not. part%makeup_torque > 0.0_wp) cycle
-               margin = part%makeup_torque - abs(result%profile%torque(i))
-            end associate
-            if (whole%makeup_margin%present .and. margin >= whole%makeup_margin%value) cycle
-            whole%makeup_margin = given(margin)
-            whole%makeup_margin_md = given(result%profile%md(i))
-         end do
+         associate (part => model%strings(string)%components(component_at(tops, bit - depths(i))))
+            if (.not. part%makeup_torque > 0.0_wp) cycle
+            margin = part%makeup_torque - abs(result%profile%torque(i))
+         end associate
+         if (whole%makeup_margin%present .and. margin >= whole%makeup_margin%value) cycle
+         whole%makeup_margin = given(margin)
+         whole%makeup_margin_md = given(result%profile%md(i))
       end do
    end subroutine add_margins
 
@@ -311,30 +309,28 @@ contains
       type(along_string_type), intent(in) :: along
       real(wp), intent(in) :: wob                !< [N]
       real(wp) :: margin
-      real(wp), dimension(size(result%profile%md)) :: axial, torque
+      real(wp), dimension(size(result%profile%md)) :: axial, torque, depths
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, moment
-      integer :: i, side, place
+      integer :: i, place
       margin = endless
       bit = model%cases(result%case_index)%bit_depth
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, &
                           other=other_loads_type(coiled=.true., wob=given(wob)))
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         depths = piece_depths(result%profile)
          do i = 1, size(axial)
             if (axial(i) >= 0.0_wp) cycle
-            do side = -1, 1, 2
-               place = component_at(tops, max(bit - result%profile%md(i) + side*hair, 0.0_wp))
-               associate (part => string%components(place))
-                  if (.not. part%yield > 0.0_wp) cycle
-                  moment = result%profile%bending(i)
-                  if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
-                  if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
-                     0.25_wp*(along%hole_diameter(i) - contact_diameter(part, bit - tops(place)))*axial(i)
-                  margin = min(margin, axial(i) + tension_capacity(worn_od(part), part%id, torque(i), moment, &
-                                                      along%inside_pressure(i) - along%pressure(i), part%yield))
-               end associate
-            end do
+            associate (part => string%components(component_at(tops, bit - depths(i))))
+               if (.not. part%yield > 0.0_wp) cycle
+               moment = result%profile%bending(i)
+               if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
+               if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
+                  0.25_wp*(along%hole_diameter(i) - contact_diameter(part, bit - tops(place)))*axial(i)
+               margin = min(margin, axial(i) + tension_capacity(worn_od(part), part%id, torque(i), moment, &
+                                                                along%inside_pressure(i) - along%pressure(i), part%yield))
+            end associate
          end do
       end associate
    end function margin_to_yield

@@ -149,7 +149,7 @@ contains
    !> Largest difference of two values along the string, and its root mean square: straight lines between the points of each, at the
    !> points of both.
    pure subroutine compare_lines(md, values, other_md, others, largest, rms)
-      real(wp), intent(in) :: md(:), values(:), other_md(:), others(:)   !< depths increasing
+      real(wp), intent(in) :: md(:), values(:), other_md(:), others(:)   !< depths never decrease
       real(wp), intent(out) :: largest, rms
       real(wp) :: place, before, difference, last, squares
       integer :: i, j

@@ -9,7 +9,7 @@ module dg_test_legacy
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy
    use dg_legacy_file, only: unit_value
    use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_side_force, quantity_torque
-   use dg_profile, only: new_profile, profile_type
+   use dg_profile, only: new_profile, profile_type, side_above, side_below
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, trajectory_type
    implicit none
    private
@@ -102,6 +102,7 @@ contains
       type(legacy_table_type) :: table
       type(profile_type) :: profile
       type(comparison_type) :: comparison
+      integer :: i
       call s_well(trajectory)
       profile = new_profile(2)
       profile%md = [0.0_wp, 2000.0_wp]
@@ -115,6 +116,16 @@ contains
       call assertEqual([750.0_wp, 500.0_wp], comparison%ours(:, 1), round_off, message='interpolated')
       call assertTrue(comparison%parting(quantity_axial)%agrees, message='0.1 of 750')
       call assertFalse(comparison%parting(quantity_torque)%present)
+      ! where something changes ours of the lower side is compared, to round-off of depths
+      profile = new_profile(4)
+      profile%md = [0.0_wp, 1000.0_wp, 1000.0_wp, 2000.0_wp]
+      profile%side(2:3) = [side_above, side_below]
+      profile%axial = [1000.0_wp, 500.0_wp, 200.0_wp, 0.0_wp]
+      do i = -1, 1
+         table%md = [500.0_wp, 1000.0_wp + i*1.0e-9_wp, 2100.0_wp]
+         call compare_with_legacy(table, profile, trajectory, comparison)
+         call assertEqual([750.0_wp, 200.0_wp], comparison%ours(:, 1), round_off, message='lower side')
+      end do
       table%md = table%md + 5000.0_wp
       call compare_with_legacy(table, profile, trajectory, comparison)
       call assertEqual(3, comparison%outside, message='all outside')

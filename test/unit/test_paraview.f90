@@ -4,7 +4,7 @@ module dg_test_paraview
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
    use dg_paraview_file, only: string_offsets, tube_rows
-   use dg_profile, only: new_profile, profile_type
+   use dg_profile, only: new_profile, profile_type, side_above, side_below
    implicit none
    private
    public :: paraview_suite
@@ -38,6 +38,7 @@ contains
    end subroutine test_offsets
 
    !> Straight: the ends alone. A wider hole: a ring on either side of the step. A bend: rings at both ends of what turns.
+   !> Two rows at a depth: two rings where the hole is wider, one where the string alone changes.
    subroutine test_rings()
       type(profile_type) :: profile
       integer, allocatable :: rows(:)
@@ -51,5 +52,13 @@ contains
       deallocate (rows)
       allocate (rows, source=tube_rows(profile, spread(0.2_wp, 1, 6)))
       call assertEqual([1, 3, 4, 6], rows)
+      profile%side(3:4) = [side_above, side_below]
+      profile%inclination = [0.0_wp, 0.0_wp, 5.0_wp, 5.0_wp, 10.0_wp, 10.0_wp]*degree
+      deallocate (rows)
+      allocate (rows, source=tube_rows(profile, spread(0.2_wp, 1, 6)))
+      call assertEqual([1, 2, 3, 5, 6], rows)
+      deallocate (rows)
+      allocate (rows, source=tube_rows(profile, [0.3_wp, 0.3_wp, 0.3_wp, 0.2_wp, 0.2_wp, 0.2_wp]))
+      call assertEqual([1, 2, 3, 4, 5, 6], rows)
    end subroutine test_rings
 end module dg_test_paraview

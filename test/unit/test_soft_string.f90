@@ -87,7 +87,7 @@ contains
          last = size(profile%md)
          call assertEqual(0.0_wp, profile%md(1), message='surface')
          call assertEqual(1000.0_wp, profile%md(last), message='bit')
-         call assertTrue(all(profile%md(2:) > profile%md(:last - 1)), message='ascends')
+         call assertTrue(all(profile%md(2:) >= profile%md(:last - 1)), message='never decreases')
          call assertTrue(all(profile%md(2:) - profile%md(:last - 1) <= 30.0_wp), message='spacing')
          call assertTrue(any(abs(profile%md - 500.0_wp) < rounding), message='end of a hole section')
          call assertEqual(500.0_wp, profile%tvd(last), rounding*1.0e3_wp, message='tvd')

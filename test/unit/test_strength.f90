@@ -16,7 +16,7 @@ module dg_test_strength
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
                                torsional_strength
    use dg_pipe_stress, only: pipe_stress, pipe_stress_type
-   use dg_profile, only: new_profile
+   use dg_profile, only: new_profile, side_above, side_below, side_none
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_utilisation, only: find_utilisation, governing_name, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_torsion, limit_von_mises, utilisation_type
@@ -199,12 +199,13 @@ contains
       result%case_index = 1
       result%model = model_mcge
       result%status = result_converged
-      result%profile = new_profile(3)
-      result%profile%md = [0.0_wp, depth - 100.0_wp, depth]
+      result%profile = new_profile(4)
+      result%profile%md = [0.0_wp, depth - 100.0_wp, depth - 100.0_wp, depth]
+      result%profile%side = [side_none, side_above, side_below, side_none]
       result%profile%tvd = result%profile%md
       associate (part => model%strings(1)%components(2))
-         result%profile%axial = tensile_strength(part)*[0.5_wp, 0.2_wp, 0.0_wp]
-         result%profile%torque = torsional_strength(part)*[0.1_wp, 0.08_wp, 0.08_wp]
+         result%profile%axial = tensile_strength(part)*[0.5_wp, 0.2_wp, 0.2_wp, 0.0_wp]
+         result%profile%torque = torsional_strength(part)*[0.1_wp, 0.08_wp, 0.08_wp, 0.08_wp]
          result%hookload = 0.5_wp*tensile_strength(part)
       end associate
    end subroutine build
@@ -294,7 +295,7 @@ contains
       type(case_result_type) :: result
       type(along_string_type) :: worn, thin
       call build(model, result)
-      result%profile%bending = [20.0e3_wp, 0.0_wp, 0.0_wp]
+      result%profile%bending = [20.0e3_wp, 0.0_wp, 0.0_wp, 0.0_wp]
       model%strings(1)%components(2)%wall_left = 0.7_wp
       call find_along_string(model, result, worn)
       associate (part => model%strings(1)%components(2))

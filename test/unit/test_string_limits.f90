@@ -15,7 +15,7 @@ module dg_test_string_limits
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_trip_out, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_profile, only: new_profile
+   use dg_profile, only: new_profile, side_above, side_below, side_none
    use dg_soft_string, only: solve_soft_string
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_whole_string, only: find_whole_string, neutral_points_of, whole_string_type
@@ -53,7 +53,8 @@ contains
       call suite%addTest(TestMethod('one_helical_limit_in_files_and_warnings', test_one_limit))
    end function string_limits_suite
 
-   !> A straight hole of 200 mm, a collar of 50 m and pipe above it with yield; profile of three rows, nothing on it.
+   !> A straight hole of 200 mm, a collar of 50 m and pipe above it with yield; profile of four rows, two of them where they meet,
+   !> nothing on it.
    subroutine build(model, result, inclination, operation)
       type(model_type), intent(out) :: model
       type(case_result_type), intent(out) :: result
@@ -78,8 +79,9 @@ contains
       result%case_index = 1
       result%model = model_mcge
       result%status = result_converged
-      result%profile = new_profile(3)
-      result%profile%md = [0.0_wp, depth - 50.0_wp, depth]
+      result%profile = new_profile(4)
+      result%profile%md = [0.0_wp, depth - 50.0_wp, depth - 50.0_wp, depth]
+      result%profile%side = [side_none, side_above, side_below, side_none]
       result%profile%tvd = result%profile%md*cos(inclination*degree)
       result%profile%inclination = inclination*degree
    end subroutine build
@@ -106,9 +108,9 @@ contains
       call find_along_string(model, result, along)
       pressure = mud*model%gravity*500.0_wp
       call assertEqual(0.0_wp, along%pressure(1))
-      call assertRelativelyEqual(pressure, along%pressure(3), rounding)
-      call assertRelativelyEqual(-pressure*tube_area(0.16_wp, 0.07_wp), along%true_axial(3), rounding)
-      call assertRelativelyEqual(-pressure, along%hoop_stress(3), rounding)
+      call assertRelativelyEqual(pressure, along%pressure(4), rounding)
+      call assertRelativelyEqual(-pressure*tube_area(0.16_wp, 0.07_wp), along%true_axial(4), rounding)
+      call assertRelativelyEqual(-pressure, along%hoop_stress(4), rounding)
       call assertEqual(0.2_wp, along%hole_diameter(2), rounding)
    end subroutine test_pressure
 
@@ -161,7 +163,7 @@ contains
       type(whole_string_type) :: whole
       call build(model, result, 60.0_wp, operation_trip_out)
       result%profile%axial(1) = 300.0e6_wp*tube_area(0.127_wp, 0.1086_wp)
-      result%profile%bending(2) = 8.0e3_wp
+      result%profile%bending(2:3) = 8.0e3_wp
       result%moment_error = 0.03_wp
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, optional_real(), whole)
@@ -199,23 +201,31 @@ contains
                                  whole%wob_yield%value, halved)
    end subroutine test_wob_yield
 
-   !> At a joint of collar and pipe a beam's moment stresses the pipe more; a soft string's is the collar's on the collar.
+   !> At a joint of collar and pipe each side has its stresses under the same moment. The true axial force jumps by pressure times
+   !> difference of areas. Limits use both sides.
    subroutine test_joint()
       type(model_type) :: model
       type(case_result_type) :: result
       type(along_string_type) :: along
+      type(whole_string_type) :: whole
       real(wp), parameter :: moment = 8.0e3_wp
+      real(wp) :: pressure, jump
       call build(model, result, 60.0_wp, operation_trip_out)
-      result%profile%bending(2) = moment
+      result%profile%bending(2:3) = moment
+      result%profile%tvd(2:3) = 475.0_wp
       call find_along_string(model, result, along)
-      call assertEqual(0.127_wp, along%od(2), rounding)
+      call assertEqual([0.127_wp, 0.16_wp], along%od(2:3), rounding)
       call assertRelativelyEqual(moment*0.0635_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
-      ! The row belongs to the pipe above; one curvature asks for more stress in the thicker collar, E r k.
-      result%model = model_soft
-      model%strings(1)%components%yield = 500.0e6_wp
+      call assertRelativelyEqual(moment*0.08_wp/tube_inertia(0.16_wp, 0.07_wp), along%bending_stress(3), rounding)
+      pressure = mud*model%gravity*475.0_wp
+      jump = pressure*(tube_area(0.16_wp, 0.07_wp) - tube_area(0.127_wp, 0.1086_wp))
+      call assertRelativelyEqual(jump, along%true_axial(2) - along%true_axial(3), rounding)
+      ! the pipe is stressed more, the collar's yield decides
+      model%strings(1)%components(1)%yield = 1.0e6_wp
       call find_along_string(model, result, along)
-      call assertRelativelyEqual(moment*0.08_wp/tube_inertia(0.127_wp, 0.1086_wp), along%bending_stress(2), rounding)
-      call assertEqual(0.16_wp, along%od(2), rounding)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertRelativelyEqual(along%von_mises(2), whole%von_mises, rounding)
+      call assertRelativelyEqual(along%safety_factor(3), whole%least_safety%value, rounding)
    end subroutine test_joint
 
    !> 1 - |offset|/c, c = (D - d)/2 of the body; where two components meet the thicker one stands off less, and what presses into
@@ -226,14 +236,14 @@ contains
       type(along_string_type) :: along
       type(whole_string_type) :: whole
       call build(model, result, 60.0_wp, operation_trip_out)
-      result%profile%displacement = [0.01_wp, 0.015_wp, 0.02001_wp]
+      result%profile%displacement = [0.01_wp, 0.015_wp, 0.015_wp, 0.02001_wp]
       call find_along_string(model, result, along)
-      call assertEqual([1.0_wp - 0.01_wp/0.0365_wp, 0.25_wp, 0.0_wp], along%standoff, rounding)
-      result%profile%displacement(3) = 0.018_wp
+      call assertEqual([1.0_wp - 0.01_wp/0.0365_wp, 1.0_wp - 0.015_wp/0.0365_wp, 0.25_wp, 0.0_wp], along%standoff, rounding)
+      result%profile%displacement(4) = 0.018_wp
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, optional_real(), whole)
       call assertEqual(0.1_wp, whole%least_standoff%value, rounding)
-      call assertEqual(result%profile%md(3), whole%least_standoff_md%value)
+      call assertEqual(result%profile%md(4), whole%least_standoff_md%value)
       result%model = model_soft
       call find_along_string(model, result, along)
       call assertTrue(all(is_missing(along%standoff)), message='soft')
@@ -246,7 +256,7 @@ contains
       type(along_string_type) :: along
       real(wp), parameter :: spacing = 9.0_wp
       call build(model, result, 60.0_wp, operation_trip_out)
-      result%profile%side_force = [100.0_wp, 200.0_wp, 300.0_wp]
+      result%profile%side_force = [100.0_wp, 200.0_wp, 200.0_wp, 300.0_wp]
       call find_along_string(model, result, along)
       call assertTrue(all(is_missing(along%joint_side_force)), message='no joints')
       model%strings(1)%components(2)%joint_od = 0.16_wp
@@ -292,7 +302,7 @@ contains
       call assertRelativelyEqual(limit, along%sinusoidal(1), rounding)
       call assertRelativelyEqual(sqrt(2.0_wp)*limit, along%helical(1), rounding)
       call assertEqual(-100.0_wp, along%buckling_margin(1), rounding*limit)
-      call assertEqual([buckling_sinusoidal, buckling_none, buckling_none], along%buckling)
+      call assertEqual([buckling_sinusoidal, buckling_none, buckling_none, buckling_none], along%buckling)
       call build(model, result, 0.0_wp, operation_sliding_drilling)
       result%profile%axial = -5.0e3_wp
       call find_along_string(model, result, along)
@@ -363,7 +373,7 @@ contains
       call build(model, result, 60.0_wp, operation_rotary_drilling)
       model%strings(1)%components%makeup_torque = [20.0e3_wp, 30.0e3_wp]
       result%hookload = 700.0e3_wp
-      result%profile%torque = [18.0e3_wp, 12.0e3_wp, 1.0e3_wp]
+      result%profile%torque = [18.0e3_wp, 12.0e3_wp, 12.0e3_wp, 1.0e3_wp]
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, given(1500.0e3_wp), whole)
       call assertRelativelyEqual(800.0e3_wp, whole%rig_margin%value, rounding)

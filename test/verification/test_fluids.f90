@@ -85,12 +85,12 @@ contains
       end do
    end subroutine check
 
-   !> Row of a depth in a profile.
+   !> Row of a depth in a profile; where it has two, the lower side's.
    pure function row_at(result, md) result(row)
       type(case_result_type), intent(in) :: result
       real(wp), intent(in) :: md
       integer :: row
-      row = minloc(abs(result%profile%md - md), dim=1)
+      row = minloc(abs(result%profile%md - md), dim=1, back=.true.)
    end function row_at
 
    !> Air inside, mud outside, a float shoe at the end: hook load = weight in air - p_o A_o at the shoe. True force at the shoe
@@ -194,8 +194,8 @@ contains
       row = row_at(results(model_soft), length - chamber)
       hanging = air*chamber/length
       call assertEqual(0.0_wp, along%inside_pressure(row))
-      ! the row stands for the side that is used more highly, below the collar, which is pressed by the hole alone
       call assertEqual(hanging - push, along%true_axial(row), rounding*air)
+      call assertEqual(hanging - push + above*bore, along%true_axial(row - 1), rounding*air)
       row = row_at(results(model_soft), length)
       call assertEqual(-push, along%true_axial(row), rounding*air)
       model%mud%fluids(2) = fluid_type(outside=.false., density=900.0_wp, above_bit=track, collar=collar_open_below)

@@ -41,6 +41,7 @@ contains
       use dg_test_moments, only: moments_suite
       use dg_test_columns, only: columns_suite
       use dg_test_margins, only: margins_suite
+      use dg_test_both_sides, only: both_sides_suite
       use dg_test_boundary_layers, only: boundary_layers_suite
       use dg_test_fluids, only: fluids_suite
       type(TestSuite) :: suite
@@ -76,6 +77,7 @@ contains
       call suite%addTest(moments_suite())
       call suite%addTest(columns_suite())
       call suite%addTest(margins_suite())
+      call suite%addTest(both_sides_suite())
       call suite%addTest(boundary_layers_suite())
       call suite%addTest(fluids_suite())
    end function load_tests
