@@ -109,8 +109,10 @@ contains
             if (has_joints(components(part)) .and. .not. solved) &
                along%joint_side_force(i) = profile%side_force(i)*components(part)%joint_spacing
             do k = first, last
-               if (k == first .or. arc(2) /= arc(1)) call put_limits(model, i, profile%md(i), -profile%axial(i), components(part), &
-                                                                     weight, model%holes(hole)%diameter, arc(k), along)
+               if (k == first .or. arc(2) /= arc(1)) &
+                  call put_limits(model, i, profile%md(i), -profile%axial(i), components(part), weight, &
+                                  0.5_wp*(model%holes(hole)%diameter - contact_diameter(components(part), bit - tops(part))), &
+                                  arc(k), along)
             end do
             if (result%model == model_mcge) along%standoff(i) = standoff_of(components(part)%od, model%holes(hole)%diameter, &
                                                                             profile%displacement(i))
