@@ -10,7 +10,6 @@ module dg_deck_parts
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_hole_section, only: rigid_over_elastic
    use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type
@@ -292,6 +291,7 @@ contains
       type(numerics_type), intent(out) :: numerics
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
+      real(wp) :: rigid_over_elastic
       integer :: i
       numerics = settings_of(text_of(group, 'fidelity', 'auto'))
       numerics%element_length = real_of(group, 'element_length', numerics%element_length)
@@ -307,6 +307,7 @@ contains
       numerics%max_iterations = integer_of(group, 'max_iterations', numerics%max_iterations)
       numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)
       numerics%gk_min = real_of(group, 'gk_min', numerics%gk_min)
+      rigid_over_elastic = numerics%gk_max/numerics%gk_contact
       numerics%gk_contact = real_of(group, 'gk_contact', numerics%gk_contact)
       numerics%gk_max = real_of(group, 'gk_max', rigid_over_elastic*numerics%gk_contact)
       numerics%eps_n0 = real_of(group, 'eps_n0', numerics%eps_n0)

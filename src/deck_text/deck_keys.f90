@@ -44,7 +44,7 @@ module dg_deck_keys
    real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
    real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
    real(wp), parameter :: highest_pump = 500.0_wp ! MPa; pumps reach 100, more is bar or psi
-   real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; a wall of solid steel has 2e8, and beyond this forces do not balance
+   real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; walls stiffer than 1e10 count as that
    real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
    real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
    real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller

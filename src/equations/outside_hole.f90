@@ -4,7 +4,7 @@ module dg_outside_hole
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
    use dg_gap_survey, only: node_lie, out_of_reach, point_on_string
-   use dg_hole_section, only: default_wall
+   use dg_numerics, only: default_wall
    use dg_mesh, only: mesh_type
    use dg_profile, only: profile_type
    use dg_text, only: to_text

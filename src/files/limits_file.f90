@@ -18,7 +18,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(56) = [ &
+   type(column_type), parameter :: limits_columns(57) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
@@ -84,7 +84,10 @@ module dg_limits_file
       column_type('used_rig', quantity_percent, 'of rig_limit, by hook load and block_weight of &rig'), &
       column_type('governing_limit', quantity_text, 'the one of these that is used most'), &
       column_type('governing_utilisation', quantity_percent, 'how much of it'), &
-      column_type('governing_md', quantity_length, 'where')]
+      column_type('governing_md', quantity_length, 'where'), &
+      column_type('contact_difference', quantity_percent, 'by how much the contact force of a part of the string differs '// &
+         'between the long elements of hook load and torque and the short ones of moments, of the contact force of the whole '// &
+         'string; the largest of all parts')]
 
 contains
 
@@ -180,6 +183,7 @@ contains
             end do
          end if
       end associate
+      call put(row, in_percent(whole%contact_difference))
    end subroutine limits_fields
 
    !> A share [-] in per cent.

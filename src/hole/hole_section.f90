@@ -4,18 +4,13 @@ module dg_hole_section
    use dg_missing, only: missing
    implicit none
    private
-   public :: hole_section_type, default_wall, hole_section_at, last_shoe, rigid_over_elastic, wall_of
+   public :: hole_section_type, hole_section_at, last_shoe, wall_of
 
-   !> Stiffness of a wall where none is given [N/m2]: half of solid steel's, as good as rigid. Ten times more changes the largest
-   !> moment of nine in ten wells by less than 0.3 %.
-   real(wp), parameter :: default_wall = 1.0e11_wp
    !> Stiffness of a mud sheath where none is given: that of stiff clay [N/m2].
    real(wp), parameter :: sheath_stiffness = 1.0e8_wp
    !> Walls that are given stiffer than this count as this stiff: fifty times solid steel, beyond which nothing changes but
    !> round-off [N/m2].
    real(wp), parameter :: hardest = 1.0e13_wp
-   !> Stiffness of a wall beyond its elastic range over the elastic one, where neither is the solver's [-].
-   real(wp), parameter :: rigid_over_elastic = 10.0_wp
 
    type :: hole_section_type
       character(:), allocatable :: name
@@ -44,7 +39,7 @@ contains
       end if
       elastic = min(elastic, hardest)
       rigid = max(gk_max, elastic)
-      if (hole%wall_stiffness > 0.0_wp .and. .not. hole%mud_sheath > 0.0_wp) rigid = rigid_over_elastic*elastic
+      if (hole%wall_stiffness > 0.0_wp .and. .not. hole%mud_sheath > 0.0_wp) rigid = elastic*(gk_max/gk_contact)
       rigid = min(rigid, hardest)
    end subroutine wall_of
 

@@ -1,13 +1,12 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
-   use dg_hole_section, only: default_wall, rigid_over_elastic
    use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
    use dg_text, only: lower_case, quoted
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type
+   public :: numerics_type, default_wall
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_name, settings_of, set_fidelity, other_location
@@ -33,6 +32,10 @@ module dg_numerics
    !> deck nor mud sheath say otherwise [-]: 5 % of the clearance, 2 mm in a usual hole.
    real(wp), parameter :: default_elastic_share = 0.05_wp
 
+   !> Stiffness of a wall [N/m2]: half of solid steel's, as good as rigid. Ten times more changes the largest moment of nine in ten
+   !> wells by less than 0.3 %.
+   real(wp), parameter :: default_wall = 1.0e11_wp
+
    type :: numerics_type
       real(wp) :: element_length = 10.0_wp     !< longest element [m]
       integer :: gap_location = gap_at_extremum
@@ -49,7 +52,7 @@ module dg_numerics
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
       real(wp) :: gk_contact = default_wall    !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
-      real(wp) :: gk_max = rigid_over_elastic*default_wall !< of a rigid wall [N/m2]: Gkmax
+      real(wp) :: gk_max = 1.0e12_wp           !< of a rigid wall [N/m2]: Gkmax
       real(wp) :: eps_n0 = 1.0e-8_wp           !< threshold of relative compression [-]: Eqs. 7-8
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8

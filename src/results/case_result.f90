@@ -5,7 +5,7 @@ module dg_case_result
    use dg_profile, only: profile_type
    implicit none
    private
-   public :: case_result_type, gap_row_type, iteration_type
+   public :: case_result_type, gap_row_type, iteration_type, unlike_contact_type
    public :: judged_start, judged_whole, judged_energy, judged_residual, judged_refused, judged_name
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
@@ -83,6 +83,14 @@ module dg_case_result
       integer :: moves = 0                     !< changes of place in all
    end type gap_row_type
 
+   !> A part of the string in which the contact force of the analysis is not that of the beam which gives its moments.
+   type :: unlike_contact_type
+      real(wp) :: share = 0.0_wp         !< by how much they differ, over the contact force of the whole string [-]
+      real(wp) :: by_analysis = 0.0_wp   !< contact force of the part [N]
+      real(wp) :: by_beam = 0.0_wp       !< the same of the beam [N]
+      real(wp) :: md(2) = 0.0_wp         !< where the part begins and ends [m]
+   end type unlike_contact_type
+
    type :: case_result_type
       integer :: case_index = 0                !< in model%cases
       integer :: model = 0                     !< number of the model (dg_job)
@@ -112,6 +120,8 @@ module dg_case_result
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
       real(wp) :: moment_error = missing
+      !> Where the contact force of that beam differs most from that of the analysis.
+      type(unlike_contact_type) :: unlike_contact
       !> The bit held on the axis by the formation: force of the bit on it across the hole [N] and its clock angle [rad]; missing
       !> where nothing holds it, and without elements.
       real(wp) :: bit_side_force = missing

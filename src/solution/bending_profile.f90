@@ -17,7 +17,7 @@ module dg_bending_profile
    use dg_bending_equilibrium, only: is_near, settle_firmly, solve_anchored
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam, stands_alone
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
-   use dg_bending_rows, only: alike, clock_in_hole, contact_scale, merge_rows
+   use dg_bending_rows, only: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
    use dg_bending_solution, only: least_moment
    use dg_case_result, only: case_result_type
    use dg_contact_edges, only: moments_of_misplacing
@@ -98,6 +98,7 @@ contains
       result%beam_nodes = size(beam%md)
       call take_bit(model%trajectory, mesh, beam, bent, result)
       scale = contact_scale(lying%bends, work%normal, beam, bent)
+      call compare_contact(mesh, lying%bends, work%normal, beam, bent, result%unlike_contact)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile

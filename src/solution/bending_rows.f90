@@ -4,13 +4,14 @@ module dg_bending_rows
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
    use dg_bending_element, only: contact_xi
    use dg_bending_nodes, only: rows_needed
+   use dg_case_result, only: unlike_contact_type
    use dg_mesh, only: mesh_type
    use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, frame_on_arc, inclination_of, point_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: alike, clock_in_hole, contact_scale, merge_rows
+   public :: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
 
    !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
@@ -209,7 +210,15 @@ contains
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       real(wp) :: scale(size(bends))
-      real(wp) :: found(size(bends))
+      scale = sum_over_sum(bends, max(normal, 0.0_wp), contact_by_element(size(bends), beam, bent))
+   end function contact_scale
+
+   !> Contact forces of the beam, summed up by element of the analysis [N].
+   pure function contact_by_element(elements, beam, bent) result(found)
+      integer, intent(in) :: elements            !< of the analysis
+      type(bending_beam_type), intent(in) :: beam
+      type(bent_type), intent(in) :: bent
+      real(wp) :: found(elements)
       integer :: e, p
       found = 0.0_wp
       do e = 1, size(beam%ei)
@@ -218,8 +227,46 @@ contains
       do p = 1, size(bent%points)
          found(beam%point_owner(p)) = found(beam%point_owner(p)) + bent%points(p)
       end do
-      scale = sum_over_sum(bends, max(normal, 0.0_wp), found)
-   end function contact_scale
+   end function contact_by_element
+
+   !> Compares the contact force of the analysis with that of the beam, part by part of the string: a part has one diameter and one
+   !> clearance. Tells of the part in which they differ most.
+   pure subroutine compare_contact(mesh, bends, normal, beam, bent, unlike)
+      type(mesh_type), intent(in) :: mesh
+      logical, intent(in) :: bends(:)            !< elements that are bent again
+      real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
+      type(bending_beam_type), intent(in) :: beam
+      type(bent_type), intent(in) :: bent
+      type(unlike_contact_type), intent(out) :: unlike
+      real(wp) :: own(mesh%elements), found(mesh%elements), by_analysis, by_beam
+      integer :: first, last
+      own = max(normal, 0.0_wp)
+      found = contact_by_element(mesh%elements, beam, bent)
+      where (.not. bends) found = own
+      first = 1
+      do last = 1, mesh%elements
+         if (last < mesh%elements) then
+            if (is_same(mesh%radius(last), mesh%radius(last + 1)) .and. &
+                is_same(mesh%clearance(last), mesh%clearance(last + 1))) cycle
+         end if
+         by_analysis = sum(own(first:last))
+         by_beam = sum(found(first:last))
+         if (abs(by_beam - by_analysis) > abs(unlike%by_beam - unlike%by_analysis)) then
+            unlike%by_analysis = by_analysis
+            unlike%by_beam = by_beam
+            unlike%md = [mesh%md(first), mesh%md(last + 1)]
+         end if
+         first = last + 1
+      end do
+      if (sum(own) > 0.0_wp) unlike%share = abs(unlike%by_beam - unlike%by_analysis)/sum(own)
+   end subroutine compare_contact
+
+   !> Whether two lengths are the same but for round-off.
+   pure function is_same(a, b) result(same)
+      real(wp), intent(in) :: a, b
+      logical :: same
+      same = abs(a - b) <= 1.0e-9_wp*max(abs(a), abs(b))
+   end function is_same
 
    !> Sum of `forces` over sum of `found`, for each run of neighbouring elements that are bent again [-]. 0 for elements that are
    !> not, and where the second sum is 0.

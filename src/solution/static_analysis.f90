@@ -37,7 +37,7 @@ module dg_static_analysis
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, touched
+   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, tell_unlike_contact, touched
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_force, unit_length
@@ -269,6 +269,7 @@ contains
                           ' % of the largest one'//trim(merge('                                          ', &
                                      '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
       end if
+      call tell_unlike_contact(model%units, result)
    end subroutine find_moments
 
    !> Solves the case in the plane of its hole. The string stays there when it finds equilibrium within the hole, and when that is

@@ -24,7 +24,7 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, touched
+   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, tell_unlike_contact, touched
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
@@ -38,6 +38,8 @@ module dg_static_result
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
+   !> Difference of contact forces, over that of the whole string, from which on it is told [-].
+   real(wp), parameter :: unlike = 3.0e-3_wp
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
@@ -169,6 +171,20 @@ contains
       if (result%message /= '') result%message = result%message//'; '
       result%message = result%message//text
    end subroutine add_message
+
+   !> Says where the beam that gives the moments has another contact force than the analysis.
+   pure subroutine tell_unlike_contact(units, result)
+      type(unit_system_type), intent(in) :: units
+      type(case_result_type), intent(inout) :: result
+      associate (found => result%unlike_contact)
+         if (.not. found%share > unlike) return
+         call add_message(result, 'moments and side forces from '//trim(in_units(units, unit_length, found%md(1), shown_depth))// &
+                          ' to '//trim(in_units(units, unit_length, found%md(2), shown_depth))//' are less sure: the short '// &
+                          'elements that give them have '//trim(in_units(units, unit_force, found%by_beam, shown))// &
+                          ' of contact force there, the long ones that give hook load and torque '// &
+                          trim(in_units(units, unit_force, found%by_analysis, shown)))
+      end associate
+   end subroutine tell_unlike_contact
 
    !> Adds what is said of a string that stands outside its hole.
    pure subroutine add_outside(units, outside, result)

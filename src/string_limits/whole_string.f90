@@ -39,6 +39,7 @@ module dg_whole_string
       real(wp) :: bending = 0.0_wp                  !< largest moment [N.m]
       real(wp) :: bending_md = 0.0_wp               !< where [m]
       type(optional_real) :: bending_error          !< how far moments may be off, over the largest one [-]
+      type(optional_real) :: contact_difference     !< of two analyses in the part where they differ most [-]
       real(wp) :: von_mises = 0.0_wp                !< largest stress [Pa]
       type(optional_real) :: von_mises_error        !< how far that stress may be off by bending_error, over it [-]
       real(wp) :: side_force = 0.0_wp               !< largest [N/m]
@@ -107,6 +108,7 @@ contains
          whole%bending = profile%bending(i)
          whole%bending_md = profile%md(i)
          call take(result%moment_error, whole%bending_error)
+         if (whole%bending_error%present) whole%contact_difference = given(result%unlike_contact%share)
          i = maxloc(along%von_mises, dim=1)
          whole%von_mises = along%von_mises(i)
          if (whole%bending_error%present .and. whole%von_mises > 0.0_wp) whole%von_mises_error = &
@@ -314,6 +316,7 @@ contains
       real(wp) :: bit, moment
       integer :: i, place
       margin = endless
+      place = 1
       bit = model%cases(result%case_index)%bit_depth
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, &
                           other=other_loads_type(coiled=.true., wob=given(wob)))
