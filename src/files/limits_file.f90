@@ -86,7 +86,7 @@ module dg_limits_file
       column_type('governing_utilisation', quantity_percent, 'how much of it'), &
       column_type('governing_md', quantity_length, 'where'), &
       column_type('contact_difference', quantity_percent, 'by how much the contact force of a part of the string differs '// &
-         'between the long elements of hook load and torque and the short ones of moments, of the contact force of the whole '// &
+         'between the long elements of hook load and the short ones of moments, of the contact force of the whole '// &
          'string; the largest of all parts')]
 
 contains
