@@ -169,6 +169,7 @@ contains
       case (36); call change('long', tuning%attempt(4)%reach, 1.0_wp, changed)
       case (37); call change('more_moves', tuning%more_moves, 0, changed)
       case (38); call change('astray', tuning%astray, 0.0_wp, changed)
+      case (39); call change('start_mirrored', tuning%start_mirrored, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

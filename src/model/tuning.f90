@@ -50,6 +50,8 @@ module dg_tuning
       !> Parts compressed beyond their buckling load start as a helix or a snake. Without that they start on the low side, with the
       !> imperfection.
       logical :: start_buckled = .true.
+      !> They start as the image of that in a mirror along the hole's vertical plane: coils turn the other way.
+      logical :: start_mirrored = .false.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
       !> Where a node of that line lies farther off the axis than so many times its clearance, the start is the line bent against

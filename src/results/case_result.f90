@@ -116,7 +116,7 @@ module dg_case_result
       !> Part by which compression could still grow before the equilibrium is lost (dg_stability): until the tangent is indefinite,
       !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
-      logical :: coils_slide = .false.         !< a helix that friction acts on along the hole: many equilibria
+      logical :: coiled = .false.              !< the string is compressed beyond its coiling load: it may lie in more than one way
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
       real(wp) :: moment_error = missing

@@ -6,7 +6,7 @@ module dg_bending_equilibrium
    use dg_bending_nodes, only: shape_at
    use dg_bending_solution, only: solve_bending
    use dg_mesh, only: mesh_type
-   use dg_moved_walls, only: solve_with_moved_walls
+   use dg_moved_walls, only: move_walls
    implicit none
    private
    public :: solve_anchored, settle_firmly, is_near
@@ -32,9 +32,11 @@ contains
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(in) :: settled
       logical, intent(out) :: found
-      real(wp), allocatable :: anchor(:, :)      ! or nothing
-      if (lying%anchored) allocate (anchor, source=shape_at(mesh%md, lying%y, beam%md))
-      call solve_bending(beam, y, settled, found, anchor)
+      if (lying%anchored) then
+         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, lying%y, beam%md))
+      else
+         call solve_bending(beam, y, settled, found)
+      end if
    end subroutine solve_anchored
 
    !> Goes on from an equilibrium until nothing changes, against the true walls. Where that finds no end the shape stays.
@@ -44,13 +46,12 @@ contains
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
       type(bending_beam_type) :: firmer
-      real(wp), allocatable :: anchor(:, :)      ! or nothing
       real(wp) :: closer(size(y, 1), size(y, 2))
       logical :: found
       closer = y
       firmer = beam
-      if (lying%anchored) allocate (anchor, source=shape_at(mesh%md, lying%y, beam%md))
-      call solve_with_moved_walls(lying%firm, firmer, closer, firmly, found, anchor)
+      call move_walls(lying%firm, closer, firmer)
+      call solve_anchored(mesh, lying, firmer, closer, firmly, found)
       if (.not. found) return
       y = closer
       beam = firmer

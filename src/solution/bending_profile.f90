@@ -53,6 +53,9 @@ module dg_bending_profile
    !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
    !> `settled` on all later ones.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
+   !> Contact force of a part of the string that may differ from that of the analysis, over the whole [-]: beyond it the beam is
+   !> not the analysis' string.
+   real(wp), parameter :: most_unlike = 0.5_wp
    !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp
    !> No element becomes shorter than this by halving, except to prove a mesh [m].
@@ -91,14 +94,16 @@ contains
          lying%firm = merge(firm, less_firm, mod(attempt - 1, 4) < 2)
          if (attempt == 5) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
          call bend_again(model, mesh, gaps, work, lying, nodes, beam, bent, result%moment_error)
-         if (.not. is_missing(result%moment_error)) exit
+         if (is_missing(result%moment_error)) cycle
+         call compare_contact(mesh, lying%bends, work%normal, beam, bent, result%unlike_contact)
+         if (result%unlike_contact%share <= most_unlike) exit
+         result%moment_error = missing
       end do
       if (is_missing(result%moment_error)) return
       result%moment_error = result%moment_error + alike       ! rows may be so far from the beam
       result%beam_nodes = size(beam%md)
       call take_bit(model%trajectory, mesh, beam, bent, result)
       scale = contact_scale(lying%bends, work%normal, beam, bent)
-      call compare_contact(mesh, lying%bends, work%normal, beam, bent, result%unlike_contact)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile

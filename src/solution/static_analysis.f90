@@ -37,10 +37,11 @@ module dg_static_analysis
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, tell_unlike_contact, touched
+   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, tell_range, &
+                              tell_unlike_contact, touched
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
-   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
    use dg_whirling, only: find_climb
    use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
@@ -64,10 +65,8 @@ module dg_static_analysis
    real(wp), parameter :: doubtful = 0.05_wp
    !> Compression over the coiling load from which a string is taken for coiled [-].
    real(wp), parameter :: coiled = 1.0_wp
-   !> Range of the hook load over the largest axial force from which on it is told [-].
-   real(wp), parameter :: worth_telling = 5.0e-3_wp
-   !> Digits of a length and of a force in a message.
-   integer, parameter :: shown = 2, digits = 4
+   !> Digits of a length in a message.
+   integer, parameter :: shown = 2
 
    !> A load case on a mesh, and where its string is.
    type :: string_type
@@ -116,7 +115,7 @@ contains
             trim(in_units(model%units, unit_length, length, shown))//': longer ones found no equilibrium in '// &
             to_text(given_up)//' iterations')
       end if
-      if (result%status == result_converged .and. result%coils_slide .and. moments .and. model%numerics%friction_range) &
+      if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call refuse_runaway(result)
@@ -124,31 +123,27 @@ contains
       result%seconds = seconds_between(start, finish)
    end subroutine solve_static_analysis
 
-   !> Solves a string whose coils friction holds once more, from the low side of the hole: where they lie, and so what of a push
-   !> reaches the bit, depends on how they came to be. The result has the helix that is predicted; a message gives the range.
+   !> Solves a coiled string once more, from other starts: there are neighbours, and where friction acts along the hole it holds the
+   !> coils where they formed, and so what of a push reaches the bit. The result has the helix that is predicted; a message gives
+   !> the range, and the error of the moments covers it. The first neighbour starts on the low side of the hole. Where that finds
+   !> nothing the second has coils that turn the other way.
    subroutine find_range(model, case_index, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(inout) :: result
-      type(model_type) :: lying
+      type(model_type) :: neighbour
       type(case_result_type) :: other
-      real(wp) :: largest      ! axial force [N]
-      lying = model
-      lying%numerics%tuning%start_buckled = .false.
-      lying%numerics%tuning%most_attempts = 1
-      call solve_on_mesh(lying, case_index, result%element_lengths(2), lying%numerics%tuning%attempt(1)%longest, .false., &
-                         .false., [iteration_type ::], other)
-      if (other%status /= result_converged) then
-         call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria; from '// &
-                          'the low side of the hole none was found in '//to_text(other%iterations)//' iterations, so the '// &
-                          'range of the hook load is not known')
-         return
-      end if
-      largest = max(abs(result%hookload), maxval(abs(result%profile%axial)))
-      if (abs(other%hookload - result%hookload) < worth_telling*largest) return
-      call add_message(result, 'friction holds the coils of this string where they form, so there are many equilibria: from '// &
-                       'another start, on the low side of the hole, the hook load is '// &
-                       trim(in_units(model%units, unit_force, other%hookload, digits)))
+      integer :: i
+      neighbour = model
+      neighbour%numerics%tuning%most_attempts = 1
+      do i = 1, 2
+         neighbour%numerics%tuning%start_buckled = i == 2
+         neighbour%numerics%tuning%start_mirrored = i == 2
+         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), neighbour%numerics%tuning%attempt(1)%longest, &
+                            .true., .true., [iteration_type ::], other)
+         if (other%status == result_converged .or. is_interrupted()) exit
+      end do
+      call tell_range(model%units, other, i == 2, result)
    end subroutine find_range
 
    !> Whether a mesh has had the work that it may have, but for its last iteration.
@@ -217,7 +212,7 @@ contains
          call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
          if (profile) call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
          result%stability_margin = margin
-         result%coils_slide = string%compressed > coiled .and. any(abs(mesh%axial) > 0.0_wp)
+         result%coiled = string%compressed > coiled
          result%way = string%way
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
@@ -269,7 +264,7 @@ contains
                           ' % of the largest one'//trim(merge('                                          ', &
                                      '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
       end if
-      call tell_unlike_contact(model%units, result)
+      if (.not. is_missing(result%moment_error)) call tell_unlike_contact(model%units, result)
    end subroutine find_moments
 
    !> Solves the case in the plane of its hole. The string stays there when it finds equilibrium within the hole, and when that is

@@ -9,6 +9,7 @@ module dg_static_result
    use dg_gap_table, only: count_states, gap_table_type
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_profile_rows, only: lay_rows
@@ -18,13 +19,13 @@ module dg_static_result
    use dg_string_piece, only: breakpoints
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
-   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
    use dg_weight_on_bit, only: most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, tell_unlike_contact, touched
+   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, tell_range, tell_unlike_contact, touched
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
@@ -40,6 +41,8 @@ module dg_static_result
    real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Difference of contact forces, over that of the whole string, from which on it is told [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
+   !> Range of the hook load over the largest axial force from which on it is told, and of the largest moment [-].
+   real(wp), parameter :: worth_telling = 5.0e-3_wp, moments_worth_telling = 0.02_wp
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
@@ -171,6 +174,37 @@ contains
       if (result%message /= '') result%message = result%message//'; '
       result%message = result%message//text
    end subroutine add_message
+
+   !> Says how another equilibrium of a coiled string differs, and lets the error of the moments cover it.
+   pure subroutine tell_range(units, other, mirrored, result)
+      type(unit_system_type), intent(in) :: units
+      type(case_result_type), intent(in) :: other
+      logical, intent(in) :: mirrored                   !< its start was the mirror image; else it lay on the low side of the hole
+      type(case_result_type), intent(inout) :: result
+      character(:), allocatable :: text
+      real(wp) :: largest, moment, other_moment
+      if (other%status /= result_converged) then
+         call add_message(result, 'a coiled string may lie in more than one way: two other starts found no equilibrium in '// &
+                          'their iterations, so the range of hook load and moments is not known')
+         return
+      end if
+      text = ''
+      largest = max(abs(result%hookload), maxval(abs(result%profile%axial)))
+      if (abs(other%hookload - result%hookload) > worth_telling*largest) &
+         text = ' the hook load is '//trim(in_units(units, unit_force, other%hookload, shown))
+      if (.not. (is_missing(result%moment_error) .or. is_missing(other%moment_error))) then
+         moment = maxval(result%profile%bending)
+         other_moment = maxval(other%profile%bending)
+         result%moment_error = max(result%moment_error, abs(other_moment - moment)/max(moment, tiny(1.0_wp)))
+         if (abs(other_moment - moment) > moments_worth_telling*moment) then
+            if (text /= '') text = text//' and'
+            text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
+         end if
+      end if
+      if (text /= '') call add_message(result, 'a coiled string may lie in more than one way: from another start, '// &
+                                       trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
+                                                  mirrored))//text)
+   end subroutine tell_range
 
    !> Says where the beam that gives the moments has another contact force than the analysis.
    pure subroutine tell_unlike_contact(units, result)

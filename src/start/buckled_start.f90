@@ -13,6 +13,7 @@ module dg_buckled_start
    use dg_model, only: model_type
    use dg_predicted_helix, only: lay_helix
    use dg_snake, only: snake_swing, snake_wave
+   use dg_trajectory, only: high_side
    implicit none
    private
    public :: lay_buckled
@@ -109,7 +110,25 @@ contains
          end select
          zone%first = zone%last + 1
       end do
+      if (model%numerics%tuning%start_mirrored) call mirror(mesh, offset, slope)
    end subroutine lay_buckled
+
+   !> Turns a line into its image in a mirror that stands in the vertical plane along the hole; in a vertical hole, in the plane
+   !> through north.
+   pure subroutine mirror(mesh, offset, slope)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
+      real(wp) :: up(3), across(2)
+      integer :: i
+      do i = 1, mesh%nodes
+         associate (t => mesh%frame(:, 1, i), n_1 => mesh%frame(:, 2, i), n_2 => mesh%frame(:, 3, i))
+            up = high_side(t)
+            across = [-dot_product(up, n_2), dot_product(up, n_1)]       ! out of the mirror
+         end associate
+         offset(:, i) = offset(:, i) - 2.0_wp*dot_product(offset(:, i), across)*across
+         slope(:, i) = slope(:, i) - 2.0_wp*dot_product(slope(:, i), across)*across
+      end do
+   end subroutine mirror
 
    !> What the string does at each node, and the wave number of that [rad/m].
    pure subroutine classify_nodes(mesh, axial, load, regime, rate)

@@ -227,7 +227,7 @@ contains
    subroutine test_ends_of_ranges()
       character(*), parameter :: groups(5) = [character(11) :: 'job', 'hole', 'component', 'load_case', 'solver']
       integer, parameter :: digits = 14
-      real(wp), parameter :: rounded = 1.0e-11_wp, beyond = 1.0e-9_wp
+      real(wp), parameter :: rounded = 1.0e-7_wp, beyond = 1.0e-6_wp
       type(key_rule_type), allocatable :: rules(:)
       character(:), allocatable :: written
       real(wp) :: number, factor, ending
