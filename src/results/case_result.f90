@@ -83,12 +83,12 @@ module dg_case_result
       integer :: moves = 0                     !< changes of place in all
    end type gap_row_type
 
-   !> A part of the string in which the contact force of the analysis is not that of the beam which gives its moments.
+   !> How the contact force of the analysis differs from that of the beam which gives its moments.
    type :: unlike_contact_type
-      real(wp) :: share = 0.0_wp         !< by how much they differ, over the contact force of the whole string [-]
-      real(wp) :: by_analysis = 0.0_wp   !< contact force of the part [N]
+      real(wp) :: by_analysis = 0.0_wp   !< contact force of the whole string [N]
       real(wp) :: by_beam = 0.0_wp       !< the same of the beam [N]
-      real(wp) :: md(2) = 0.0_wp         !< where the part begins and ends [m]
+      real(wp) :: share = 0.0_wp         !< difference in the part where they differ most, over that of the whole string [-]
+      real(wp) :: md(2) = 0.0_wp         !< where that part begins and ends [m]
    end type unlike_contact_type
 
    type :: case_result_type

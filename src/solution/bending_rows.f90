@@ -238,27 +238,28 @@ contains
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       type(unlike_contact_type), intent(out) :: unlike
-      real(wp) :: own(mesh%elements), found(mesh%elements), by_analysis, by_beam
+      real(wp) :: own(mesh%elements), found(mesh%elements), apart, most
       integer :: first, last
       own = max(normal, 0.0_wp)
       found = contact_by_element(mesh%elements, beam, bent)
       where (.not. bends) found = own
+      unlike%by_analysis = sum(own)
+      unlike%by_beam = sum(found)
+      most = 0.0_wp
       first = 1
       do last = 1, mesh%elements
          if (last < mesh%elements) then
             if (is_same(mesh%radius(last), mesh%radius(last + 1)) .and. &
                 is_same(mesh%clearance(last), mesh%clearance(last + 1))) cycle
          end if
-         by_analysis = sum(own(first:last))
-         by_beam = sum(found(first:last))
-         if (abs(by_beam - by_analysis) > abs(unlike%by_beam - unlike%by_analysis)) then
-            unlike%by_analysis = by_analysis
-            unlike%by_beam = by_beam
+         apart = abs(sum(found(first:last)) - sum(own(first:last)))
+         if (apart > most) then
+            most = apart
             unlike%md = [mesh%md(first), mesh%md(last + 1)]
          end if
          first = last + 1
       end do
-      if (sum(own) > 0.0_wp) unlike%share = abs(unlike%by_beam - unlike%by_analysis)/sum(own)
+      if (unlike%by_analysis > 0.0_wp) unlike%share = most/unlike%by_analysis
    end subroutine compare_contact
 
    !> Whether two lengths are the same but for round-off.

@@ -210,13 +210,18 @@ contains
    pure subroutine tell_unlike_contact(units, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
+      real(wp) :: share
       associate (found => result%unlike_contact)
-         if (.not. found%share > unlike) return
-         call add_message(result, 'moments and side forces from '//trim(in_units(units, unit_length, found%md(1), shown_depth))// &
-                          ' to '//trim(in_units(units, unit_length, found%md(2), shown_depth))//' are less sure: the short '// &
-                          'elements that give them have '//trim(in_units(units, unit_force, found%by_beam, shown))// &
-                          ' of contact force there, the long ones that give hook load and torque '// &
-                          trim(in_units(units, unit_force, found%by_analysis, shown)))
+         if (.not. found%by_analysis > 0.0_wp) return
+         share = abs(found%by_beam - found%by_analysis)/found%by_analysis
+         if (.not. share > unlike) return
+         call add_message(result, 'contact force is '//trim(in_units(units, unit_force, found%by_analysis, shown))//' on the '// &
+                          'long elements, which give hook load and torque, and '// &
+                          trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones, which give moments and '// &
+                          'side forces: one of them is off by '//to_text(100.0_wp*share, shown_clearances)// &
+                          ' %, most of it from '// &
+                          trim(in_units(units, unit_length, found%md(1), shown_depth))//' to '// &
+                          trim(in_units(units, unit_length, found%md(2), shown_depth)))
       end associate
    end subroutine tell_unlike_contact
 
