@@ -11,7 +11,7 @@ module dg_test_mesh
    use dg_fluid, only: standing_mud
    use dg_gap_state, only: gap_law_type, state_elastic, state_free
    use dg_gap_table, only: gap_table_type, new_gap_table
-   use dg_hole_section, only: hole_section_type
+   use dg_hole_section, only: hole_section_type, wall_of
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_out
    use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
@@ -38,6 +38,7 @@ contains
       call suite%addTest(TestMethod('graded', test_graded))
       call suite%addTest(TestMethod('sag', test_sag))
       call suite%addTest(TestMethod('properties', test_properties))
+      call suite%addTest(TestMethod('walls', test_walls))
       call suite%addTest(TestMethod('geometry', test_geometry))
       call suite%addTest(TestMethod('predicted_start', test_predicted_start))
    end function mesh_suite
@@ -323,4 +324,25 @@ contains
       load = [(norm2(contact(:, e + 1))*mesh%length(e), e=1, mesh%elements)]
       call assertRelativelyEqual(sum(load), sum(pressed), 0.02_wp, message='contact force')
    end subroutine test_predicted_start
+
+   !> Which wall a section of the hole has: its own, the solver's, or that of a mud sheath; none is stiffer than 1e13 N/m2.
+   subroutine test_walls()
+      real(wp), parameter :: contact = 1.0e11_wp, most = 1.0e12_wp
+      type(hole_section_type) :: hole
+      real(wp) :: elastic, rigid
+      call wall_of(hole, contact, most, elastic, rigid)
+      call assertEqual([contact, most], [elastic, rigid], message='the solver''s')
+      hole%mud_sheath = 2.0e-3_wp
+      call wall_of(hole, contact, most, elastic, rigid)
+      call assertEqual([1.0e8_wp, most], [elastic, rigid], message='mud, and the solver''s wall behind it')
+      hole%wall_stiffness = 3.0e6_wp
+      call wall_of(hole, contact, most, elastic, rigid)
+      call assertEqual([3.0e6_wp, most], [elastic, rigid], message='mud of a stiffness that is given')
+      hole%mud_sheath = 0.0_wp
+      call wall_of(hole, contact, most, elastic, rigid)
+      call assertEqual([3.0e6_wp, 3.0e7_wp], [elastic, rigid], message='its own')
+      hole%wall_stiffness = 1.0e15_wp
+      call wall_of(hole, contact, most, elastic, rigid)
+      call assertEqual([1.0e13_wp, 1.0e13_wp], [elastic, rigid], message='no stiffer than that')
+   end subroutine test_walls
 end module dg_test_mesh

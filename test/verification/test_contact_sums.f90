@@ -2,7 +2,7 @@
 !> What is expected is of an independent rod in three dimensions, with supports and a mesh of its own. It has the same law of the
 !> wall (1e5 and 1e6 kN/m2), so that it does not judge the wall.
 module dg_test_contact_sums
-   use funit, only: assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
    use dg_kinds, only: wp
    use dg_test_lone_contacts, only: solve_deck
@@ -12,6 +12,8 @@ module dg_test_contact_sums
    private
    public :: contact_sums_suite
 
+   !> Words of the message that contact forces differ.
+   character(*), parameter :: said = 'short ones, which give moments'
    !> The walls of the rod.
    character(*), parameter :: walls = '&solver gk_contact = 1.0e5, gk_max = 1.0e6 /'
 
@@ -26,12 +28,21 @@ contains
       call suite%addTest(TestMethod('bent_motor', test_bent_motor))
       call suite%addTest(TestMethod('blades_of_5_mm', test_short_blades))
       call suite%addTest(TestMethod('blade_lengths', test_blade_lengths))
+      call suite%addTest(TestMethod('default_wall', test_default_wall))
+      call suite%addTest(TestMethod('two_analyses', test_two_analyses))
    end function contact_sums_suite
 
    !> Two blades of 1.8 m in a hole that turns by 4 deg/30 m, pulled. The contact sum was 0.7 % too small.
    subroutine test_two_blades()
       type(text_type), allocatable :: deck(:)
       allocate (deck(0))
+      call two_blades(deck)
+      call compare(deck, 321789.6_wp, 0.0_wp, 276950.1_wp)
+   end subroutine test_two_blades
+
+   !> A well with two blades of 1.8 m.
+   subroutine two_blades(deck)
+      type(text_type), allocatable, intent(inout) :: deck(:)
       call append_text(deck, '&trajectory md = 0, 80, 200, inc = 40, 46, 52, azi = 0, 12, 40 /')
       call append_text(deck, '&hole diameter = 311.1, friction = 0.25 /')
       call append_text(deck, '&fluid density = 1200 /')
@@ -41,8 +52,7 @@ contains
       call append_text(deck, "&component kind = 'stabilizer', length = 1.8, od = 203.2, id = 71.4, mass = 220, joint_od = 307.9 /")
       call append_text(deck, "&component kind = 'collar', od = 203.2, id = 71.4, mass = 220 /")
       call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 200 /")
-      call compare(deck, 321789.6_wp, 0.0_wp, 276950.1_wp)
-   end subroutine test_two_blades
+   end subroutine two_blades
 
    !> Two blades of 1 m in a hole that builds and turns by 16 deg/30 m.
    subroutine test_sharp_bend()
@@ -131,6 +141,60 @@ contains
          call assertRelativelyEqual(15100.0_wp, maxval(result%profile%bending), 0.01_wp, message='moment, '//trim(text))
       end do
    end subroutine test_blade_lengths
+
+   !> The default wall is as good as rigid: with ten times its stiffness a packed assembly has the same hook load, torque, contact
+   !> and largest moment within 0.3 %. A wall of 1e4 kN/m2 has not. The side force of the bit, 53 kN on a lever of 0.3 m to the
+   !> nearest blade, is felt by the micrometres that even this wall yields.
+   subroutine test_default_wall()
+      real(wp), parameter :: within = 3.0e-3_wp, bit_within = 1.5e-2_wp
+      type(case_result_type) :: result, stiffer, softer
+      call solve_packed('', result)
+      call solve_packed('&solver gk_contact = 1.0e9 /', stiffer)
+      call solve_packed('&solver gk_contact = 1.0e4 /', softer)
+      call assertRelativelyEqual(stiffer%hookload, result%hookload, within, message='hook load')
+      call assertRelativelyEqual(stiffer%torque, result%torque, within, message='torque')
+      call assertRelativelyEqual(stiffer%normal_force, result%normal_force, within, message='sum of contact')
+      call assertRelativelyEqual(maxval(stiffer%profile%bending), maxval(result%profile%bending), within, message='moment')
+      call assertRelativelyEqual(stiffer%bit_side_force, result%bit_side_force, bit_within, message='side force of the bit')
+      call note('a soft wall: side force over that at the default wall', softer%bit_side_force/result%bit_side_force)
+      call assertGreaterThan(abs(softer%bit_side_force/result%bit_side_force - 1.0_wp), 3.0_wp*bit_within, message='a soft wall')
+   end subroutine test_default_wall
+
+   !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. Where a
+   !> blade stands 0.3 m above the bit it is not, and the result says so.
+   subroutine test_two_analyses()
+      real(wp), parameter :: within = 3.0e-3_wp
+      type(case_result_type) :: result
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call two_blades(deck)
+      call solve_deck(deck, 0.0_wp, .false., result)
+      associate (found => result%unlike_contact)
+         call note('contact on short elements over that on long ones, less one', found%by_beam/found%by_analysis - 1.0_wp)
+         call note('largest difference of a part over the whole', found%share)
+         call assertRelativelyEqual(result%normal_force, found%by_analysis, 1.0e-6_wp, message='of the analysis')
+         call assertRelativelyEqual(found%by_analysis, found%by_beam, within, message='sum')
+         call assertLessThan(found%share, within, message='part by part')
+      end associate
+      call assertEqual(0, index(result%message, said), message='nothing is said')
+      call solve_packed('', result)
+      call assertGreaterThan(index(result%message, said), 0, message='a blade 0.3 m above the bit')
+   end subroutine test_two_analyses
+
+   !> A packed assembly that turns, with a line of its own for the solver.
+   subroutine solve_packed(solver, result)
+      character(*), intent(in) :: solver
+      type(case_result_type), intent(out) :: result
+      real(wp), parameter :: blades(2) = [214.3_wp, 211.9_wp], above(2) = [4.0_wp, 9.0_wp]
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call start_packed(deck)
+      call add_blades(deck, 0.5_wp, blades, above)
+      call add_upper_part(deck)
+      call append_text(deck, "&load_case name = 'a', operation = 'backream', bit_depth = 290, rpm = 60, trip_speed = 0.1 /")
+      if (solver /= '') call append_text(deck, solver)
+      call solve_deck(deck, 0.0_wp, .false., result)
+   end subroutine solve_packed
 
    !> Hole and fluid of the packed assemblies, and their bit.
    subroutine start_packed(deck)
