@@ -1,17 +1,17 @@
 !> Prints what solutions cost: whole cases, what the program takes beside them, growth with size, memory, phases of an iteration,
-!> linear solvers; orders of convergence; what the stiffness of the wall changes; and what the fidelity auto is worth on the sample
-!> decks.
+!> linear solvers; orders of convergence; what the stiffness of the wall changes; and errors against cost of each fidelity on the
+!> sample decks.
 !> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
 !> it and without it. `-- against PROGRAM [DECK ...]` runs them by this program and by another one, as an earlier commit built it,
-!> in turns, and prints ratios. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest
+!> in turns, and prints ratios. `-- trade [DECK ...]` prints errors against cost of each fidelity alone, for these decks or the
+!> wells of input/. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest
 !> with that argument.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
    use dg_bench_against, only: print_against
    use dg_bench_ablation, only: print_ablation
-   use dg_bench_decks, only: print_decks
    use dg_bench_moments, only: print_moments
    use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
@@ -20,6 +20,7 @@ program bench
    use dg_bench_sizes, only: print_sizes
    use dg_bench_solvers, only: print_solvers
    use dg_bench_tools, only: machine_name, median, now
+   use dg_bench_trade, only: print_trade
    use dg_bench_walls, only: print_walls
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
@@ -69,6 +70,12 @@ program bench
       else
          call print_against(trim(arguments(2)), decks)
       end if
+   else if (arguments(1) == 'trade') then
+      if (size(arguments) > 1) then
+         call print_trade(arguments(2:))
+      else
+         call print_trade(decks)
+      end if
    end if
 
 contains
@@ -99,7 +106,7 @@ contains
       call print_solvers(model, turning, lengths, runs)
       call print_orders(model)
       call print_walls(model, turning)
-      call print_decks(decks)
+      call print_trade(decks)
    end subroutine print_costs
 
    !> The cases of the deck, each several times.

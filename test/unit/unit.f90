@@ -41,6 +41,7 @@ contains
       use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
       use dg_test_director, only: director_suite
+      use dg_test_fidelity_errors, only: fidelity_errors_suite
       use dg_test_fluid, only: fluid_suite
       use dg_test_gap_contact, only: gap_contact_suite
       use dg_test_gap_element, only: gap_element_suite
@@ -84,6 +85,7 @@ contains
       call suite%addTest(deck_model_suite())
       call suite%addTest(deck_text_suite())
       call suite%addTest(drillstring_suite())
+      call suite%addTest(fidelity_errors_suite())
       call suite%addTest(fluid_suite())
       call suite%addTest(hole_section_suite())
       call suite%addTest(library_suite())
