@@ -36,14 +36,15 @@ contains
       call soften_walls(huge(1.0_wp), firm, beam)
       hardest = maxval(beam%element%maximum)
       stiffness = max(softest, hardening*begin)
+      harder = y
       do
          call soften_walls(stiffness, firm, beam)
-         harder = y
          call solve_bending(beam, harder, merge(roughly, settled, stiffness < hardest), reached, anchor, forces)
-         if (.not. reached) exit
-         found = .true.
-         y = harder
-         pressed = forces
+         if (reached) then
+            found = .true.
+            y = harder
+            pressed = forces
+         end if
          if (.not. stiffness < hardest) exit
          stiffness = hardening*stiffness
       end do

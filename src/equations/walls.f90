@@ -51,9 +51,7 @@ contains
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance(2)
       real(wp) :: walls, places, slide
-      associate (law => gaps%law)       ! no contact presses with more than the scale
-         walls = maxval(merge(law%maximum, law%contact, law%contact*law%clearance*law%eps_nmax < force_scale))/force_scale
-      end associate
+      walls = maxval(gaps%law%maximum)/force_scale
       slide = max(1.0_wp, force_scale*sum(mesh%length/mesh%ea))
       tolerance = max(min(numerics%tolerance, loosest), &
                       slide*round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
