@@ -16,6 +16,9 @@ module dg_bending_rows
    !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
 
+   !> Contact force of a string that hardly touches [N].
+   real(wp), parameter :: least_contact = 1.0_wp
+
 contains
 
    !> Makes the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
@@ -259,7 +262,7 @@ contains
          end if
          first = last + 1
       end do
-      if (unlike%by_analysis > 0.0_wp) unlike%share = most/unlike%by_analysis
+      unlike%share = most/max(unlike%by_analysis, least_contact)
    end subroutine compare_contact
 
    !> Whether two lengths are the same but for round-off.

@@ -43,6 +43,8 @@ module dg_static_result
    real(wp), parameter :: unlike = 3.0e-3_wp
    !> Range of the hook load over the largest axial force from which on it is told, and of the largest moment [-].
    real(wp), parameter :: worth_telling = 5.0e-3_wp, moments_worth_telling = 0.02_wp
+   !> Contact force and moment that are not compared: nothing touches, nothing is bent [N, N.m].
+   real(wp), parameter :: least_contact = 10.0_wp, least_moment = 1.0e-3_wp
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
@@ -195,7 +197,8 @@ contains
       if (.not. (is_missing(result%moment_error) .or. is_missing(other%moment_error))) then
          moment = maxval(result%profile%bending)
          other_moment = maxval(other%profile%bending)
-         result%moment_error = max(result%moment_error, abs(other_moment - moment)/max(moment, tiny(1.0_wp)))
+         result%moment_error = max(result%moment_error, abs(other_moment - moment) &
+                                                        /max(moment, 1.0e-3_wp*other_moment, least_moment))
          if (abs(other_moment - moment) > moments_worth_telling*moment) then
             if (text /= '') text = text//' and'
             text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
@@ -212,7 +215,7 @@ contains
       type(case_result_type), intent(inout) :: result
       real(wp) :: share
       associate (found => result%unlike_contact)
-         if (.not. found%by_analysis > 0.0_wp) return
+         if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
          call add_message(result, 'contact force is '//trim(in_units(units, unit_force, found%by_analysis, shown))//' on the '// &

@@ -55,7 +55,7 @@ contains
       beam%point_owner = [9]
       beam%point_law = [gap_law_type(clearance=0.03_wp, contact=1.0e8_wp, maximum=1.0e8_wp, eps_nmax=1.0_wp)]
       call set_elements(beam)
-      call soften_walls(huge(1.0_wp), huge(1.0_wp), beam)
+      call soften_walls(1.0e20_wp, 1.0e20_wp, beam)
    end function string_of
 
    !> Bends both ways from a line along the wall. Offsets may differ by a part of the largest, contact forces by one of theirs.
