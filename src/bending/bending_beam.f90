@@ -53,7 +53,7 @@ module dg_bending_beam
       integer, allocatable :: point(:)             !< nodes at which tool joints touch, from the top down
       integer, allocatable :: point_owner(:)       !< element of the analysis in which it lies
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
-      !> The same with the stiffnesses as Newton's steps take them, and how far inwards the wall then stands [m].
+      !> The same law, no stiffer than Newton's steps bear; and how far inwards the wall is moved for that [m].
       type(gap_law_type), allocatable :: point_press(:)
       real(wp), allocatable :: point_moved(:)
    end type bending_beam_type

@@ -64,7 +64,7 @@ contains
          end associate
       end do
       beam%point_press = softened(beam%point_law, min(joint_length*stiffness, at_place))
-      beam%point_moved = 0.0_wp*beam%point_law%clearance
+      beam%point_moved = spread(0.0_wp, 1, size(beam%point))
    end subroutine soften_walls
 
    !> A law with no stiffness above the given one.

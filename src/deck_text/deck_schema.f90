@@ -16,7 +16,7 @@ module dg_deck_schema
    integer, parameter :: kind_integer = 3
    integer, parameter :: kind_logical = 4
 
-   !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers so that they come back to 1e-11.
+   !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers to 1e-7.
    real(wp), parameter :: range_round_off = 2.0e-7_wp
 
    integer, parameter :: name_length = 24

@@ -5,7 +5,7 @@ module dg_string_piece
    use dg_coiling, only: least_coiling_load
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
    use dg_contact_friction, only: find_friction, running_drag
-   use dg_drillstring, only: component_tops
+   use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at
    use dg_model, only: model_type, string_index
@@ -23,7 +23,7 @@ module dg_string_piece
    type :: layout_type
       integer :: case_index = 0
       integer :: string = 0                   !< its number
-      real(wp), allocatable :: tops(:)        !< of its components, from the bit up; its last one has the top of the string [m]
+      real(wp), allocatable :: heights(:)     !< of the tops of its components, from the bit up: minus their depths [m]
       real(wp), allocatable :: fluids(:)      !< depths at which a fluid begins, ascending [m]
    end type layout_type
 
@@ -55,8 +55,8 @@ contains
          layout%case_index = case_index
          layout%string = string_index(model%strings, load_case%string)
          allocate (layout%fluids, source=fluid_tops(model%mud, load_case%bit_depth))
-         allocate (layout%tops, source=load_case%bit_depth - component_tops(model%strings(layout%string), &
-                                                                            load_case%bit_depth - top_md(model%trajectory)))
+         allocate (layout%heights, source=component_tops(model%strings(layout%string), &
+                                                         load_case%bit_depth - top_md(model%trajectory)) - load_case%bit_depth)
       end associate
    end function layout_of
 
@@ -77,8 +77,8 @@ contains
       hole = hole_section_at(model%holes, md)
       if (hole > 1 .and. model%holes(hole)%md_top >= md) hole = hole - 1
       if (hole > 1) piece%top = max(piece%top, model%holes(hole)%md_top)
-      i = first_above(layout%tops, md)
-      if (i < size(layout%tops)) piece%top = max(piece%top, layout%tops(i))
+      i = component_at(layout%heights, -md)
+      if (i < size(layout%heights)) piece%top = max(piece%top, -layout%heights(i))
       do k = 1, size(layout%fluids)
          if (layout%fluids(k) < md) piece%top = max(piece%top, layout%fluids(k))
       end do
@@ -86,11 +86,11 @@ contains
       associate (load_case => model%cases(layout%case_index), part => model%strings(layout%string)%components(i))
          piece%weight = buoyed_weight(part, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
                                       density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
-         piece%radius = 0.5_wp*contact_diameter(part, layout%tops(i))
+         piece%radius = 0.5_wp*contact_diameter(part, -layout%heights(i))
          if (part%centralizer%present) piece%radius = 0.5_wp*centralizer_diameter(part)
          piece%stiffness = bending_stiffness(part)
          piece%stretching = axial_stiffness(part)
-         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, layout%tops(i)))
+         piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
          if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
@@ -100,23 +100,6 @@ contains
       if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
       if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
-
-   !> Number of the lowest component whose top lies above a depth; the last one where none does.
-   pure function first_above(tops, md) result(low)
-      real(wp), intent(in) :: tops(:)   !< depths, from the bit up [m]
-      real(wp), intent(in) :: md        !< [m]
-      integer :: low, middle, high
-      low = 1
-      high = size(tops)
-      do while (low < high)
-         middle = (low + high)/2
-         if (tops(middle) < md) then
-            high = middle
-         else
-            low = middle + 1
-         end if
-      end do
-   end function first_above
 
    !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
    pure subroutine at_offset(piece, offset, position, across, bend)

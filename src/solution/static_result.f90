@@ -39,9 +39,10 @@ module dg_static_result
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
-   !> Difference of contact forces, over that of the whole string, from which on it is told [-].
+   !> A message tells of contact forces that differ by more than this part of the whole [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
-   !> Range of the hook load over the largest axial force from which on it is told, and of the largest moment [-].
+   !> A message tells of another hook load that differs by more than this part of the largest axial force, and of another largest
+   !> moment that differs by more than this part of it [-].
    real(wp), parameter :: worth_telling = 5.0e-3_wp, moments_worth_telling = 0.02_wp
    !> Contact force and moment that are not compared: nothing touches, nothing is bent [N, N.m].
    real(wp), parameter :: least_contact = 10.0_wp, least_moment = 1.0e-3_wp
