@@ -1,7 +1,7 @@
 !> limits.csv: what limits the string as a whole, one row a case and model.
 module dg_limits_file
    use dg_buckling_limits, only: buckling_name
-   use dg_case_result, only: case_result_type, result_status_name
+   use dg_case_result, only: case_result_type, has_numbers, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_stress, &
                         quantity_text, quantity_turns
@@ -21,7 +21,8 @@ module dg_limits_file
    type(column_type), parameter :: limits_columns(57) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
-      column_type('status', quantity_text, 'as in summary.csv: only converged is a solution'), &
+      column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
+         'is empty'), &
       column_type('stretch', quantity_length, 'of the string by the effective axial force'), &
       column_type('pressure_stretch', quantity_length, 'of the string by the pressures inside and outside, not in stretch'), &
       column_type('windup', quantity_turns, 'turn of the top against the bit'), &
@@ -91,7 +92,7 @@ module dg_limits_file
 
 contains
 
-   !> Writes limits.csv to `path`: rows of the results that have a profile.
+   !> Writes limits.csv to `path`: a row a result, empty but for its status where that did not converge.
    subroutine write_limits(path, job, model, results, wholes, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
@@ -104,7 +105,6 @@ contains
       integer :: i
       call begin_table(table, limits_columns, job%units)
       do i = 1, size(results)
-         if (.not. allocated(results(i)%profile%md)) cycle
          call limits_fields(model%cases(results(i)%case_index)%name, results(i), wholes(i), row)
          call add_row(table, row)
       end do
@@ -123,6 +123,12 @@ contains
       call put(row, name)
       call put(row, trim(model_name(result%model)))
       call put(row, trim(result_status_name(result%status)))
+      if (.not. has_numbers(result%status)) then
+         do while (row%count < size(limits_columns))
+            call put_none(row)
+         end do
+         return
+      end if
       call put(row, whole%stretch)
       call put(row, whole%pressure_stretch)
       call put(row, whole%windup)

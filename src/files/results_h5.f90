@@ -120,9 +120,10 @@ contains
       call make_group(file, group)
       call summary_fields(model%cases(result%case_index), result, row)
       call put_row(file, group, summary_columns, units, row, 1)
-      if (.not. allocated(result%profile%md)) return
       call limits_fields(name, result, whole, row)
       call put_row(file, group, limits_columns, units, row, 4)    ! case, model and status stand there already
+      call put_iteration(file, group, units, result)
+      if (.not. allocated(result%profile%md)) return
       call write_attribute(file, group, 'neutral_point_'//trim(units%length_label), whole%neutral_points/units%length)
       n = size(result%profile%md)
       allocate (values(n), codes(n))
@@ -137,13 +138,21 @@ contains
             end if
          end associate
       end do
-      if (allocated(result%gaps)) call put_gaps(file, group//'/gaps', units, result)
       if (allocated(result%contacts)) then
          if (size(result%contacts) > 0) call put_contacts(file, group//'/contacts', units, result%contacts)
       end if
+   end subroutine put_result
+
+   !> What tells of the iteration, be it that it found no equilibrium: the state table and the history.
+   subroutine put_iteration(file, group, units, result)
+      type(hdf5_file_type), intent(inout) :: file
+      character(*), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(case_result_type), intent(in) :: result
+      if (allocated(result%gaps)) call put_gaps(file, group//'/gaps', units, result)
       if (.not. allocated(result%history)) return
       if (size(result%history) > 0) call put_history(file, group//'/history', units, result)
-   end subroutine put_result
+   end subroutine put_iteration
 
    !> The state table.
    subroutine put_gaps(file, group, units, result)

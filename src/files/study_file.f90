@@ -1,6 +1,6 @@
 !> study.csv: accuracy and cost, one row a load case and variant.
 module dg_study_file
-   use dg_case_result, only: result_status_name
+   use dg_case_result, only: has_numbers, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time, quantity_wall
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
@@ -106,13 +106,13 @@ contains
       end if
       call put(row, trim(result_status_name(record%status)))
       call put(row, yes(record%is_reference))
-      call put(row, record%hookload)
+      call put(row, number(record%hookload))
       call put(row, share(record%errors(error_hookload)))
-      call put(row, record%torque)
+      call put(row, number(record%torque))
       call put(row, share(record%errors(error_torque)))
-      call put(row, record%normal_force)
+      call put(row, number(record%normal_force))
       call put(row, share(record%errors(error_normal_force)))
-      call put(row, record%bending)
+      call put(row, number(record%bending))
       call put(row, share(record%errors(error_bending)))
       call put(row, record%iterations)
       call put(row, record%elements)
@@ -124,6 +124,13 @@ contains
          call put(row, record%orders(k))
       end do
       call put(row, share(record%errors(error_bending_rms)))
+   contains
+      !> A number of the variant; missing where it did not converge.
+      pure function number(value) result(shown)
+         real(wp), intent(in) :: value
+         real(wp) :: shown
+         shown = merge(value, missing, has_numbers(record%status))
+      end function number
    end subroutine study_fields
 
    !> A share in per cent, missing where it is.

@@ -1,6 +1,6 @@
 !> summary.csv: one row a case and model.
 module dg_summary_file
-   use dg_case_result, only: case_result_type, result_status_name
+   use dg_case_result, only: case_result_type, has_numbers, result_status_name
    use dg_column, only: column_type, field_list_type, put, quantity_angle, quantity_force, &
                         quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
@@ -73,7 +73,7 @@ contains
       call write_table(table, path, error)
    end subroutine write_summary
 
-   !> Values of a result in the order of the columns; none calculated where the result holds nothing.
+   !> Values of a result in the order of the columns; nothing that was calculated where it did not converge.
    pure subroutine summary_fields(load_case, result, row)
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
@@ -114,14 +114,14 @@ contains
       pure function of(value) result(number)
          real(wp), intent(in) :: value
          type(optional_real) :: number
-         number = optional_real(allocated(result%profile%md), value)
+         number = optional_real(has_numbers(result%status), value)
       end function of
 
       pure function error_of(calculated, other) result(number)
          real(wp), intent(in) :: calculated
          type(optional_real), intent(in) :: other
          type(optional_real) :: number
-         if (allocated(result%profile%md)) number = percent_error(calculated, other)
+         if (has_numbers(result%status)) number = percent_error(calculated, other)
       end function error_of
    end subroutine summary_fields
 end module dg_summary_file

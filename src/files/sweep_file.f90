@@ -1,7 +1,7 @@
 !> sweep_<name>.csv: one row a point, curve after curve.
 module dg_sweep_file
    use dg_kinds, only: wp
-   use dg_case_result, only: result_status_name
+   use dg_case_result, only: has_numbers, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
@@ -79,12 +79,16 @@ contains
       call put(row, trim(operation_name(sweep%operations(point%operation))))
       call put(row, sweep%frictions(point%friction))
       call put(row, sweep%depths(point%depth))
-      call put(row, result%hookload)
-      call put(row, result%torque)
+      call put(row, optional_real(has_numbers(result%status), result%hookload))
+      call put(row, optional_real(has_numbers(result%status), result%torque))
       call put(row, trim(result_status_name(result%status)))
       call put(row, hookload)
       call put(row, torque)
-      call put(row, percent_error(as_measured(result%hookload, result%weight_indicator), hookload))
+      if (has_numbers(result%status)) then
+         call put(row, percent_error(as_measured(result%hookload, result%weight_indicator), hookload))
+      else
+         call put_none(row)
+      end if
       call put(row, text_or_nothing(result%message))
       call put(row, known(result%weight_indicator))
       if (allocated(sweep%frictions_cased)) then

@@ -20,7 +20,7 @@ module dg_mixed_string
    use dg_component, only: bending_stiffness
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
-   use dg_finite_result, only: refuse_runaway
+   use dg_finite_result, only: finish_result
    use dg_job, only: model_mixed
    use dg_model, only: model_type, string_index
    use dg_rigid_string, only: solve_at_changes
@@ -58,7 +58,7 @@ contains
    contains
       subroutine close_result()
          result%model = model_mixed
-         call refuse_runaway(result)
+         call finish_result(result)
          call system_clock(finish)
          result%seconds = seconds_between(start, finish)
       end subroutine close_result

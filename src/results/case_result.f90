@@ -10,7 +10,7 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: is_pushed, push_needed
+   public :: has_numbers, is_pushed, push_needed
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
              contact_name
 
@@ -139,6 +139,13 @@ module dg_case_result
    end type case_result_type
 
 contains
+
+   !> Whether a result of this status has numbers to show: one that did not converge has none, in no table, file or picture.
+   elemental function has_numbers(status) result(has)
+      integer, intent(in) :: status      !< result_converged, result_not_converged or result_locked_up
+      logical :: has
+      has = status /= result_not_converged
+   end function has_numbers
 
    !> Whether a string would have to be pushed at surface, as `push_needed` says.
    pure function is_pushed(hookload, axial) result(pushed)

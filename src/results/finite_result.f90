@@ -1,27 +1,52 @@
-!> The guard of all models: a result with a number that is none is no solution.
+!> The last step of all models: which results have numbers. A result that is not finite has not converged, and one that has not
+!> converged has no numbers.
 module dg_finite_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_not_converged, unlike_contact_type
    use dg_kinds, only: wp
+   use dg_missing, only: missing
    use dg_profile, only: profile_type
    implicit none
    private
-   public :: refuse_runaway
+   public :: finish_result
 
 contains
 
-   !> Marks a result that holds a NaN or an infinity as not converged, without numbers to show. Every model ends with it.
-   pure subroutine refuse_runaway(result)
+   !> Marks a result that holds a NaN or an infinity as not converged, and takes the numbers from every result that has not
+   !> converged. Every model ends with it: nothing else decides that a failed case shows no numbers.
+   pure subroutine finish_result(result)
       type(case_result_type), intent(inout) :: result
-      if (is_finite(result)) return
+      if (.not. is_finite(result)) then
+         result%status = result_not_converged
+         result%message = 'forces grew beyond all numbers: check friction, doglegs, loads and their units'
+      end if
+      if (.not. has_numbers(result%status)) call clear_numbers(result)
+   end subroutine finish_result
+
+   !> Takes away the state of the string. Status, message, hole at the bit, and what tells of the iteration stay: iterations, mesh,
+   !> time, history, states and places of the gaps.
+   pure subroutine clear_numbers(result)
+      type(case_result_type), intent(inout) :: result
       call clear(result%profile)
       result%hookload = 0.0_wp
+      result%weight_indicator = missing
       result%friction = 0.0_wp
       result%torque = 0.0_wp
       result%normal_force = 0.0_wp
-      result%status = result_not_converged
-      result%message = 'numbers beyond all bounds: the iteration ran away; try shorter elements or more load_steps'
-   end subroutine refuse_runaway
+      result%stability_margin = missing
+      result%coils_slide = .false.
+      result%beam_nodes = 0
+      result%moment_error = missing
+      result%unlike_contact = unlike_contact_type()
+      result%bit_side_force = missing
+      result%bit_side_clock = missing
+      result%bit_tilt = missing
+      result%bit_tilt_clock = missing
+      result%equilibrium_force = 0.0_wp
+      result%equilibrium_moment = 0.0_wp
+      if (allocated(result%gaps)) result%gaps%force = missing
+      if (allocated(result%contacts)) deallocate (result%contacts)
+   end subroutine clear_numbers
 
    !> Leaves no row: all arrays are deallocated on entry.
    pure subroutine clear(profile)

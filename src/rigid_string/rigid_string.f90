@@ -9,7 +9,7 @@ module dg_rigid_string
    use dg_clock, only: seconds_between
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_error, only: error_type
-   use dg_finite_result, only: refuse_runaway
+   use dg_finite_result, only: finish_result
    use dg_job, only: model_rigid
    use dg_model, only: model_type
    use dg_rigid_string_loads, only: rigid_string_at
@@ -59,6 +59,6 @@ contains
       call take_profile(model, case_index, md, side, axial, torque, contact, result)
       result%profile%bending = across(1, :)
       result%profile%shear = across(2, :)
-      call refuse_runaway(result)
+      call finish_result(result)
    end subroutine solve_at_changes
 end module dg_rigid_string

@@ -1,6 +1,6 @@
 !> One load case by the model of a given number: the one place that knows the doors of all models.
 module dg_solve_case
-   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_error, only: error_type, raise, status_failure
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
@@ -54,7 +54,7 @@ contains
          result%message = 'ended by '//interruption_name()//' before it was solved'
          !$omp end critical (interruption_text)
       end if
-      if (model%rig%given .and. allocated(result%profile%md)) result%weight_indicator = &
+      if (model%rig%given .and. has_numbers(result%status)) result%weight_indicator = &
          indicated_load(model%rig, model%cases(case_index)%operation, result%hookload)
       result%case_index = case_index
       result%model = number

@@ -2,7 +2,7 @@
 module dg_sweep_points
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_result, only: case_result_type, result_converged, result_not_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_not_converged
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
@@ -96,6 +96,7 @@ contains
       if (.not. model%rig%given) return
       do i = 1, size(points)
          place = point_at(sweep, (i - 1)/samples + 1)
+         if (.not. has_numbers(points(i)%status)) cycle
          points(i)%weight_indicator = indicated_load(model%rig, sweep%operations(place%operation), points(i)%hookload)
       end do
    end subroutine add_indicator

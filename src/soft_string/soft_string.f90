@@ -7,7 +7,7 @@ module dg_soft_string
    use dg_component, only: bending_stiffness, contact_diameter
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: error_type, raise, status_bad_input
-   use dg_finite_result, only: refuse_runaway
+   use dg_finite_result, only: finish_result
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
@@ -65,7 +65,7 @@ contains
          call system_clock(finish)
          result%seconds = seconds_between(start, finish)
       end if
-      call refuse_runaway(result)
+      call finish_result(result)
    end subroutine solve_soft_string
 
    !> Refuses (bad input) a load case without a string or with the bit above the first station.

@@ -21,7 +21,7 @@ module dg_static_analysis
                            outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
-   use dg_finite_result, only: refuse_runaway
+   use dg_finite_result, only: finish_result
    use dg_gap_table, only: gap_table_type
    use dg_interruption, only: is_interrupted
    use dg_mesh, only: mesh_type, new_mesh
@@ -118,7 +118,7 @@ contains
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
-      call refuse_runaway(result)
+      call finish_result(result)
       call system_clock(finish)
       result%seconds = seconds_between(start, finish)
    end subroutine solve_static_analysis

@@ -2,7 +2,7 @@
 module dg_measured_table
    use dg_kinds, only: wp
    use dg_comparison, only: as_measured
-   use dg_case_result, only: result_converged
+   use dg_case_result, only: has_numbers, result_converged
    use dg_job, only: model_name
    use dg_load_case, only: given, operation_label, optional_real
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
@@ -87,7 +87,8 @@ contains
             values(f) = as_measured(found%hookload, found%weight_indicator)
             if (quantity == quantity_torque) values(f) = found%torque
             solved(f) = found%status == result_converged
-            if (f <= shown) row = row//fixed_cell(values(f)/unit, cell_width - 1, quantity)// &
+            if (f <= shown) row = row//fixed_cell(optional_real(has_numbers(found%status), values(f)), unit, cell_width - 1, &
+                                                        quantity)// &
                merge(' ', '!', found%status == result_converged)
          end associate
       end do

@@ -2,7 +2,7 @@
 !> and what each cost. Every line fits 120 columns.
 module dg_model_table
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_converged
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type
@@ -85,15 +85,16 @@ contains
       character(name_width) :: name
       name = ''
       if (is_reference) name = left_aligned(model%cases(result%case_index)%name, name_width)
-      if (.not. is_reference) then
+      if (.not. is_reference .and. has_numbers(result%status) .and. has_numbers(reference%status)) then
          pull = given(result%hookload - reference%hookload)
          turn = given(result%torque - reference%torque)
          if (abs(reference%hookload) > 0.0_wp) pull_share = given(100.0_wp*pull%value/abs(reference%hookload))
          if (abs(reference%torque) > least_torque) turn_share = given(100.0_wp*turn%value/abs(reference%torque))
       end if
       row = name//left_aligned(trim(model_name(result%model)), model_width)// &
-         fixed_cell(result%hookload/units%force, number_width, 3)//fixed_cell(pull, units%force, number_width, 3)// &
-         fixed_cell(pull_share, one, share_width, 3)//fixed_cell(result%torque/units%moment, number_width, 3)// &
+         fixed_cell(optional_real(has_numbers(result%status), result%hookload), units%force, number_width, 3)// &
+         fixed_cell(pull, units%force, number_width, 3)//fixed_cell(pull_share, one, share_width, 3)// &
+         fixed_cell(optional_real(has_numbers(result%status), result%torque), units%moment, number_width, 3)// &
          fixed_cell(turn, units%moment, number_width, 3)//fixed_cell(turn_share, one, share_width, 3)// &
          fixed_cell(result%seconds, seconds_width, 4)
       if (result%status /= result_converged) row = row//' !'

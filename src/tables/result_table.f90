@@ -2,8 +2,8 @@
 !> Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged, result_status_name, scale_count, scale_name, way_count, way_name, &
-                             way_not_asked, way_planar
+   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name, &
+                             way_count, way_name, way_not_asked, way_planar
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
@@ -146,7 +146,8 @@ contains
          if (allocated(results(i)%message)) message = results(i)%message
          if (results(i)%status /= result_converged) then
             if (message == '') message = 'no reason given'
-            message = trim(result_status_name(results(i)%status))//', numbers are no solution: '//message
+            if (has_numbers(results(i)%status)) message = 'numbers are no solution: '//message
+            message = trim(result_status_name(results(i)%status))//merge(', ', ': ', has_numbers(results(i)%status))//message
             call append_wrapped(lines, '! '//cases(i)%name//': ', message, page_width)
          else if (message /= '') then
             call append_wrapped(lines, cases(i)%name//': ', message, page_width)

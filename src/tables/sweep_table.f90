@@ -3,9 +3,9 @@
 module dg_sweep_table
    use dg_kinds, only: wp
    use dg_comparison, only: as_measured
-   use dg_case_result, only: result_converged, result_not_converged
+   use dg_case_result, only: has_numbers, result_converged, result_not_converged
    use dg_job, only: model_name
-   use dg_load_case, only: moves_axially, operation_label, rotates
+   use dg_load_case, only: moves_axially, operation_label, optional_real, rotates
    use dg_measured_table, only: append_measured, factor_text, quantity_hookload, quantity_torque
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
@@ -186,10 +186,12 @@ contains
             if (k == 1) row = fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1)
             associate (found => points(point_number(sweep, point)))
                if (quantity == quantity_torque) then
-                  row = row//fixed_cell(found%torque/units%moment, cell_width - 1, torque_digits)
+                  row = row//fixed_cell(optional_real(has_numbers(found%status), found%torque), units%moment, cell_width - 1, &
+                                        torque_digits)
                else
-                  row = row//fixed_cell(as_measured(found%hookload, found%weight_indicator)/units%force, cell_width - 1, &
-                                        hookload_digits)
+                  row = row//fixed_cell(optional_real(has_numbers(found%status), &
+                                                      as_measured(found%hookload, found%weight_indicator)), &
+                                        units%force, cell_width - 1, hookload_digits)
                end if
                row = row//merge(' ', '!', found%status == result_converged)
             end associate

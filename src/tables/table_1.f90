@@ -2,7 +2,7 @@
 !> the paper's. A column that would be empty in every row is left out. Every line fits 120 columns.
 module dg_table_1
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_converged
    use dg_comparison, only: as_measured, known, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
    use dg_missing, only: is_missing
@@ -165,14 +165,16 @@ contains
       real(wp) :: unit
       integer :: c
       values(col_wob) = optional_real(.true., load_case%wob)
-      values(col_calculated) = optional_real(.true., result%hookload)
+      values(col_calculated) = optional_real(has_numbers(result%status), result%hookload)
       values(col_measured) = load_case%measured_hookload
       values(col_error) = percent_error(as_measured(result%hookload, result%weight_indicator), load_case%measured_hookload)
-      values(col_friction) = optional_real(moves_axially(load_case%operation), result%friction)
-      values(col_moment) = optional_real(rotates(load_case%operation), result%torque)
+      values(col_friction) = optional_real(moves_axially(load_case%operation) .and. has_numbers(result%status), result%friction)
+      values(col_moment) = optional_real(rotates(load_case%operation) .and. has_numbers(result%status), result%torque)
       values(col_indicator) = known(result%weight_indicator)
       values(col_reference) = load_case%reference_hookload
       values(col_reference_error) = percent_error(result%hookload, load_case%reference_hookload)
+      values(col_error)%present = values(col_error)%present .and. has_numbers(result%status)
+      values(col_reference_error)%present = values(col_reference_error)%present .and. has_numbers(result%status)
       row = left_aligned(trim(operation_label(load_case%operation)), layout%operation)//left_aligned(load_case%name, layout%name)
       do c = 1, col_count
          if (.not. layout%shown(c)) cycle

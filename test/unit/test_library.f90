@@ -3,7 +3,7 @@
 module dg_test_library
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_finite_result, only: refuse_runaway
+   use dg_finite_result, only: finish_result
    use dg_file_system, only: delete_file, write_text_file
    use dg_library_parts, only: drilling, fill, loads, quantities, refuse, refuse_case, spoil, spoil_case
    use dg_text, only: append_text, text_type, to_text
@@ -446,7 +446,7 @@ contains
       call solve(model, drilling(), 'soft', result, error)
       call assertEqual(result_converged, result%status)
       spoilt = result
-      call refuse_runaway(spoilt)
+      call finish_result(spoilt)
       call assertEqual(result_converged, spoilt%status, message='numbers stay')
       call assertEqual(result%hookload, spoilt%hookload)
       do i = 1, 4
@@ -455,7 +455,7 @@ contains
          if (i == 2) spoilt%torque = ieee_value(nan, ieee_positive_inf)
          if (i == 3) spoilt%profile%axial(2) = nan
          if (i == 4) spoilt%profile%bending(3) = nan
-         call refuse_runaway(spoilt)
+         call finish_result(spoilt)
          call assertEqual(result_not_converged, spoilt%status)
          call assertEqual(0.0_wp, spoilt%hookload)
          call assertFalse(allocated(spoilt%profile%md))
