@@ -134,7 +134,7 @@ contains
       case (1); call change('most_attempts', tuning%most_attempts, 1, changed)
       case (2); call change('most_cuts', tuning%most_cuts, 0, changed)
       case (3); call change('longest_in_plane', tuning%longest_in_plane, 0, changed)
-      case (4); call change('finer', tuning%finer, 0.0_wp, changed)
+      case (4); call change('most_meshes', tuning%most_meshes, 1, changed)
       case (5); call change('watch_share', tuning%watch_share, 0.4_wp, changed)
       case (6); call change('soft_penetration', tuning%soft_penetration, 0.01_wp, changed)
       case (7); call change('start_buckled', tuning%start_buckled, changed)

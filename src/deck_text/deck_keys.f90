@@ -297,7 +297,8 @@ module dg_deck_keys
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='how the equations are solved'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
-      key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, meaning='of a case'), &
+      key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
+                    meaning='of all attempts at a case together'), &
       key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
       key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=stiffest, &
          meaning='rigidity of a free gap: Gkmin, Eq. 7'), &

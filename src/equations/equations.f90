@@ -38,6 +38,7 @@ module dg_equations
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< of all attempts so far
+      real(wp) :: unbalanced_md = 0.0_wp          !< where most force is out of balance at the end of an attempt [m]
       logical :: gaps_taken_back = .false.        !< moved gaps found no better equilibrium: they are where they were
    end type equations_type
 

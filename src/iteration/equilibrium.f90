@@ -69,6 +69,9 @@ contains
          if (it%viscosity > viscosity_most .or. .not. it%before < huge(it%before)) exit
       end do
       call enter_row(it, equations, gaps, work)
+      associate (load => it%problem%load(:equations%forces, :))
+         equations%unbalanced_md = mesh%md(maxloc(maxval(abs(load), dim=1), dim=1))
+      end associate
    end subroutine find_equilibrium
 
    !> Measures the state for good. Where the step before began next to an equilibrium forces are measured alone at first: most such

@@ -6,7 +6,7 @@ module dg_numerics
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type, default_wall
+   public :: numerics_type, default_wall, patience
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_name, settings_of, set_fidelity, other_location
@@ -48,7 +48,7 @@ module dg_numerics
       logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
       logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
-      integer :: max_iterations = 600          !< in all load steps of a case together
+      integer :: max_iterations = 1300         !< of all attempts at a case together: those of dg_tuning
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
       real(wp) :: gk_contact = default_wall    !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
@@ -74,6 +74,15 @@ contains
       type(numerics_type) :: numerics
       call set_fidelity(numerics, fidelity)
    end function settings_of
+
+   !> How many times as long as usual each attempt may be, so that all of them together make use of max_iterations [-]. Where that
+   !> is less than usual attempts are no shorter: fewer of them are made.
+   pure function patience(numerics) result(times)
+      type(numerics_type), intent(in) :: numerics
+      type(numerics_type) :: usual
+      real(wp) :: times
+      times = max(1.0_wp, real(numerics%max_iterations, wp)/real(usual%max_iterations, wp))
+   end function patience
 
    !> The place of the gaps that is not asked for.
    elemental function other_location(location) result(other)

@@ -15,6 +15,12 @@ module dg_tuning
       real(wp) :: reach = 1.0_wp           !< of its steps over the deck's step_limit [-]
    end type attempt_type
 
+   !> A mesh that a case is tried on, and the attempts that are made there.
+   type :: mesh_try_type
+      real(wp) :: length = 1.0_wp          !< of the longest element over that of the first mesh [-]
+      integer :: first = 1, last = 0       !< attempts
+   end type mesh_try_type
+
    !> Steps of the fourth attempt over those of the first [-]. Where a blade has a millimetre of room in a wide hole, the steps of
    !> the others are too short to bring the collars to their side: 24 of 50 such cases are lost without the fourth, 7 with it.
    real(wp), parameter :: long = 15.0_wp
@@ -30,14 +36,15 @@ module dg_tuning
                                           attempt_type(100, 100.0_wp, reach=long)]
       !> How many of them are made, at most 4.
       integer :: most_attempts = 4
+      !> The meshes in their order. The first is the one asked for. A string that is pushed near lock-up lies far from the soft
+      !> string that its mesh was made for: shorter elements find its equilibrium.
+      type(mesh_try_type) :: mesh(3) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 3)]
+      !> How many of them are tried, at most 3.
+      integer :: most_meshes = 3
       !> Times that elements are cut where the string stands outside its hole.
       integer :: most_cuts = 3
       !> Iterations in the plane of the hole before the string is solved in space.
       integer :: longest_in_plane = 30
-      !> Length of elements over what it was, where no attempt found an equilibrium [-]; 0: there are none. A string that is pushed
-      !> near lock-up lies far from the soft string that its mesh was made for. A quarter of the length cures most such cases, a
-      !> half few.
-      real(wp) :: finer = 0.25_wp
       !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
       !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long. No more than 0.4: a string that may buckle
       !> is not solved in a plane.

@@ -28,7 +28,8 @@ module dg_static_analysis
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
-   use dg_numerics, only: gap_at_nodes, numerics_type, other_location
+   use dg_numerics, only: numerics_type, other_location, patience
+   use dg_no_equilibrium, only: list_tried, tell_tried
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, start_type
@@ -37,8 +38,8 @@ module dg_static_analysis
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, fill_result, look_outside, result_of_lock_up, tell_range, &
-                              tell_unlike_contact, touched
+   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
+                              tell_unlike_contact
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
@@ -94,26 +95,36 @@ contains
       logical, intent(in), optional :: totals_only   !< .true.: no profile, nor moments on shorter elements, which cost time
       type(iteration_type), allocatable :: history(:)
       integer(int64) :: start, finish
-      integer :: most, given_up
+      character(:), allocatable :: tried
+      integer :: given_up, i
       logical :: moments, profile
-      real(wp) :: length
+      real(wp) :: length, asked
       call system_clock(start)
-      most = model%numerics%max_iterations
       profile = .true.
       if (present(totals_only)) profile = .not. totals_only
       moments = model%numerics%moments .and. profile
       allocate (history(0))
-      call solve_on_mesh(model, case_index, model%numerics%element_length, most, moments, profile, history, result)
-      length = model%numerics%tuning%finer*min(model%numerics%element_length, result%element_lengths(2))
-      if (result%status == result_not_converged .and. result%iterations < most .and. length > shortest .and. &
-          .not. work_is_done(result) .and. .not. is_interrupted()) then
-         given_up = result%iterations
-         history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
-         most = min(most, given_up + model%numerics%tuning%attempt(1)%longest)
-         call solve_on_mesh(model, case_index, length, most, moments, profile, history, result)
-         if (result%status == result_converged) call add_message(result, 'converged with elements of at most '// &
-            trim(in_units(model%units, unit_length, length, shown))//': longer ones found no equilibrium in '// &
-            to_text(given_up)//' iterations')
+      asked = model%numerics%element_length
+      do i = 1, model%numerics%tuning%most_meshes
+         associate (mesh => model%numerics%tuning%mesh(i))
+            length = mesh%length*asked
+            if (i > 1 .and. .not. length > shortest) cycle
+            call solve_on_mesh(model, case_index, length, [mesh%first, mesh%last], moments, profile, history, result)
+            if (i == 1) asked = min(asked, result%element_lengths(2))
+            if (result%status /= result_not_converged) exit
+            call list_tried(model, result%element_lengths(2), &
+                            model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
+            given_up = result%iterations
+            if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_interrupted()) exit
+            history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
+         end associate
+      end do
+      if (result%status == result_not_converged) then
+         call tell_tried(model, tried, work_is_done(model%numerics, result), result)
+      else if (result%status == result_converged .and. size(history) > 0) then
+         call add_message(result, 'converged with elements of at most '// &
+                          trim(in_units(model%units, unit_length, length, shown))//': others found no equilibrium in '// &
+                          to_text(size(history))//' iterations')
       end if
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
          call find_range(model, case_index, result)
@@ -135,30 +146,30 @@ contains
       type(case_result_type) :: other
       integer :: i
       neighbour = model
-      neighbour%numerics%tuning%most_attempts = 1
+      neighbour%numerics%max_iterations = min(model%numerics%max_iterations, model%numerics%tuning%attempt(1)%longest)
       do i = 1, 2
          neighbour%numerics%tuning%start_buckled = i == 2
          neighbour%numerics%tuning%start_mirrored = i == 2
-         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), neighbour%numerics%tuning%attempt(1)%longest, &
-                            .true., .true., [iteration_type ::], other)
+         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], .true., .true., [iteration_type ::], other)
          if (other%status == result_converged .or. is_interrupted()) exit
       end do
       call tell_range(model%units, other, i == 2, result)
    end subroutine find_range
 
    !> Whether a mesh has had the work that it may have, but for its last iteration.
-   pure function work_is_done(result) result(done)
+   pure function work_is_done(numerics, result) result(done)
+      type(numerics_type), intent(in) :: numerics
       type(case_result_type), intent(in) :: result
       logical :: done
-      done = real(result%iterations + 1, wp)*result%elements > most_work
+      done = real(result%iterations + 1, wp)*result%elements > patience(numerics)*most_work
    end function work_is_done
 
    !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, allowed, moments, profile, history, result)
+   subroutine solve_on_mesh(model, case_index, element_length, attempts, moments, profile, history, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
-      integer, intent(in) :: allowed               !< iterations, those in `history` included
+      integer, intent(in) :: attempts(2)           !< the first and the last
       logical, intent(in) :: moments, profile      !< whether moments are found on elements short enough for them; the profile
       type(iteration_type), intent(in) :: history(:)
       type(case_result_type), intent(out) :: result
@@ -167,7 +178,7 @@ contains
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
       logical :: found
-      integer :: i, outcome, in_plane, most, tried    ! the last: iterations at most, attempts on a mesh before
+      integer :: i, last, outcome, in_plane, most, tried    ! the last: iterations at most, attempts made before
       associate (equations => string%equations, mesh => string%mesh)
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -175,7 +186,7 @@ contains
             call result_of_lock_up(model, case_index, strained, result)
             return
          end if
-         most = min(allowed, size(history) + int(most_work/mesh%elements))
+         most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))
          call prepare(model, case_index, string)
          equations%iterations = size(history)
          equations%history(:size(history)) = history
@@ -190,16 +201,20 @@ contains
             if (.not. found) then     ! whatever the reason, space decides, as if nothing had been tried before
                string%way = way_left
                in_plane = equations%iterations - size(history)
-               equations%iterations = size(history)
+               tried = tried + 1
                call choose_unknowns(equations, planar=.false.)
             end if
          end if
-         do i = 1, merge(0, model%numerics%tuning%most_attempts, found)
+         last = attempts(1) - 1
+         do i = attempts(1), merge(0, min(attempts(2), model%numerics%tuning%most_attempts), found)
+            last = i
             numerics = model%numerics
-            numerics%max_iterations = min(most, equations%iterations + numerics%tuning%attempt(i)%longest)
+            numerics%max_iterations = min(most, equations%iterations + &
+                                          nint(patience(numerics)*numerics%tuning%attempt(i)%longest))
             numerics%step_limit = numerics%tuning%attempt(i)%reach*numerics%step_limit
             if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
-            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + i, string, outcome)
+            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - attempts(1), &
+                              string, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
          if (is_interrupted()) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
@@ -210,36 +225,21 @@ contains
          if (.not. equations%planar) &
             call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
          call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
-         if (profile) call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
+         if (profile .and. result%status == result_converged) &
+            call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
          result%stability_margin = margin
          result%coiled = string%compressed > coiled
          result%way = string%way
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
-         call add_remarks(model%numerics, numerics, most, allowed, in_plane, result)
+         result%attempts = last - attempts(1) + 1
+         call add_remarks(model%numerics, numerics, in_plane, result)
          if (.not. (outcome == outcome_converged .and. moments)) return
          deallocate (string%state)
          call keep_for_moments(string%work)
          call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
       end associate
    end subroutine solve_on_mesh
-
-   !> What a result tells of how it was found.
-   subroutine add_remarks(asked, numerics, most, allowed, in_plane, result)
-      type(numerics_type), intent(in) :: asked, numerics     !< settings of the deck, and of the last attempt
-      integer, intent(in) :: most, allowed                   !< iterations of this mesh, and of the case
-      integer, intent(in) :: in_plane                        !< iterations in the plane of the hole that found nothing
-      type(case_result_type), intent(inout) :: result
-      if (result%status == result_not_converged .and. most < allowed .and. result%iterations >= most) &
-         result%message = to_text(result%iterations)//' iterations with '//to_text(result%elements)//' elements are the most '// &
-         'work that is done for a case, and found no equilibrium; give a larger element_length'
-      if (result%way == way_left) call add_message(result, 'solved in space: '//to_text(in_plane)//' iterations in the plane '// &
-         'of the hole, which are not counted, found no equilibrium that lasts')
-      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) &
-         call add_message(result, 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
-                          numerics%gap_location == gap_at_nodes))//', as with those at the place asked for no equilibrium was '// &
-                          'found: hook load, torque and contact force may be off by a percent, '//touched)
-   end subroutine add_remarks
 
    !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
    !> where no equilibrium was found on such elements.

@@ -3,7 +3,7 @@ module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_case_result, only: case_result_type, is_pushed, iteration_type, push_needed, result_converged, result_locked_up, &
-                             result_not_converged
+                             result_not_converged, way_left
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
@@ -11,6 +11,8 @@ module dg_static_result
    use dg_mesh, only: mesh_type, widest_beside
    use dg_missing, only: is_missing
    use dg_model, only: model_type
+   use dg_no_equilibrium, only: add_place
+   use dg_numerics, only: gap_at_nodes, numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_profile_rows, only: lay_rows
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
@@ -25,16 +27,12 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, fill_result, result_of_lock_up, look_outside, tell_range, tell_unlike_contact, touched
+   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, tell_range, tell_unlike_contact
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
    character(*), parameter :: touched = 'side force and tilt of the bit, and bending moments between contacts, may be off by a '// &
       'tenth; shorter elements narrow that down'
-   !> What to try where no equilibrium was found. Of 15 such strings, pushed near lock-up or with a motor that is bent, one of these
-   !> found it for five: another length of elements for four, load steps for two, the other place of the gaps for two.
-   real(wp), parameter :: other_length = 5.0_wp     ! [m]
-   character(*), parameter :: other_ways = '), gap_location or load_steps: one of these finds it for some such strings'
    !> Forces out of balance over the weight from which on a result is none [-]. Sound results have 1e-12 to 1e-6, at any wall.
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
@@ -79,23 +77,19 @@ contains
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
-         result%message = 'the string lies outside the hole by '//to_text(worst, shown_clearances)//' clearances at '// &
-            trim(in_units(model%units, unit_length, mesh%md(place), shown_depth))// &
-            ', between two gap elements; try shorter elements'
+         result%message = 'no equilibrium found within the hole: the string lies outside by '// &
+            to_text(worst, shown_clearances)//' clearances between two contact points, at '
+         call add_place(model, case_index, mesh%md(place), result%message)
       case (outcome_exhausted)
          result%status = result_not_converged
-         result%message = 'no equilibrium found after '
-         if (equations%iterations >= model%numerics%max_iterations) result%message = 'iterations used up after '
-         result%message = result%message//to_text(equations%iterations)//' iterations in load step '//to_text(last%increment)// &
-            ': residual '//trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//', '// &
-            to_text(last%flips)//' gaps still changing; try '
-         if (equations%iterations >= model%numerics%max_iterations) result%message = result%message//'more max_iterations, or '
-         result%message = result%message//'another element_length (half, or '// &
-            trim(in_units(model%units, unit_length, other_length, shown))//other_ways
+         result%message = 'no equilibrium found: at the end '// &
+            trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
+         call add_place(model, case_index, equations%unbalanced_md, result%message)
+         if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
       case default
          result%status = result_not_converged
-         result%message = 'no unique equilibrium at iteration '//to_text(last%iteration)// &
-            ': the string can move freely somewhere; check supports and loads, or try more load_steps'
+         result%message = 'no unique equilibrium: check supports and loads. The string can move freely, most at '
+         call add_place(model, case_index, equations%unbalanced_md, result%message)
       end select
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)
@@ -228,6 +222,19 @@ contains
                           trim(in_units(units, unit_length, found%md(2), shown_depth)))
       end associate
    end subroutine tell_unlike_contact
+
+   !> What a result tells of how it was found.
+   subroutine add_remarks(asked, numerics, in_plane, result)
+      type(numerics_type), intent(in) :: asked, numerics     !< settings of the deck, and of the last attempt
+      integer, intent(in) :: in_plane                        !< iterations in the plane of the hole that found nothing
+      type(case_result_type), intent(inout) :: result
+      if (result%status == result_converged .and. result%way == way_left) call add_message(result, 'solved in space: '// &
+         to_text(in_plane)//' iterations in the plane of the hole found no equilibrium that lasts')
+      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) &
+         call add_message(result, 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
+                          numerics%gap_location == gap_at_nodes))//', as with those at the place asked for no equilibrium was '// &
+                          'found: hook load, torque and contact force may be off by a percent, '//touched)
+   end subroutine add_remarks
 
    !> Adds what is said of a string that stands outside its hole.
    pure subroutine add_outside(units, outside, result)

@@ -1,0 +1,85 @@
+!> What is said of a case in which no equilibrium was found: where the string is in trouble, and what was tried.
+module dg_no_equilibrium
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_not_converged
+   use dg_drillstring, only: component_at, component_tops
+   use dg_model, only: model_type, string_index
+   use dg_numerics, only: gap_at_nodes, other_location
+   use dg_text, only: to_text
+   use dg_trajectory, only: top_md
+   use dg_tuning, only: attempt_type
+   use dg_unit_kind, only: in_units, unit_length
+   implicit none
+   private
+   public :: add_place, tell_tried, list_tried
+
+   !> Digits of a length and of a depth in a message.
+   integer, parameter :: shown = 2, shown_depth = 6
+
+contains
+
+   !> Adds a depth, and the component of the string there, to a text: "2345.1 m, in 'HWDP'".
+   pure subroutine add_place(model, case_index, md, text)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: md         !< [m]
+      character(:), allocatable, intent(inout) :: text
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit
+      bit = model%cases(case_index)%bit_depth
+      text = text//trim(in_units(model%units, unit_length, md, shown_depth))
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         associate (part => string%components(component_at(tops, bit - md)))
+            if (allocated(part%name)) then
+               if (part%name /= '') text = text//", in '"//part%name//"'"
+            end if
+         end associate
+      end associate
+   end subroutine add_place
+
+   !> Adds the attempts on one mesh to a list in words: 'elements up to 5 m (usual start, soft walls)'.
+   pure subroutine list_tried(model, longest, attempts, text)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: longest                   !< length of an element [m]
+      type(attempt_type), intent(in) :: attempts(:)     !< in their order
+      character(:), allocatable, intent(inout) :: text
+      integer :: i
+      if (allocated(text)) then
+         text = text//', '
+      else
+         text = ''
+      end if
+      text = text//'elements up to '//trim(in_units(model%units, unit_length, longest, shown))
+      do i = 1, size(attempts)
+         text = text//merge(' (', ', ', i == 1)
+         if (attempts(i)%other_place) then
+            text = text//'gaps at '//trim(merge('the nodes     ', 'their extremum', &
+                                                other_location(model%numerics%gap_location) == gap_at_nodes))
+         else if (attempts(i)%spread) then
+            text = text//'soft walls'
+         else if (attempts(i)%reach > 1.0_wp) then
+            text = text//'long steps'
+         else
+            text = text//'usual start'
+         end if
+      end do
+      if (size(attempts) > 0) text = text//')'
+   end subroutine list_tried
+
+   !> Adds to the message of a case without equilibrium what was tried, and what ended the search.
+   pure subroutine tell_tried(model, tried, worked_out, result)
+      type(model_type), intent(in) :: model
+      character(*), intent(in) :: tried                 !< on all meshes
+      logical, intent(in) :: worked_out                 !< a mesh had the work that it may have
+      type(case_result_type), intent(inout) :: result
+      if (result%status /= result_not_converged) return
+      result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
+      if (worked_out) then
+         result%message = result%message//'. The search ended at the most work for '//to_text(result%elements)// &
+            ' elements: a larger element_length leaves room for more iterations'
+      else if (result%iterations >= model%numerics%max_iterations) then
+         result%message = result%message//'. The search ended at max_iterations = '//to_text(model%numerics%max_iterations)
+      end if
+   end subroutine tell_tried
+end module dg_no_equilibrium
