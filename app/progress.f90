@@ -1,5 +1,5 @@
-!> Progress of long work on standard error: how much it is before it starts, then the time that remains. On a terminal one line
-!> is written over, elsewhere a line every ten seconds. Nothing with --quiet.
+!> Progress of long work on standard error: how much it is before it starts, then the time that remains. From two seconds on one
+!> line is rewritten on a terminal; elsewhere a line comes every ten seconds. Nothing with --quiet.
 module dg_progress
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
@@ -10,7 +10,7 @@ module dg_progress
    use dg_text, only: to_text
    implicit none
    private
-   public :: progress_type, start_progress, show_time, end_progress
+   public :: progress_type, start_progress, show_cases, show_time, end_progress
 
    type, extends(ensemble_watch_type) :: progress_type
       logical :: quiet = .true.
@@ -33,18 +33,52 @@ module dg_progress
 
 contains
 
+   !> Shows how many load cases are solved, and names one. Nothing in the first two seconds.
+   subroutine show_cases(progress, solved, all, what)
+      type(progress_type), intent(inout) :: progress
+      integer, intent(in) :: solved, all   !< load cases, each with each model
+      character(*), intent(in) :: what     !< the case at work, in words
+      integer(int64) :: now
+      real(wp) :: seconds, wait
+      if (progress%quiet) return
+      call system_clock(now)
+      seconds = seconds_between(progress%started, now)
+      wait = merge(pause, long_pause, progress%on_terminal)
+      if (.not. (progress%timed .or. progress%on_terminal)) wait = telling_after     ! the first line
+      if (seconds < telling_after .or. seconds_between(progress%last, now) < wait) return
+      call put_line(progress, progress%label//': '//to_text(solved)//' of '//to_text(all)//' solved in '// &
+                    remaining_text(seconds)//', '//what)
+      progress%timed = .true.
+      progress%last = now
+   end subroutine show_cases
+
+   !> Writes a line over the one before on a terminal, elsewhere below it.
+   subroutine put_line(progress, line)
+      type(progress_type), intent(inout) :: progress
+      character(*), intent(in) :: line
+      integer :: status
+      if (progress%on_terminal) then
+         write (error_unit, '(a)', advance='no', iostat=status) carriage_return//line// &
+            repeat(' ', max(progress%width - len(line), 0))
+         flush (error_unit, iostat=status)
+         progress%width = len(line)
+      else
+         call tell(line)
+      end if
+   end subroutine put_line
+
    !> Begins, and tells how much there is to do.
    subroutine start_progress(progress, label, work, quiet)
       type(progress_type), intent(out) :: progress
       character(*), intent(in) :: label
-      character(*), intent(in) :: work     !< '12 solutions'
+      character(*), intent(in) :: work     !< '12 solutions'; '': nothing is told yet
       logical, intent(in) :: quiet
       progress%quiet = quiet
       progress%on_terminal = someone_watches() .and. .not. quiet
       progress%label = label
       call system_clock(progress%started)
       progress%last = progress%started
-      if (.not. quiet) call tell(label//': '//work//' to find')
+      if (.not. quiet .and. work /= '') call tell(label//': '//work//' to find')
    end subroutine start_progress
 
    !> Shows how far the work is. The remaining time supposes that what is left costs as what was done since the start.
@@ -63,9 +97,7 @@ contains
       if (left >= 0.0_wp) line = line//', '//remaining_text(left)//' left'
       if (self%on_terminal) then
          if (seconds_between(self%last, now) < pause) return
-         write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(self%width - len(line), 0))
-         flush (error_unit)
-         self%width = len(line)
+         call put_line(self, line)
       else
          if (left < worth_telling .or. (self%timed .and. seconds_between(self%last, now) < long_pause)) return
          call tell(line)

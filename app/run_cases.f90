@@ -1,8 +1,7 @@
 !> Solves the load cases of a deck with every model that it asks for, writes the results as they come, and prints them.
 module dg_run_cases
-   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_result, only: case_result_type, result_not_converged, result_status_name
+   use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
@@ -16,8 +15,8 @@ module dg_run_cases
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_hole_view, write_string_view
    use dg_printed_text, only: print_lines, printed_text_type
-   use dg_process, only: someone_watches
    use dg_profile_file, only: write_profile
+   use dg_progress, only: end_progress, progress_type, show_cases, start_progress
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_results_h5, only: write_results_h5
@@ -103,13 +102,17 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)
       integer, intent(inout) :: status
       type(failure_type) :: failures(size(results))
-      logical :: solved(size(results)), progress
+      type(progress_type) :: progress
+      logical :: solved(size(results))
       integer :: row, next
-      progress = someone_watches() .and. .not. job%quiet
+      call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
       next = 1
       !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
       do row = 1, size(results)
+         !$omp critical (results_in_order)
+         call show_cases(progress, count(solved), size(results), 'next '//place(job, model, number_of(row), case_of(row)))
+         !$omp end critical (results_in_order)
          call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error)
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
@@ -118,17 +121,18 @@ contains
          end if
          !$omp critical (results_in_order)
          solved(row) = .true.
+         call show_cases(progress, count(solved), size(results), 'last '//place(job, model, number_of(row), case_of(row)))
+         if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)
          do while (next <= size(results))
             if (.not. solved(next)) exit
             call note_outcome(place(job, model, number_of(next), case_of(next)), results(next), failures(next)%error, status)
-            if (allocated(results(next)%profile%md)) call write_case_files(job, model, results(next), alongs(next), status)
-            if (progress) write (error_unit, '(a)') '['//to_text(next)//'/'//to_text(size(results))//'] '// &
-               place(job, model, number_of(next), case_of(next))//': '//trim(result_status_name(results(next)%status))
+            call write_case_files(job, model, results(next), alongs(next), status)
             next = next + 1
          end do
          !$omp end critical (results_in_order)
       end do
       !$omp end parallel do
+      call end_progress(progress)
 
    contains
 
@@ -162,7 +166,8 @@ contains
       end if
    end subroutine note_outcome
 
-   !> Writes the files of one case that has a profile; a failure is told and noted in the exit status.
+   !> Writes the files of one case; a failure is told and noted in the exit status. A case that did not converge has its history
+   !> alone.
    subroutine write_case_files(job, model, result, along, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -171,11 +176,11 @@ contains
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
       associate (case => model%cases(result%case_index)%name, number => result%model)
-         if (job%profiles) then
+         if (job%profiles .and. has_numbers(result%status)) then
             call write_profile(in_folder(job, case_file(profile_file, case, number)), job, result, along, error)
             call note_failure(error, status)
          end if
-         if (job%plots) then
+         if (job%plots .and. has_numbers(result%status)) then
             call write_string_view(in_folder(job, case_file(view_file, case, number)), job, result%profile, along, error)
             call note_failure(error, status)
             call write_hole_view(in_folder(job, case_file(hole_file, case, number)), job, result%profile, along, error)
