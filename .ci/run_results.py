@@ -172,11 +172,25 @@ def faults_of_results(out, status, deck, echo_text=None, order=True):
     for row in summary:
         if row["status"] == "converged":
             found += faults_of_row(out, row, balance, echo, tables)
+    for name, rows in tables.items():
+        found += faults_of_failed(name, rows)
     if status == 0 and marked and "calibration.csv" not in tables:
         found.append("exit status 0 with a result not converged")
     if status == 3 and not marked:
         found.append("exit status 3 with every result converged")
     return found + faults_of_page(out)
+
+
+# Columns of a state of the string, by how their names begin: empty where a result did not converge.
+SHOWN = ("hookload", "torque", "normal_force", "equilibrium", "largest_", "buckling", "shape", "weight_indicator", "helical", "coil")
+
+
+def faults_of_failed(name, rows):
+    """A result that did not converge shows no state of the string."""
+    if name not in ("summary.csv", "limits.csv", "study.csv") and not name.startswith("sweep_"):
+        return []
+    return [f"{name}: {row.get('case', '')} did not converge, but {column} is {field!r}" for row in rows if row["status"] == "not_converged"
+            for column, field in row.items() if field and column.startswith(SHOWN)][:3]
 
 
 def faults_of_row(out, row, balance, echo, tables):

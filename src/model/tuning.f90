@@ -38,9 +38,10 @@ module dg_tuning
       integer :: most_attempts = 4
       !> The meshes in their order. The first is the one asked for. A string that is pushed near lock-up lies far from the soft
       !> string that its mesh was made for: shorter elements find its equilibrium.
-      type(mesh_try_type) :: mesh(3) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 3)]
-      !> How many of them are tried, at most 3.
-      integer :: most_meshes = 3
+      type(mesh_try_type) :: mesh(4) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 2), &
+                                        mesh_try_type(0.125_wp, 3, 3)]
+      !> How many of them are tried, at most 4.
+      integer :: most_meshes = 4
       !> Times that elements are cut where the string stands outside its hole.
       integer :: most_cuts = 3
       !> Iterations in the plane of the hole before the string is solved in space.

@@ -34,7 +34,7 @@ contains
       result%torque = 0.0_wp
       result%normal_force = 0.0_wp
       result%stability_margin = missing
-      result%coils_slide = .false.
+      result%coiled = .false.
       result%beam_nodes = 0
       result%moment_error = missing
       result%unlike_contact = unlike_contact_type()

@@ -4,7 +4,7 @@ module dg_no_equilibrium
    use dg_case_result, only: case_result_type, result_not_converged
    use dg_drillstring, only: component_at, component_tops
    use dg_model, only: model_type, string_index
-   use dg_numerics, only: gap_at_nodes, other_location
+   use dg_numerics, only: gap_at_nodes, numerics_type, other_location
    use dg_text, only: to_text
    use dg_trajectory, only: top_md
    use dg_tuning, only: attempt_type
@@ -73,13 +73,15 @@ contains
       character(*), intent(in) :: tried                 !< on all meshes
       logical, intent(in) :: worked_out                 !< a mesh had the work that it may have
       type(case_result_type), intent(inout) :: result
+      type(numerics_type) :: usual
       if (result%status /= result_not_converged) return
       result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
       if (worked_out) then
          result%message = result%message//'. The search ended at the most work for '//to_text(result%elements)// &
             ' elements: a larger element_length leaves room for more iterations'
-      else if (result%iterations >= model%numerics%max_iterations) then
-         result%message = result%message//'. The search ended at max_iterations = '//to_text(model%numerics%max_iterations)
+      else if (model%numerics%max_iterations < usual%max_iterations) then
+         result%message = result%message//'. max_iterations = '//to_text(model%numerics%max_iterations)// &
+            ' is less than its default, '//to_text(usual%max_iterations)//', which leaves room for all attempts'
       end if
    end subroutine tell_tried
 end module dg_no_equilibrium

@@ -37,6 +37,8 @@ module dg_static_result
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
+   !> Largest force out of balance over the weight of a string in equilibrium, stable or not [-].
+   real(wp), parameter :: in_balance = 1.0e-8_wp
    !> A message tells of contact forces that differ by more than this part of the whole [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
    !> A message tells of another hook load that differs by more than this part of the largest axial force, and of another largest
@@ -82,9 +84,13 @@ contains
          call add_place(model, case_index, mesh%md(place), result%message)
       case (outcome_exhausted)
          result%status = result_not_converged
-         result%message = 'no equilibrium found: at the end '// &
-            trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
-         call add_place(model, case_index, equations%unbalanced_md, result%message)
+         if (last%residual_force < in_balance*equations%force_scale) then
+            result%message = 'no stable equilibrium found: the string is in balance, but the least push would move it away'
+         else
+            result%message = 'no equilibrium found: at the end '// &
+               trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
+            call add_place(model, case_index, equations%unbalanced_md, result%message)
+         end if
          if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
       case default
          result%status = result_not_converged

@@ -90,7 +90,7 @@ contains
          count_cell(sum(results%elements), count_width)// &
          count_cell(sum(results%iterations), iterations_width, iterates)// &
          fixed_cell(sum(results%seconds), seconds_width, 3)
-      if (iterates) line = line//'   equilibrium to '// &
+      if (iterates .and. any(has_numbers(results%status))) line = line//'   equilibrium to '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_force)/units%force, residual_width)))//' '// &
          trim(units%force_label)//', '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &

@@ -4,7 +4,7 @@ module dg_test_program
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
-   use dg_program_run, only: run_type, run_program, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
+   use dg_program_run, only: run_type, run_program, run_deck_text, good_deck, content, replaced, scratch, deck_path, results_path, &
       clear_scratch
    use dg_result_rows, only: field
    use dg_text, only: text_type, append_text
@@ -257,6 +257,13 @@ contains
       call assertTrue(index(run%diagnostics, "case 'u', model mcge: did not converge") > 0, message=run%diagnostics)
       call assertTrue(is_file('profile_u_soft.csv'))
       call assertTrue(is_file('summary.csv'))
+      call assertFalse(is_file('profile_u_mcge.csv'), message='a failed case has no profile')
+      call assertTrue(index(run%diagnostics, ' out of balance at ') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, '. Tried in 1 iterations: elements up to ') > 0, message=run%diagnostics)
+      call assertTrue(index(content(results_path//'/limits.csv'), newline//'u,mcge,not_converged,,,,') > 0)
+      call assertTrue(index(content(results_path//'/summary.csv'), ',not_converged,1,') > 0)
+      call assertTrue(index(content(results_path//'/summary.csv'), ',,,,,,,,not_converged,1,') > 0, &
+                      message=content(results_path//'/summary.csv'))
    end subroutine test_not_converged
 
    !> A file stands where the folder should be.

@@ -52,6 +52,7 @@ contains
       allocate (lines(0))
       do j = 1, size(models)
          do i = 1, len(cases)
+            if (j == 1 .and. cases(i:i) == 'r') cycle     ! it did not converge
             lines = [lines, lines_of('profile_'//cases(i:i)//'_'//trim(models(j))//'.csv')]
          end do
       end do

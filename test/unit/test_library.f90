@@ -3,6 +3,7 @@
 module dg_test_library
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_missing, only: is_missing
    use dg_finite_result, only: finish_result
    use dg_file_system, only: delete_file, write_text_file
    use dg_library_parts, only: drilling, fill, loads, quantities, refuse, refuse_case, spoil, spoil_case
@@ -459,6 +460,7 @@ contains
          call assertEqual(result_not_converged, spoilt%status)
          call assertEqual(0.0_wp, spoilt%hookload)
          call assertFalse(allocated(spoilt%profile%md))
+         call assertTrue(is_missing(spoilt%bit_tilt) .and. is_missing(spoilt%moment_error), message='bit and moments')
       end do
    end subroutine test_runaway
 end module dg_test_library

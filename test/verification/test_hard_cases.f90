@@ -1,6 +1,7 @@
 !> Cases at the edge of what can be solved: what is left there is said, and bounded by its reason.
 module dg_test_hard_cases
-   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, &
+                    TestMethod, TestSuite
    use dg_case_result, only: case_result_type, judged_start, result_converged, result_not_converged
    use dg_error, only: error_type
    use dg_kinds, only: wp
@@ -134,6 +135,13 @@ contains
       model%cases(1)%tob = 20.0e3_wp
       call solve_static_analysis(model, 1, result, error)
       call assertEqual(result_not_converged, result%status, message='beyond it')
+      call assertFalse(allocated(result%profile%md), message='no state')
+      call assertGreaterThan(index(result%message, 'no stable equilibrium found'), 0, message=result%message)
+      call assertGreaterThan(index(result%message, 'elements up to 1 m (usual start, soft walls'), 0, message=result%message)
+      model%numerics%max_iterations = 10
+      call solve_static_analysis(model, 1, result, error)
+      call assertLessThan(result%iterations, 11, message='all attempts together')
+      call assertGreaterThan(index(result%message, 'max_iterations = 10 is less than its default'), 0, message=result%message)
    end subroutine test_twisted_string
 
    !> A threshold of force so high that closed gaps hold the string to the wall where it would leave it: round a bend of 67 deg/30 m
