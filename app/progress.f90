@@ -56,11 +56,9 @@ contains
    subroutine put_line(progress, line)
       type(progress_type), intent(inout) :: progress
       character(*), intent(in) :: line
-      integer :: status
       if (progress%on_terminal) then
-         write (error_unit, '(a)', advance='no', iostat=status) carriage_return//line// &
-            repeat(' ', max(progress%width - len(line), 0))
-         flush (error_unit, iostat=status)
+         write (error_unit, '(a)', advance='no') carriage_return//line//repeat(' ', max(progress%width - len(line), 0))
+         flush (error_unit)
          progress%width = len(line)
       else
          call tell(line)
