@@ -183,6 +183,9 @@ contains
          if (narrowest > widest_hole*closed_diameter(part)) call note('it is '// &
             trim(in_units(units, unit_diameter, closed_diameter(part), digits))//' wide in holes of '// &
             trim(in_units(units, unit_diameter, narrowest, digits))//' and more; mind the units')
+         if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
+            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//', are wider than its centralizers, '// &
+            trim(in_units(units, unit_diameter, part%centralizer%od, digits))//': the centralizers do not touch; check both')
          if (has_blades(part) .and. .not. (part%joint_od > part%od .or. opens(part))) &
             call note('a stabilizer without joint_od touches at its od, '// &
             trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &

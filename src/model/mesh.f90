@@ -213,7 +213,7 @@ contains
             mesh%lying(e) = min(mesh%clearance(e), bow_opening(centralizer, hole%diameter) &
                                 + abs(mesh%weight(e))*centralizer%spacing/bow_stiffness(centralizer, component%od))
          else
-            mesh%lying(e) = 0.5_wp*(hole%diameter - centralizer%od)
+            mesh%lying(e) = 0.5_wp*(hole%diameter - centralizer_diameter(component))
          end if
          if (.not. mesh%centralizer(e)) return
          if (centralizer%bow) then

@@ -76,20 +76,23 @@ contains
       end function dense
    end subroutine check_in_string
 
-   !> Centralisers fit the component that they are on, and a bow is wider than it where it was rated.
+   !> Check that centralizers fit their component. A rigid one is wider than the body, it may be narrower than couplings. A bow is
+   !> wider than both, also in the hole where it was rated.
    subroutine check_centralizer(centralizer, component, place, units, found)
       type(centralizer_type), intent(in) :: centralizer
       type(component_type), intent(in) :: component
       integer, intent(in) :: place                 !< of the component
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
+      real(wp) :: narrowest     ! diameter that the centralizers must exceed [m]
       associate (part => component)
          if (part%length > 0.0_wp .and. centralizer%first >= part%length) call fault('first', 'the lowest stands '// &
             far(centralizer%first)//' above the lower end of '//quoted(part%name)//', which is '//far(part%length)//' long')
          if (opens(part)) call fault('component', quoted(part%name)//' has opened_od; a tool that opens carries no centralizers')
-         if (centralizer%od <= closed_diameter(part)) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
+         narrowest = merge(closed_diameter(part), part%od, centralizer%bow)
+         if (centralizer%od <= narrowest) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
             wide(centralizer%od)//' is not greater than that of '//quoted(part%name)//' (', 'component', place, '), '// &
-            wide(closed_diameter(part)))
+            wide(narrowest))
          if (.not. centralizer%bow) return
          if (centralizer%rated_hole <= closed_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
             wide(centralizer%rated_hole)//' is not greater than the diameter of '//quoted(part%name)//', '// &

@@ -139,13 +139,14 @@ contains
       if (is) is = upper_end >= component%opened_below - depth_round_off
    end function is_open
 
-   !> Diameter at which the component rubs where its centralisers touch [m]: that of rigid ones; within a bow spring the pipe
-   !> turns. Tools that open have none.
+   !> Diameter at which the component rubs where its centralizers touch [m]: that of rigid ones, or of wider couplings. Within a
+   !> bow spring the pipe turns. Tools that open have no centralizers.
    elemental function centralizer_diameter(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
       diameter = closed_diameter(component)
-      if (component%centralizer%present .and. .not. component%centralizer%bow) diameter = component%centralizer%od
+      if (component%centralizer%present .and. .not. component%centralizer%bow) &
+         diameter = max(component%centralizer%od, closed_diameter(component))
    end function centralizer_diameter
 
    !> Whether the component touches at joints spaced along it, its body between them being thinner.

@@ -39,6 +39,8 @@ contains
    !> Every key has a default, so that a stabiliser may do without joint_od: its od touches.
    subroutine test_blades()
       call note("joint_od = 168.3", "kind = 'stabiliser'", 'a stabilizer without joint_od touches at its od, 127 mm')
+      call note('&component od = 127.0', "&centralizer component = 'pipe', od = 160, spacing = 10 /"//newline// &
+                "&component name = 'pipe', od = 127.0", 'the centralizers do not touch')
    end subroutine test_blades
 
    subroutine test_thresholds()
