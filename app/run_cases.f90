@@ -7,7 +7,7 @@ module dg_run_cases
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_history_file, only: write_history
-   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: limits_table
@@ -113,7 +113,7 @@ contains
          !$omp critical (results_in_order)
          call show_cases(progress, count(solved), size(results), 'next '//place(job, model, number_of(row), case_of(row)))
          !$omp end critical (results_in_order)
-         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error)
+         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error, stop=by_signals())
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))

@@ -6,7 +6,7 @@ module dg_run_stickings
    use dg_diagnostic, only: tell
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
-   use dg_interruption, only: is_interrupted
+   use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_least_squares, fit_type
    use dg_missing, only: is_missing, missing
@@ -107,7 +107,7 @@ contains
       type(statistics_type) :: statistics
       real(wp), allocatable :: start(:), measured(:), deviation(:), lower(:)
       result%depth = sticking%depth
-      call solve_case(model, result%model, result%case_index, free, error)
+      call solve_case(model, result%model, result%case_index, free, error, stop=by_signals())
       call show_time(progress, 1.0_wp/real(usual_solutions(find_resistance)*size(sticking%models)*size(sticking%cases), wp))
       if (free%status /= result_converged) then
          result%message = 'the free string has none: '//free%message

@@ -3,7 +3,7 @@
 module dg_run_study
    use dg_case_result, only: case_result_type
    use dg_error, only: error_type
-   use dg_interruption, only: is_interrupted
+   use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_missing, only: missing
@@ -78,12 +78,12 @@ contains
       call forget_memory_peak(known)
       before = memory_now()
       allocate (result)
-      call solve_case(model, number, case_index, result, error)
+      call solve_case(model, number, case_index, result, error, stop=by_signals())
       memory = missing
       if (known) memory = max(0.0_wp, memory_peak() - before)
       seconds = result%seconds
       do run = 2, merge(size(seconds), 1, result%seconds < brief)
-         call solve_case(model, number, case_index, result, error)
+         call solve_case(model, number, case_index, result, error, stop=by_signals())
          seconds(run) = result%seconds
       end do
       call new_record(result, sum(seconds) - maxval(seconds) - minval(seconds), memory, record)

@@ -6,6 +6,7 @@ module dg_linear_solver
    use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
    use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_largest, only: largest_of
+   use dg_linear_solver_name, only: solver_banded, solver_block, solver_count, solver_name, solver_sparse
    use dg_small_block_solver, only: new_small_block_solver, small_block_remainder, small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
@@ -13,14 +14,6 @@ module dg_linear_solver
    private
    public :: linear_solver_type, new_linear_solver, solve_linear
    public :: solver_block, solver_banded, solver_sparse, solver_count, solver_name
-
-   integer, parameter :: solver_block = 1   !< elimination by blocks, 6 x 6 or 3 x 3
-   integer, parameter :: solver_banded = 2  !< LAPACK's band LU
-   !> Of SuiteSparse: LDL where the matrix is symmetric and positive definite, else KLU, a sparse LU.
-   integer, parameter :: solver_sparse = 3
-   integer, parameter :: solver_count = 3
-   !> Names in decks, in the order of the numbers above.
-   character(*), parameter :: solver_name(solver_count) = [character(6) :: 'block', 'banded', 'sparse']
 
    !> Residual of a solution over the largest right-hand side at which it is refined [-]: Newton's next step corrects what
    !> is left, so that four digits would do; eight keep its convergence quadratic to the end.

@@ -20,6 +20,7 @@ module dg_assembly_elements
    use dg_rigid_string, only: solve_at_changes
    use dg_soft_string_loads, only: soft_string_at
    use dg_static_analysis, only: solve_static_analysis
+   use dg_stopping, only: stop_type
    use dg_stiff_places, only: matters, stiffer
    use dg_trajectory, only: cut_trajectory, top_md
    implicit none
@@ -57,11 +58,12 @@ contains
    end function join_depth
 
    !> Solves a load case that has passed check_string_case. Statuses are those of the beams.
-   subroutine solve_with_elements(model, case_index, result, error)
+   subroutine solve_with_elements(model, case_index, result, error, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      type(stop_type), intent(in), optional :: stop
       type(model_type) :: part
       type(case_result_type) :: above
       type(change_type), allocatable :: changes(:)
@@ -74,7 +76,7 @@ contains
          call soft_string_at(model, case_index, [join], axial, torque, contact)
          part%boundary%top_centred = norm2(contact(:, 1)) < least_side_load
       end if
-      call solve_static_analysis(part, case_index, result, error)
+      call solve_static_analysis(part, case_index, result, error, stop=stop)
       if (allocated(error) .or. .not. join > top_md(model%trajectory) .or. result%status /= result_converged) return
       part = model
       call keep_upper_string(model, case_index, join, part)

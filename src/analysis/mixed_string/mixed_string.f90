@@ -25,6 +25,7 @@ module dg_mixed_string
    use dg_model, only: model_type, string_index
    use dg_rigid_string, only: solve_at_changes
    use dg_soft_string, only: check_string_case
+   use dg_stopping, only: stop_type
    use dg_stiff_places, only: matters
    implicit none
    private
@@ -33,11 +34,12 @@ module dg_mixed_string
 contains
 
    !> Solves a load case with the mixed string. Statuses and refusals are those of the soft string.
-   subroutine solve_mixed_string(model, case_index, result, error)
+   subroutine solve_mixed_string(model, case_index, result, error, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
+      type(stop_type), intent(in), optional :: stop
       type(change_type), allocatable :: changes(:)
       integer(int64) :: start, finish
       real(wp) :: pipe
@@ -45,7 +47,7 @@ contains
       call check_string_case(model, case_index, error)
       if (allocated(error)) return
       if (model%numerics%mixed_elements) then
-         call solve_with_elements(model, case_index, result, error)
+         call solve_with_elements(model, case_index, result, error, stop)
          call close_result()
          return
       end if

@@ -14,22 +14,17 @@
 !>   vertical hole 5.55 (EI w^2)^(1/3) (Wu & Juvkam-Wold 1993).
 module dg_buckling_limits
    use dg_kinds, only: wp
+   use dg_named_states, only: buckling_helical, buckling_none, buckling_sinusoidal
    implicit none
    private
    public :: sinusoidal_limit, curved_limit, least_curved_limit, vertical_unit, helical_limit, buckled_state
    public :: helical_low, helical_high, lubinski_first
-   public :: buckling_none, buckling_sinusoidal, buckling_helical, buckling_name
+   public :: buckling_none, buckling_sinusoidal, buckling_helical
 
    real(wp), parameter :: helical_low = sqrt(2.0_wp)                 !< over the sinusoidal limit (Chen et al.)
    real(wp), parameter :: helical_high = 2.0_wp*sqrt(2.0_wp) - 1.0_wp !< the same (Wu & Juvkam-Wold)
    real(wp), parameter :: lubinski_first = 1.94_wp                   !< Lubinski 1950, in units of (EI w^2)^(1/3)
    real(wp), parameter :: vertical_helical = 5.55_wp                 !< Wu & Juvkam-Wold 1993, in the same units
-
-   integer, parameter :: buckling_none = 0
-   integer, parameter :: buckling_sinusoidal = 1
-   integer, parameter :: buckling_helical = 2
-   !> Names in files, by the numbers above.
-   character(*), parameter :: buckling_name(0:2) = [character(10) :: 'none', 'sinusoidal', 'helical']
 
    !> Difference of two squares, over their sum, that round-off cannot make (a dozen roundings are some 1e-15) [-].
    real(wp), parameter :: square_round_off = 1.0e-13_wp

@@ -9,16 +9,11 @@
 !> only, so that a converged string feels nothing of it.
 module dg_gap_state
    use dg_kinds, only: wp
+   use dg_named_states, only: state_elastic, state_free, state_rigid
    implicit none
    private
-   public :: state_free, state_elastic, state_rigid, state_name
+   public :: state_free, state_elastic, state_rigid
    public :: gap_law_type, gap_thresholds_type, next_state, contact_force, depth_of, is_round
-
-   integer, parameter :: state_free = 0    !< Eq. 7
-   integer, parameter :: state_elastic = 1 !< Eq. 8
-   integer, parameter :: state_rigid = 2   !< Eq. 8 beyond eps_nmax
-   !> Names in files, in the order of the numbers above.
-   character(*), parameter :: state_name(0:2) = [character(7) :: 'free', 'elastic', 'rigid']
 
    !> The law of one gap, per element: rigidities times tributary length.
    type :: gap_law_type

@@ -1,6 +1,6 @@
 !> limits.csv: what limits the string as a whole, one row a case and model.
 module dg_limits_file
-   use dg_buckling_limits, only: buckling_name
+   use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_stress, &

@@ -3,7 +3,7 @@
 module dg_profile_columns
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_buckling_limits, only: buckling_name
+   use dg_named_states, only: buckling_name
    use dg_column, only: column_type, quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
                         quantity_moment, quantity_none, quantity_percent, quantity_stress, quantity_text, quantity_width
    use dg_missing, only: is_missing, missing

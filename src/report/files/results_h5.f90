@@ -14,7 +14,7 @@ module dg_results_h5
                         quantity_angle, quantity_force, quantity_length, quantity_none, quantity_text, unit_size, unit_text
    use dg_contacts_file, only: contact_columns
    use dg_error, only: error_type
-   use dg_gap_state, only: state_name
+   use dg_named_states, only: state_name
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_attribute, write_data
    use dg_history_file, only: history_columns, history_fields
    use dg_job, only: job_type, model_name

@@ -2,7 +2,7 @@
 !> model. The rest is in limits.csv.
 module dg_limits_table
    use dg_kinds, only: wp
-   use dg_buckling_limits, only: buckling_name, buckling_none
+   use dg_named_states, only: buckling_name, buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
    use dg_constants, only: pi

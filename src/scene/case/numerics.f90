@@ -1,7 +1,7 @@
 !> Every number that steers the solution, with its default, meaning and legal range in one place.
 module dg_numerics
    use dg_kinds, only: wp
-   use dg_linear_solver, only: solver_banded, solver_block, solver_name, solver_sparse
+   use dg_linear_solver_name, only: solver_banded, solver_block, solver_name, solver_sparse
    use dg_text, only: lower_case, quoted
    use dg_tuning, only: tuning_type
    implicit none

@@ -25,13 +25,13 @@ module dg_equilibrium
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
-   use dg_interruption, only: is_interrupted
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
                                  place_and_survey, rigid
    use dg_line_search, only: search_along
    use dg_mesh, only: mesh_type
    use dg_outside_hole, only: measure_outside, outside_type
    use dg_step, only: find_step
+   use dg_stopping, only: is_stopped
    use dg_trajectory, only: trajectory_type
    use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_string
    use dg_workspace, only: workspace_type
@@ -168,9 +168,9 @@ contains
          ended = .true.
          return
       end do
-      ended = equations%iterations >= it%numerics%max_iterations .or. is_interrupted()
+      ended = equations%iterations >= it%numerics%max_iterations .or. is_stopped(it%stop)
       if (it%rounds > 0 .and. .not. equations%gaps_taken_back) then
-         if (ended .and. it%rounds > it%numerics%tuning%most_moves .and. .not. is_interrupted()) then
+         if (ended .and. it%rounds > it%numerics%tuning%most_moves .and. .not. is_stopped(it%stop)) then
             ! it was in equilibrium before these
             call take_back(it, equations, trajectory, mesh, gaps, state, work)
             if (is_within(it, equations, 0.0_wp)) then

@@ -14,6 +14,7 @@ module dg_iteration_state
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_round_wall, only: smooth_room
+   use dg_stopping, only: stop_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
    implicit none
@@ -32,6 +33,7 @@ module dg_iteration_state
    type :: equilibrium_type
       type(numerics_type) :: numerics
       type(load_type) :: loads
+      type(stop_type) :: stop
       real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
       logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite

@@ -23,7 +23,6 @@ module dg_static_analysis
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
    use dg_gap_table, only: gap_table_type
-   use dg_interruption, only: is_interrupted
    use dg_mesh, only: mesh_type, new_mesh
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
@@ -40,6 +39,7 @@ module dg_static_analysis
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
                               tell_unlike_contact
+   use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
@@ -81,25 +81,29 @@ module dg_static_analysis
       real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
       integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
       integer :: way = 0                         !< of solution, in the plane or in space, and why
+      type(stop_type) :: stop
    end type string_type
 
 contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
    !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium a finer one has one attempt.
-   subroutine solve_static_analysis(model, case_index, result, error, totals_only)
+   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< .true.: no profile, nor moments on shorter elements, which cost time
+      type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(iteration_type), allocatable :: history(:)
+      type(stop_type) :: stopped
       integer(int64) :: start, finish
       character(:), allocatable :: tried
       integer :: given_up, i
       logical :: moments, profile
       real(wp) :: length, asked
       call system_clock(start)
+      if (present(stop)) stopped = stop
       profile = .true.
       if (present(totals_only)) profile = .not. totals_only
       moments = model%numerics%moments .and. profile
@@ -109,13 +113,13 @@ contains
          associate (mesh => model%numerics%tuning%mesh(i))
             length = mesh%length*asked
             if (i > 1 .and. .not. length > shortest) cycle
-            call solve_on_mesh(model, case_index, length, [mesh%first, mesh%last], moments, profile, history, result)
+            call solve_on_mesh(model, case_index, length, [mesh%first, mesh%last], [moments, profile], history, stopped, result)
             if (i == 1) asked = min(asked, result%element_lengths(2))
             if (result%status /= result_not_converged) exit
             call list_tried(model, result%element_lengths(2), &
                             model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
             given_up = result%iterations
-            if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_interrupted()) exit
+            if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_stopped(stopped)) exit
             history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
          end associate
       end do
@@ -127,7 +131,7 @@ contains
                           to_text(size(history))//' iterations')
       end if
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
-         call find_range(model, case_index, result)
+         call find_range(model, case_index, stopped, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call finish_result(result)
       call system_clock(finish)
@@ -138,9 +142,10 @@ contains
    !> coils where they formed, and so what of a push reaches the bit. The result has the helix that is predicted; a message gives
    !> the range, and the error of the moments covers it. The first neighbour starts on the low side of the hole. Where that finds
    !> nothing the second has coils that turn the other way.
-   subroutine find_range(model, case_index, result)
+   subroutine find_range(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
       type(model_type) :: neighbour
       type(case_result_type) :: other
@@ -150,8 +155,9 @@ contains
       do i = 1, 2
          neighbour%numerics%tuning%start_buckled = i == 2
          neighbour%numerics%tuning%start_mirrored = i == 2
-         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], .true., .true., [iteration_type ::], other)
-         if (other%status == result_converged .or. is_interrupted()) exit
+         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], [.true., .true.], &
+                            [iteration_type ::], stop, other)
+         if (other%status == result_converged .or. is_stopped(stop)) exit
       end do
       call tell_range(model%units, other, i == 2, result)
    end subroutine find_range
@@ -165,13 +171,14 @@ contains
    end function work_is_done
 
    !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, attempts, moments, profile, history, result)
+   subroutine solve_on_mesh(model, case_index, element_length, attempts, wanted, history, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length       !< [m]
       integer, intent(in) :: attempts(2)           !< the first and the last
-      logical, intent(in) :: moments, profile      !< whether moments are found on elements short enough for them; the profile
+      logical, intent(in) :: wanted(2)             !< moments on elements short enough for them; the profile
       type(iteration_type), intent(in) :: history(:)
+      type(stop_type), intent(in) :: stop
       type(case_result_type), intent(out) :: result
       type(string_type) :: string
       type(numerics_type) :: numerics
@@ -179,7 +186,7 @@ contains
       real(wp) :: margin, strained
       logical :: found
       integer :: i, last, outcome, in_plane, most, tried    ! the last: iterations at most, attempts made before
-      associate (equations => string%equations, mesh => string%mesh)
+      associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
          if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
@@ -188,6 +195,7 @@ contains
          end if
          most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))
          call prepare(model, case_index, string)
+         string%stop = stop
          equations%iterations = size(history)
          equations%history(:size(history)) = history
          tried = maxval([0, history%attempt])
@@ -217,7 +225,7 @@ contains
                               string, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
-         if (is_interrupted()) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
+         if (is_stopped(stop)) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
          margin = missing
          if (outcome == outcome_converged .and. string%compressed > buckling_share) &
             call find_stability_margin(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work, &
@@ -343,6 +351,7 @@ contains
          call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
                               string%loads, equations%force_scale), string%pressing, &
                               string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, equations%unknowns, it)
+         it%stop = string%stop
       end associate
    end subroutine new_iteration
 

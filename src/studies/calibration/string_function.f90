@@ -5,6 +5,7 @@ module dg_string_function
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
    use dg_hole_section, only: hole_section_type
+   use dg_interruption, only: by_signals
    use dg_job, only: model_mcge
    use dg_least_squares, only: measured_function_type
    use dg_load_case, only: optional_real
@@ -143,7 +144,7 @@ contains
                   mine%cases(1)%friction_axial = optional_real()
                   mine%cases(1)%friction_rotary = optional_real()
                end if
-               call solve_case(mine, self%number, 1, result, error, totals_only=.true.)
+               call solve_case(mine, self%number, 1, result, error, totals_only=.true., stop=by_signals())
                found(:, i, p) = [result%hookload, result%torque]
                sound(i, p) = result%status == result_converged
                if (.not. sound(i, p)) then

@@ -6,7 +6,7 @@ module dg_sweep_points
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
-   use dg_interruption, only: is_interrupted
+   use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name, model_soft
    use dg_load_case, only: operation_label
    use dg_missing, only: is_missing, missing
@@ -134,7 +134,7 @@ contains
             if (points(i)%status /= result_converged .or. is_interrupted()) cycle
             call point_case(sweep, point_at(sweep, i), mine%cases(1))
             call point_holes(sweep, point_at(sweep, i), mine%holes)
-            call solve_case(mine, model_soft, 1, result, error)
+            call solve_case(mine, model_soft, 1, result, error, stop=by_signals())
             if (result%status /= result_converged) cycle
             call find_along_string(mine, result, along)
             if (all(is_missing(along%overpull))) cycle
@@ -185,7 +185,7 @@ contains
       type(sweep_result_type), intent(out) :: found
       type(case_result_type) :: result
       type(error_type), allocatable :: error
-      call solve_case(model, number, 1, result, error, totals_only=.true.)
+      call solve_case(model, number, 1, result, error, totals_only=.true., stop=by_signals())
       if (is_interrupted() .and. result%status == result_not_converged) return
       found%status = result%status
       found%hookload = result%hookload

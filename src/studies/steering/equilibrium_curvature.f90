@@ -17,11 +17,12 @@ module dg_equilibrium_curvature
    use dg_error, only: error_type
    use dg_fluid, only: shift_mud
    use dg_hole_section, only: hole_section_at
-   use dg_interruption, only: is_interrupted
+   use dg_interruption, only: by_signals, is_interrupted
+   use dg_job, only: model_mcge
    use dg_load_case, only: optional_real, rotates
    use dg_missing, only: is_missing
    use dg_model, only: copy_without_cases, model_type, string_index
-   use dg_static_analysis, only: solve_static_analysis
+   use dg_solve_case, only: solve_case
    use dg_steering_result, only: steering_result_type
    use dg_trajectory, only: arc_at, azimuth_of, high_side, inclination_of, interpolation_minimum_curvature, new_trajectory, &
                             point_on_arc
@@ -168,7 +169,7 @@ contains
          if (.not. sound) exit
          probe%model%cases(1)%toolface = probe%toolfaces(i)
          allocate (solved)
-         call solve_static_analysis(probe%model, 1, solved, error)
+         call solve_case(probe%model, model_mcge, 1, solved, error, stop=by_signals())
          probe%solutions = probe%solutions + 1
          sound = .not. (allocated(error) .or. is_interrupted())
          if (allocated(error)) probe%message = error%message

@@ -3,6 +3,7 @@ module dg_stuck_function
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
+   use dg_interruption, only: by_signals
    use dg_least_squares, only: measured_function_type
    use dg_model, only: copy_without_cases, model_type
    use dg_solve_case, only: solve_case
@@ -61,6 +62,6 @@ contains
       type(error_type), allocatable :: error
       function%model%cases(1)%wob = -point(1)
       if (size(point) > 1) function%model%cases(1)%tob = point(2)
-      call solve_case(function%model, function%number, 1, result, error, totals_only=totals_only)
+      call solve_case(function%model, function%number, 1, result, error, totals_only=totals_only, stop=by_signals())
    end subroutine solve_held
 end module dg_stuck_function

@@ -3,10 +3,11 @@
 !> ends the program at once.
 module dg_interruption
    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_null_funptr
+   use dg_stopping, only: stop_type
    use dg_signal_handler, only: ignore_signal, ignored, set_handler
    implicit none
    private
-   public :: watch_for_signals, is_interrupted, interruption_name
+   public :: watch_for_signals, is_interrupted, interruption_name, by_signals
 
    ! Numbers of signal.h (POSIX fixes these three).
    integer(c_int), parameter :: signals(3) = [1_c_int, 2_c_int, 15_c_int]
@@ -45,6 +46,13 @@ contains
       logical :: is
       is = arrived /= 0_c_int
    end function is_interrupted
+
+   !> For work that asks whether to stop: a signal stops it.
+   function by_signals() result(question)
+      type(stop_type) :: question
+      question%asked => is_interrupted
+      question%reason => interruption_name
+   end function by_signals
 
    !> Name of the signal that came, '' where none has.
    function interruption_name() result(name)
