@@ -4,9 +4,9 @@
 program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines
    use dg_deck_echo, only: echo_lines
-   use dg_diagnostic, only: tell, tell_lines, tell_faults
+   use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: error_type, status_ok, status_bad_input, status_failure
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: fault_lines, fault_list_type
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_line, print_lines
@@ -67,7 +67,7 @@ contains
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults)
       if (faults%count > 0) then
-         call tell_faults(faults)
+         call tell_lines(fault_lines(faults))
          status = status_bad_input
          return
       end if

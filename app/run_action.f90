@@ -3,9 +3,9 @@ module dg_run_action
    use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_template, only: deck_template
-   use dg_diagnostic, only: tell, tell_faults
+   use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: fault_lines, fault_list_type
    use dg_kinds, only: wp
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_printed_text, only: print_lines
@@ -41,7 +41,7 @@ contains
       case ('convert')
          call convert_deck(operand, lines, faults)
          if (faults%count > 0) then
-            call tell_faults(faults)
+            call tell_lines(fault_lines(faults))
             status = status_bad_input
          else
             call print_deck(lines)
@@ -78,7 +78,7 @@ contains
       call find_catalogue('', '', path)
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
-         call tell_faults(faults)
+         call tell_lines(fault_lines(faults))
          return
       end if
       allocate (lines(0))

@@ -1,9 +1,10 @@
 !> Faults of the input, gathered so that one run tells them all.
 module dg_fault_list
-   use dg_text, only: to_text
+   use dg_printable, only: printable
+   use dg_text, only: text_type, to_text
    implicit none
    private
-   public :: fault_type, fault_list_type, add_fault, add_unreadable, fault_at, sorted_faults, fault_text
+   public :: fault_type, fault_list_type, add_fault, add_unreadable, fault_at, sorted_faults, fault_text, fault_lines
 
    type :: fault_type
       character(:), allocatable :: file     !< as the user knows it
@@ -95,6 +96,19 @@ contains
          end do
       end do
    end function sorted_faults
+
+   !> The faults in their order in the files, a line each, as a terminal may show them.
+   pure function fault_lines(list) result(lines)
+      type(fault_list_type), intent(in) :: list
+      type(text_type), allocatable :: lines(:)
+      type(fault_type), allocatable :: sorted(:)
+      integer :: i
+      allocate (sorted, source=sorted_faults(list))
+      allocate (lines(size(sorted)))
+      do i = 1, size(sorted)
+         lines(i)%text = printable(fault_text(sorted(i)), '')
+      end do
+   end function fault_lines
 
    !> FILE:LINE: message.
    pure function fault_text(fault) result(text)

@@ -22,6 +22,7 @@ contains
       call put_line(printable(line, ''))
    end subroutine print_line
 
+   !> Lines to standard output.
    subroutine print_lines(lines)
       type(text_type), intent(in) :: lines(:)
       integer :: i

@@ -1,13 +1,12 @@
 !> What the program says on standard error.
 module dg_diagnostic
    use, intrinsic :: iso_fortran_env, only: error_unit
-   use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
    use dg_printable, only: printable
    use dg_text, only: text_type
    use dg_version, only: program_name
    implicit none
    private
-   public :: tell, tell_lines, tell_faults
+   public :: tell, tell_lines
 
 contains
 
@@ -25,17 +24,6 @@ contains
          call put(lines(i)%text)
       end do
    end subroutine tell_lines
-
-   !> The faults of the input, a line each, in their order in its files.
-   subroutine tell_faults(faults)
-      type(fault_list_type), intent(in) :: faults
-      type(fault_type), allocatable :: sorted(:)
-      integer :: i
-      allocate (sorted, source=sorted_faults(faults))
-      do i = 1, size(sorted)
-         call put(printable(fault_text(sorted(i)), ''))
-      end do
-   end subroutine tell_faults
 
    !> Nobody may be there to read it: the exit status tells, too.
    subroutine put(line)
