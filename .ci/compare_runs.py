@@ -4,7 +4,8 @@
 Both programs run with a clock that stands (LD_PRELOAD of a few lines of C: the date is constant, each reading of the
 stopwatch adds a millisecond, memory is constant) and one thread. So the same work gives the same bytes.
 
-  exact   exit status, standard output, standard error and every file of the results folder are equal byte by byte
+  exact   exit status, standard output, standard error and every file of the results folder are equal byte by byte; only
+          lines of drillgap_files.txt may come in another order
   close   exit status, names of files, numbers of rows and columns `status` are equal; hook load, torque and normal
           force of summary.csv and of sweeps are within 1e-7, columns of profiles within 1e-4 of the column's largest value
 
@@ -27,6 +28,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOTALS, PROFILES = 1.0e-7, 1.0e-4
 SMALLEST = 1.0e-3       # differences of smaller values are relative to this part of the column's largest
 TOTAL_COLUMNS = ("hookload_", "torque_", "normal_force_")
+LIST = "drillgap_files.txt"
 LIMIT = 900             # seconds a run
 CLOCK = r"""
 #define _GNU_SOURCE
@@ -82,6 +84,8 @@ def outcome_of(program, deck, side, environment, whole):
     out = pathlib.Path("out") / pathlib.Path(deck).stem
     told |= run(program, [deck, "--output", out, "--threads", "1"], side, environment)
     told |= {str(path.relative_to(side / out)): path.read_bytes() for path in sorted((side / out).rglob("*")) if path.is_file()}
+    if LIST in told:
+        told[LIST] = b"\n".join(sorted(told[LIST].splitlines()))
     return told
 
 

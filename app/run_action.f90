@@ -5,11 +5,15 @@ module dg_run_action
    use dg_deck_template, only: deck_template
    use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
-   use dg_fault_list, only: fault_lines, fault_list_type
+   use dg_fault_list, only: add_fault, fault_lines, fault_list_type
+   use dg_file_lines, only: read_lines
+   use dg_job, only: job_type
    use dg_kinds, only: wp
+   use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_printed_text, only: print_lines
    use dg_process, only: someone_reads
+   use dg_read_deck, only: build_deck
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: field_units, si_units, unit_system_type
@@ -28,8 +32,11 @@ contains
       character(*), intent(in) :: action
       character(*), intent(in) :: operand     !< '': none
       integer, intent(out) :: status          !< of the program
-      type(text_type), allocatable :: lines(:)
+      type(text_type), allocatable :: lines(:), deck(:), notes(:)
       type(fault_list_type) :: faults
+      type(model_type) :: model
+      type(job_type) :: job
+      character(:), allocatable :: failure
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
       select case (action)
       case ('template')
@@ -39,11 +46,17 @@ contains
       case ('list-catalogue')
          call list_catalogue(operand, status)
       case ('convert')
-         call convert_deck(operand, lines, faults)
+         call read_lines(operand, deck, failure, piped=.true.)
+         if (failure /= '') then
+            call add_fault(faults, operand, 0, 'deck '//failure)
+         else
+            call build_deck(operand, deck, model, job, notes, faults)
+         end if
          if (faults%count > 0) then
             call tell_lines(fault_lines(faults))
             status = status_bad_input
          else
+            call convert_deck(operand, deck, job%units, lines)
             call print_deck(lines)
             status = status_ok
          end if

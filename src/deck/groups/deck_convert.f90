@@ -5,11 +5,6 @@ module dg_deck_convert
    use dg_deck_number, only: read_real
    use dg_deck_schema, only: key_rule_type, kind_real
    use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
-   use dg_fault_list, only: add_fault, fault_list_type
-   use dg_file_lines, only: read_lines
-   use dg_job, only: job_type
-   use dg_model, only: model_type
-   use dg_read_deck, only: build_deck
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_unit_kind, only: unit_factor
    use dg_units, only: field_units, si_units, unit_system_type
@@ -25,33 +20,24 @@ module dg_deck_convert
 
 contains
 
-   !> The lines of the deck `path` from SI to field units or back. A deck with a fault is not converted. Files that it names stay
-   !> as they are: the converted deck tells their units.
-   subroutine convert_deck(path, lines, faults)
+   !> The lines of a deck without fault, from SI to field units or back. Files that it names stay as they are: the converted deck
+   !> tells their units.
+   subroutine convert_deck(path, read, units, lines)
       character(*), intent(in) :: path
+      type(text_type), intent(in) :: read(:)            !< the lines of the deck
+      type(unit_system_type), intent(in) :: units       !< of the deck
       type(text_type), allocatable, intent(inout) :: lines(:)
-      type(fault_list_type), intent(out) :: faults
-      type(model_type) :: model
-      type(job_type) :: job
-      type(text_type), allocatable :: notes(:), deck(:)
+      type(text_type), allocatable :: deck(:)
       type(token_type), allocatable :: tokens(:)
       type(unit_system_type) :: other
-      character(:), allocatable :: failure
       logical :: has_job
       integer :: i
-      allocate (notes(0))
-      call read_lines(path, deck, failure, piped=.true.)
-      if (failure /= '') then
-         call add_fault(faults, path, 0, 'deck '//failure)
-         return
-      end if
-      call build_deck(path, deck, model, job, notes, faults)
-      if (faults%count > 0) return
+      allocate (deck, source=read)
       other = field_units()
-      if (job%units%name == 'field') other = si_units()
+      if (units%name == 'field') other = si_units()
       call tokenize(deck, tokens)
       has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
-      call convert_tokens(tokens, job%units, other, deck)
+      call convert_tokens(tokens, units, other, deck)
       if (allocated(lines)) deallocate (lines)
       allocate (lines(0))
       call append_text(lines, '! '//path//' with numbers in '//trim(other%name)//' units, by '//program_name// &

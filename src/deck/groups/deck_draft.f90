@@ -3,10 +3,11 @@
 module dg_deck_draft
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
-   use dg_checked_group, only: checked_group_type, line_of
+   use dg_checked_group, only: checked_group_type, is_sound, line_of, texts_of
    use dg_component, only: component_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_fluid, only: fluid_type
+   use dg_friction_estimate, only: friction_estimate_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
    use dg_model, only: boundary_type
@@ -19,6 +20,7 @@ module dg_deck_draft
    implicit none
    private
    public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, find_case
+   public :: deck_type, string_use_type, note_use, take_cases
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -77,7 +79,37 @@ module dg_deck_draft
       real(wp) :: gravity = standard_gravity   !< [m/s2]
    end type draft_type
 
+   !> A string that a study uses, and the depth of its bit.
+   type :: string_use_type
+      character(:), allocatable :: string
+      real(wp) :: depth = 0.0_wp               !< the greatest, measured [m]
+   end type string_use_type
+
+   !> A deck as it is read: its parts, its groups for whoever has some of its own, and what these leave for each other.
+   type :: deck_type
+      type(draft_type) :: draft
+      type(checked_group_type), allocatable :: groups(:)
+      type(text_type), allocatable :: inputs(:)                  !< paths of the files that it is made of
+      type(string_use_type), allocatable :: uses(:)              !< of strings, beside those of load cases
+      type(friction_estimate_type), allocatable :: estimates(:)  !< that a study of the deck will find, in its order
+   end type deck_type
+
 contains
+
+   !> Notes that a string is used down to a depth [m].
+   subroutine note_use(deck, string, depth)
+      type(deck_type), intent(inout) :: deck
+      character(*), intent(in) :: string
+      real(wp), intent(in) :: depth
+      type(string_use_type), allocatable :: longer(:)
+      integer :: n
+      n = size(deck%uses)
+      allocate (longer(n + 1))
+      longer(:n) = deck%uses
+      longer(n + 1)%string = string
+      longer(n + 1)%depth = depth
+      call move_alloc(longer, deck%uses)
+   end subroutine note_use
 
    !> Number of the load case that a key of a group names. Where there is none, 0 and a fault, unless the name of a load case is
    !> itself at fault.
@@ -98,4 +130,21 @@ contains
       if (number == 0) call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name// &
                                       ': there is no load case '//quoted(name)//'; '//suggestion(name, names))
    end subroutine find_case
+
+   !> Numbers of the load cases named; all where none is.
+   subroutine take_cases(draft, group, cases, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: cases(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(text_type), allocatable :: wanted(:)
+      integer :: i, k, found
+      allocate (wanted, source=texts_of(group, 'cases'))
+      allocate (cases(0))
+      if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(draft%cases))]
+      do i = 1, size(wanted)
+         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         if (found > 0 .and. .not. any(cases == found)) cases = [cases, found]
+      end do
+   end subroutine take_cases
 end module dg_deck_draft

@@ -4,7 +4,7 @@ module dg_deck_notes
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, has_bend, has_blades, is_open, opens, tube_area
    use dg_constants, only: degree
-   use dg_deck_draft, only: draft_component_type, draft_type
+   use dg_deck_draft, only: draft_component_type, draft_type, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
@@ -47,9 +47,10 @@ module dg_deck_notes
 contains
 
    !> Adds to `notes` what is odd in a deck that is without fault.
-   subroutine note_oddities(draft, job, notes)
+   subroutine note_oddities(draft, job, uses, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
+      type(string_use_type), intent(in) :: uses(:)     !< of strings, beside those of load cases
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), dimension(size(draft%components)) :: deepest_bit, below
       real(wp) :: narrowest
@@ -68,7 +69,7 @@ contains
       call note_block(draft, notes)
       call note_path(draft, notes)
       if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
-      call find_uses(draft, job, deepest_bit, below)
+      call find_uses(draft, uses, deepest_bit, below)
       narrowest = minval(draft%holes%section%diameter)
       before = size(notes)
       do i = 1, size(draft%components)
@@ -205,17 +206,17 @@ contains
    end subroutine note_component
 
    !> Deepest bit of the string of each component, and the length of the string below the component.
-   subroutine find_uses(draft, job, deepest_bit, below)
+   subroutine find_uses(draft, uses, deepest_bit, below)
       type(draft_type), intent(in) :: draft
-      type(job_type), intent(in) :: job
-      real(wp), intent(out) :: deepest_bit(:)   !< of all cases, sweeps and uncertainties; -1: the string is not used [m]
+      type(string_use_type), intent(in) :: uses(:)
+      real(wp), intent(out) :: deepest_bit(:)   !< of all cases and other uses; -1: the string is not used [m]
       real(wp), intent(out) :: below(:)         !< [m]
       type(text_type), allocatable :: names(:)
       integer, allocatable :: first(:)
       real(wp) :: length(size(below))           ! of each string so far, at the place of its first component
       integer :: i, n, used
       n = size(below)
-      allocate (names(n + size(draft%cases) + size(job%sweeps) + size(job%uncertainties)))
+      allocate (names(n + size(draft%cases) + size(uses)))
       do i = 1, n
          names(i)%text = draft%components(i)%string
       end do
@@ -223,25 +224,16 @@ contains
          names(n + i)%text = draft%cases(i)%load_case%string
       end do
       used = n + size(draft%cases)
-      do i = 1, size(job%sweeps)
-         names(used + i)%text = job%sweeps(i)%string
-      end do
-      used = used + size(job%sweeps)
-      do i = 1, size(job%uncertainties)
-         names(used + i)%text = job%uncertainties(i)%range%string
+      do i = 1, size(uses)
+         names(used + i)%text = uses(i)%string
       end do
       allocate (first, source=first_equal(names))
       deepest_bit = -1.0_wp
       do i = 1, size(draft%cases)
          call deepen(first(n + i), draft%cases(i)%load_case%bit_depth)
       end do
-      used = n + size(draft%cases)
-      do i = 1, size(job%sweeps)
-         call deepen(first(used + i), maxval(job%sweeps(i)%depths))
-      end do
-      used = used + size(job%sweeps)
-      do i = 1, size(job%uncertainties)
-         call deepen(first(used + i), maxval(job%uncertainties(i)%range%depths))
+      do i = 1, size(uses)
+         call deepen(first(used + i), uses(i)%depth)
       end do
       length = 0.0_wp
       do i = 1, n

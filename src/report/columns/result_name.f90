@@ -1,13 +1,12 @@
 !> Names of the files of results, relative to the output folder. No other file is ever removed from it.
 module dg_result_name
-   use dg_calibration, only: predicts
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: text_type, to_text
    implicit none
    private
    public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, failed_file
-   public :: result_names, record_names, is_result_name, is_record_name, picture_folder
+   public :: result_names, is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
    integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, history_file = 5, case_files = 5
@@ -74,23 +73,14 @@ contains
       type(model_type), intent(in) :: model
       type(text_type), allocatable, intent(out) :: names(:)
       integer :: i, j, n
-      n = size(fixed_names) + size(job%sweeps) + size(job%uncertainties) + case_files*size(job%models)*size(model%cases)
-      if (allocated(job%legacy)) n = n + size(job%legacy)
+      n = size(fixed_names) + size(job%study_files) + case_files*size(job%models)*size(model%cases)
       allocate (names(n))
       n = 0
       call add('report.html', job%plots)
-      do i = 1, size(job%sweeps)
-         call add('sweep_'//job%sweeps(i)%name//'.csv', .true.)
+      do i = 1, size(job%study_files)
+         call add(job%study_files(i)%text, .true.)
       end do
-      do i = 1, size(job%uncertainties)
-         call add('uncertainty_'//job%uncertainties(i)%range%name//'.csv', .true.)
-      end do
-      if (job%merge == 0) then
-         call add('calibration.csv', size(job%calibrations) + size(job%stickings) > 0)
-         call add('calibration_data.csv', size(job%calibrations) > 0)
-         call add('calibration_prediction.csv', any(predicts(job%calibrations)))
-         if (size(model%cases) > 0) call add_cases()
-      end if
+      if (job%merge == 0 .and. size(model%cases) > 0) call add_cases()
       if (job%parts > 0) n = 0
       names = names(:n)
 
@@ -109,13 +99,6 @@ contains
          call add('summary.csv', .true.)
          call add('limits.csv', .true.)
          call add('results.h5', job%hdf5)
-         call add('study.csv', allocated(job%study))
-         call add('steering.csv', allocated(job%steering))
-         if (allocated(job%legacy)) then
-            do i = 1, size(job%legacy)
-               call add('legacy_'//job%legacy(i)%label//'.csv', .true.)
-            end do
-         end if
          do j = 1, size(job%models)
             do i = 1, size(model%cases)
                call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
@@ -127,23 +110,6 @@ contains
          end do
       end subroutine add_cases
    end subroutine result_names
-
-   !> The records that a run of the job keeps.
-   pure subroutine record_names(job, names)
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(out) :: names(:)
-      integer :: i
-      allocate (names(0))
-      if (job%merge > 0) return
-      do i = 1, size(job%sweeps)
-         call append_text(names, record_file('sweep', job%sweeps(i)%name, job%part, job%parts))
-         if (job%parts == 0) call append_text(names, failed_file('sweep', job%sweeps(i)%name))
-      end do
-      do i = 1, size(job%uncertainties)
-         call append_text(names, record_file('uncertainty', job%uncertainties(i)%range%name, job%part, job%parts))
-         if (job%parts == 0) call append_text(names, failed_file('uncertainty', job%uncertainties(i)%range%name))
-      end do
-   end subroutine record_names
 
    !> Whether a name could be that of a result: plain, in the output folder or its folder of pictures, of a form that runs write.
    pure function is_result_name(name) result(is)

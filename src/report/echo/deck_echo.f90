@@ -1,7 +1,6 @@
 !> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
-   use dg_calibration_echo, only: add_calibrations
    use dg_component, only: component_type, has_bend, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
@@ -15,11 +14,8 @@ module dg_deck_echo
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
    use dg_rig, only: rig_type
-   use dg_study_plan, only: most_variants
-   use dg_sweep_echo, only: add_sweeps
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
-   use dg_uncertainty_echo, only: add_uncertainties
    use dg_unit_kind, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
       unit_moment, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
@@ -33,9 +29,10 @@ module dg_deck_echo
 contains
 
    !> What a deck asks for, line by line.
-   pure subroutine echo_lines(job, model, lines)
+   pure subroutine echo_lines(job, model, before, after, lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(text_type), intent(in) :: before(:), after(:)   !< what studies tell, before and after the settings of the solver
       type(text_type), allocatable, intent(out) :: lines(:)
       type(line_list_type) :: list
       character(:), allocatable :: models
@@ -62,14 +59,13 @@ contains
       do i = 1, size(model%cases)
          call add_case(list, job%units, model%cases(i))
       end do
-      call add_calibrations(list, job)
-      call add_sweeps(list, job)
-      call add_uncertainties(list, job)
+      do i = 1, size(before)
+         call add_line(list, before(i)%text)
+      end do
       call add_numerics(list, job%units, model%numerics)
-      if (allocated(job%steering)) call add_line(list, 'steering    '//to_text(size(job%steering%cases))//' cases, '// &
-         to_text(max(size(job%steering%toolfaces), 1))//' toolfaces')
-      if (allocated(job%study)) call add_line(list, 'study       at most '//to_text(nint(most_variants(job%study)))// &
-                                                 ' variants of '//to_text(size(job%study%cases))//' cases')
+      do i = 1, size(after)
+         call add_line(list, after(i)%text)
+      end do
       call take_lines(list, lines)
    end subroutine echo_lines
 

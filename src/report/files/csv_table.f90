@@ -7,7 +7,7 @@ module dg_csv_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: csv_table_type, begin_table, is_begun, add_row, add_rows_of, write_table
+   public :: csv_table_type, begin_table, is_begun, add_row, write_table
 
    type :: csv_table_type
       private
@@ -41,16 +41,6 @@ contains
       type(field_list_type), intent(in) :: row
       call add_line(table%text, csv_row(table%columns, table%units, row%fields))
    end subroutine add_row
-
-   !> Puts the rows of another table of the same columns at the end.
-   pure subroutine add_rows_of(other, table)
-      type(csv_table_type), intent(in) :: other
-      type(csv_table_type), intent(inout) :: table
-      integer :: i
-      do i = 2, other%text%count
-         call add_line(table%text, other%text%lines(i)%text)
-      end do
-   end subroutine add_rows_of
 
    !> Writes a table to a file. Fails where the file cannot be written.
    subroutine write_table(table, path, error)

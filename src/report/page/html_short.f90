@@ -41,7 +41,7 @@ contains
       shown = job%models(1)
       if (any(job%models == model_mcge)) shown = model_mcge
       rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
-      if (size(rows) == 0 .and. .not. allocated(outcome%sweeps)) return
+      if (size(rows) == 0 .and. .not. allocated(outcome%sentences)) return
       call add_line(lines, '<h2>In short</h2>')
       if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p>')
       call add_line(lines, '<ul>')
@@ -55,9 +55,9 @@ contains
          i = count([(has_message(results(rows(i))), i=1, size(rows))])
          if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
       end if
-      if (allocated(outcome%sweeps)) then
-         do i = 1, size(outcome%sweeps)
-            call add_line(lines, '<li>'//html_safe(outcome%sweeps(i)%text)//'.</li>')
+      if (allocated(outcome%sentences)) then
+         do i = 1, size(outcome%sentences)
+            call add_line(lines, '<li>'//html_safe(outcome%sentences(i)%text)//'.</li>')
          end do
       end if
       call add_line(lines, '</ul>')

@@ -4,15 +4,12 @@ module dg_run_outcome
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_length, quantity_none, quantity_text
    use dg_job, only: model_name
-   use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_load_case, only: load_case_type, operation_name
    use dg_model, only: model_type
-   use dg_sweep, only: point_at, point_count, point_type, sweep_type
-   use dg_sweep_result, only: sweep_result_type
-   use dg_text, only: append_text, text_or_nothing, text_type, to_text
-   use dg_uncertainty, only: piece_number, uncertainty_type
+   use dg_text, only: text_or_nothing, text_type
    implicit none
    private
-   public :: outcome_type, part_columns, lost_columns, add_part, note_lost, note_cases, note_sweep, note_uncertainty, &
+   public :: outcome_type, part_columns, lost_columns, add_part, note_lost, note_cases, add_lost_row, &
              part_fields, solution_count, lost_count, locked_count
 
    !> Load cases, a sweep, a Monte Carlo, a calibration, a steering.
@@ -27,7 +24,7 @@ module dg_run_outcome
       type(part_type), allocatable :: parts(:)
       type(field_list_type), allocatable :: lost(:)     !< rows of `lost_columns`
       integer :: unlisted = 0                           !< rows that were too many
-      type(text_type), allocatable :: sweeps(:)         !< a sentence a sweep and model: which limits it passes
+      type(text_type), allocatable :: sentences(:)      !< of studies, for the head of the page
    end type outcome_type
 
    !> Rows of a run: a page is to be read, and a Monte Carlo may lose thousands.
@@ -126,100 +123,11 @@ contains
       call put(row, 1)
       call put(row, trim(result_status_name(status)))
       call put(row, message)
-      call add_row(outcome, row)
+      call add_lost_row(outcome, row)
    end subroutine note_lost
 
-   !> The points of a sweep. Those that failed have a row each; neighbouring depths that lock up have one. `sentences` tell which
-   !> limits the sweep passes.
-   pure subroutine note_sweep(outcome, sweep, points, sentences)
-      type(outcome_type), intent(inout) :: outcome
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)     !< in the order of their numbers
-      type(text_type), intent(in) :: sentences(:)
-      integer :: i, last
-      do i = 1, size(sentences)
-         call append_text(outcome%sweeps, sentences(i)%text)
-      end do
-      associate (name => 'sweep '//sweep%name)
-         call add_part(outcome, name, size(points), count(points%status == result_locked_up), &
-                       count(points%status == result_not_converged))
-         do i = 1, size(points)
-            if (points(i)%status == result_not_converged) call note_points(outcome, name, sweep, i, i, 1, points(i))
-         end do
-         i = 1
-         do while (i <= size(points))
-            last = i
-            if (points(i)%status == result_locked_up) then
-               do while (modulo(last, size(sweep%depths)) /= 0)       ! depths count fastest
-                  if (points(last + 1)%status /= result_locked_up) exit
-                  last = last + 1
-               end do
-               call note_points(outcome, name, sweep, i, last, last - i + 1, points(i))
-            end if
-            i = last + 1
-         end do
-      end associate
-   end subroutine note_sweep
-
-   !> The samples of a Monte Carlo that failed: a row a point. Its table and its file tell how many locked up where.
-   pure subroutine note_uncertainty(outcome, uncertainty, pieces)
-      type(outcome_type), intent(inout) :: outcome
-      type(uncertainty_type), intent(in) :: uncertainty
-      type(sweep_result_type), intent(in) :: pieces(:)     !< a point and sample each
-      integer :: point, sample, lost, first
-      associate (name => 'uncertainty '//uncertainty%range%name)
-         call add_part(outcome, name, size(pieces), count(pieces%status == result_locked_up), &
-                       count(pieces%status == result_not_converged))
-         do point = 1, point_count(uncertainty%range)
-            lost = 0
-            first = 0
-            do sample = uncertainty%samples, 1, -1
-               if (pieces(piece_number(uncertainty, point, sample))%status /= result_not_converged) cycle
-               lost = lost + 1
-               first = sample
-            end do
-            if (lost > 0) call note_points(outcome, name, uncertainty%range, point, point, lost, &
-                                           pieces(piece_number(uncertainty, point, first)), ' (sample '//to_text(first)//')')
-         end do
-      end associate
-   end subroutine note_uncertainty
-
-   !> A row for neighbouring points of a curve.
-   pure subroutine note_points(outcome, part, sweep, first, last, solutions, found, sample)
-      type(outcome_type), intent(inout) :: outcome
-      character(*), intent(in) :: part
-      type(sweep_type), intent(in) :: sweep
-      integer, intent(in) :: first, last           !< numbers of the points
-      integer, intent(in) :: solutions             !< that the row stands for
-      type(sweep_result_type), intent(in) :: found !< the first of them
-      character(*), intent(in), optional :: sample !< what tells the first from others at the same point
-      type(field_list_type) :: row
-      type(point_type) :: place, deepest
-      place = point_at(sweep, first)
-      deepest = point_at(sweep, last)
-      call put(row, part)
-      call put_none(row)
-      call put(row, trim(model_name(sweep%models(place%model))))
-      call put(row, trim(operation_name(sweep%operations(place%operation))))
-      call put(row, sweep%depths(place%depth))
-      call put(row, optional_real(last > first, sweep%depths(deepest%depth)))
-      call put(row, sweep%frictions(place%friction))
-      if (allocated(sweep%frictions_cased)) then
-         call put(row, sweep%frictions_cased(place%friction))
-      else
-         call put_none(row)
-      end if
-      call put(row, solutions)
-      call put(row, trim(result_status_name(found%status)))
-      if (present(sample)) then
-         call put(row, text_or_nothing(found%message)//sample)
-      else
-         call put(row, text_or_nothing(found%message))
-      end if
-      call add_row(outcome, row)
-   end subroutine note_points
-
-   pure subroutine add_row(outcome, row)
+   !> A row of `lost_columns`.
+   pure subroutine add_lost_row(outcome, row)
       type(outcome_type), intent(inout) :: outcome
       type(field_list_type), intent(in) :: row
       type(field_list_type), allocatable :: longer(:)
@@ -235,7 +143,7 @@ contains
       end do
       longer(size(longer)) = row
       call move_alloc(longer, outcome%lost)
-   end subroutine add_row
+   end subroutine add_lost_row
 
    !> Values of a part in the order of `part_columns`.
    pure subroutine part_fields(part, row)

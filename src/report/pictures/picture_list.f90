@@ -9,7 +9,7 @@ module dg_picture_list
    use dg_written_files, only: note_file
    implicit none
    private
-   public :: picture_type, picture_list_type, add_picture, free_name, folder_in
+   public :: picture_type, picture_list_type, add_picture, free_name, folder_in, new_picture
 
    type :: picture_type
       character(:), allocatable :: name     !< of the files, without ending
@@ -60,6 +60,18 @@ contains
       longer(n + 1) = picture
       call move_alloc(longer, list%pictures)
    end subroutine add_picture
+
+   !> A picture that is not drawn yet.
+   pure function new_picture(name, caption, case_index, data) result(picture)
+      character(*), intent(in) :: name, caption
+      integer, intent(in) :: case_index
+      type(picture_data_type), intent(in) :: data
+      type(picture_type) :: picture
+      picture%name = name
+      picture%caption = caption
+      picture%case_index = case_index
+      picture%data = data
+   end function new_picture
 
    !> Folder of the pictures of a run.
    pure function folder_in(job) result(path)

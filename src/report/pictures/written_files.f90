@@ -10,7 +10,7 @@ module dg_written_files
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_picture_drawing, only: complaint_file
-   use dg_result_name, only: is_record_name, is_result_name, picture_folder, record_names, result_names
+   use dg_result_name, only: is_record_name, is_result_name, picture_folder, result_names
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -98,13 +98,11 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(text_type), allocatable, intent(out) :: names(:)
-      type(text_type), allocatable :: records(:)
       integer :: i
-      allocate (names(0), records(0))   ! as above
+      allocate (names(0))   ! as above
       call result_names(job, model, names)
-      call record_names(job, records)
-      do i = 1, size(records)
-         call append_text(names, records(i)%text)
+      do i = 1, size(job%study_records)
+         call append_text(names, job%study_records(i)%text)
       end do
       call append_text(names, list_name)
       call append_text(names, lock_name)
@@ -218,7 +216,7 @@ contains
       type(text_type), allocatable :: found(:), mine(:)
       integer :: i, k
       allocate (names(0), found(0), mine(0))   ! as above
-      call record_names(job, mine)
+      mine = job%study_records
       call list_folder(job%output_dir, '.partial', found)
       do i = 1, size(found)
          if (.not. is_record_name(found(i)%text)) cycle
@@ -300,7 +298,7 @@ contains
       logical :: goes
       if (place /= '' .and. .not. is_own_folder(job%output_dir//'/'//picture_folder)) return
       allocate (found(0), mine(0))   ! as above
-      call record_names(job, mine)
+      mine = job%study_records
       call list_folder(job%output_dir//'/'//place, unfinished_suffix, found)
       do i = 1, size(found)
          name = place//finished_name(found(i)%text)

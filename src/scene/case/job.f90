@@ -1,15 +1,8 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
-   use dg_calibration, only: calibration_type
    use dg_design_factors, only: design_factors_type
-   use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: optional_real
-   use dg_steering, only: steering_type
-   use dg_sticking, only: sticking_type
-   use dg_study_plan, only: study_plan_type
-   use dg_sweep, only: sweep_type
    use dg_text, only: text_type
-   use dg_uncertainty, only: uncertainty_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -30,13 +23,8 @@ module dg_job
       type(text_type), allocatable :: inputs(:) !< paths of the files that were read: deck, survey, catalogue, tables
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
-      type(legacy_table_type), allocatable :: legacy(:) !< other programs' results, beside ours
-      type(study_plan_type), allocatable :: study       !< accuracy and cost to compare; not allocated: nothing
-      type(sweep_type), allocatable :: sweeps(:) !< over bit depth
-      type(calibration_type), allocatable :: calibrations(:) !< of friction, from measurements
-      type(uncertainty_type), allocatable :: uncertainties(:) !< Monte Carlo over bit depth
-      type(steering_type), allocatable :: steering      !< assemblies that are asked where they drill to; not allocated: none
-      type(sticking_type), allocatable :: stickings(:) !< strings that are held, from measurements
+      type(text_type), allocatable :: study_files(:)    !< names of the results that studies write
+      type(text_type), allocatable :: study_records(:)  !< names of the records that they keep of unfinished work
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       type(design_factors_type) :: design      !< of strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record

@@ -28,8 +28,8 @@ module dg_deck_keys
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &
       group_rule_type('solver', meaning='numbers that steer the solution'), &
-      group_rule_type('sweep', repeatable=.true., meaning='hook load and torque against depth'), &
-      group_rule_type('uncertainty', repeatable=.true., &
+      group_rule_type('sweep', repeatable=.true., own_cases=.true., meaning='hook load and torque against depth'), &
+      group_rule_type('uncertainty', repeatable=.true., own_cases=.true., &
          meaning='quantiles of hook load and torque against depth, where well, mud and gauges are not known for sure'), &
       group_rule_type('calibrate', repeatable=.true., meaning='friction from measured hook load and torque'), &
       group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &

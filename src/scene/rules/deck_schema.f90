@@ -27,6 +27,7 @@ module dg_deck_schema
       logical :: repeatable = .false.
       logical :: required = .false.
       logical :: available = .true.          !< .false.: part of the contract, but not of this version
+      logical :: own_cases = .false.         !< it has load cases of its own: a deck with it needs no &load_case
       integer :: most = 100000               !< groups of this name that a deck may have, where they are repeatable
       character(words_length) :: meaning = ''
    end type group_rule_type

@@ -1,16 +1,16 @@
 !> The group &study of a deck: what is compared, in which load cases.
 module dg_deck_study
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_sound, places_of, reals_of, texts_of
-   use dg_deck_draft, only: draft_type, find_case
+   use dg_checked_group, only: checked_group_type, places_of, reals_of
+   use dg_deck_draft, only: draft_type, take_cases
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_plan, only: most_solutions, most_variants, study_plan_type
-   use dg_text, only: text_type, to_text
+   use dg_text, only: to_text
    implicit none
    private
-   public :: take_study, take_cases
+   public :: take_study
 
 contains
 
@@ -58,23 +58,6 @@ contains
                         'element_lengths, fidelities, models, tolerances, wall_stiffnesses, gap_locations or linear_solvers')
       end if
    end subroutine take_one
-
-   !> Numbers of the load cases named; all where none is.
-   subroutine take_cases(draft, group, cases, faults)
-      type(draft_type), intent(in) :: draft
-      type(checked_group_type), intent(in) :: group
-      integer, allocatable, intent(out) :: cases(:)
-      type(fault_list_type), intent(inout) :: faults
-      type(text_type), allocatable :: wanted(:)
-      integer :: i, k, found
-      allocate (wanted, source=texts_of(group, 'cases'))
-      allocate (cases(0))
-      if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(draft%cases))]
-      do i = 1, size(wanted)
-         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
-         if (found > 0 .and. .not. any(cases == found)) cases = [cases, found]
-      end do
-   end subroutine take_cases
 
    !> Numbers in their order, each once.
    pure function without_repeats(numbers) result(once)

@@ -12,6 +12,7 @@ module dg_study_file
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_bending, error_bending_rms, error_hookload, error_normal_force, error_torque, &
                                   study_record_type
+   use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: variant_type
    implicit none
    private
@@ -58,10 +59,11 @@ module dg_study_file
 contains
 
    !> Writes study.csv to `path`. records(variants, cases of the study), of which the first `solved` cases are there.
-   subroutine write_study(path, job, model, variants, records, solved, error)
+   subroutine write_study(path, job, model, plan, variants, records, solved, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(study_plan_type), intent(in) :: plan
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:, :)
       integer, intent(in) :: solved
@@ -72,7 +74,7 @@ contains
       call begin_table(table, study_columns, job%units)
       do j = 1, solved
          do i = 1, size(variants)
-            call study_fields(model%cases(job%study%cases(j))%name, variants(i), records(i, j), row)
+            call study_fields(model%cases(plan%cases(j))%name, variants(i), records(i, j), row)
             call add_row(table, row)
          end do
       end do

@@ -8,6 +8,7 @@ module dg_study_table
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned, scientific_cell
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_bending, error_count, error_hookload, error_torque, pareto_set, study_record_type
+   use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -39,9 +40,10 @@ module dg_study_table
 contains
 
    !> The lines of a study; records(variants, cases).
-   pure function study_table(job, model, variants, records) result(lines)
+   pure function study_table(job, model, plan, variants, records) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(study_plan_type), intent(in) :: plan
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:, :)
       type(text_type), allocatable :: lines(:)
@@ -72,7 +74,7 @@ contains
       end do
       call append_text(lines, rule)
       call append_text(lines, '* nothing here is both more accurate (hook load, torque) and faster: Pareto set   = the finest')
-      call append_lost(lines, model, job, variants, records)
+      call append_lost(lines, model, job, plan, variants, records)
       call append_fidelities(lines, job%units, variants, totals, finest)
       call append_orders(lines, variants, records)
    end function study_table
@@ -166,17 +168,18 @@ contains
    end function error_cell
 
    !> What found no solution.
-   pure subroutine append_lost(lines, model, job, variants, records)
+   pure subroutine append_lost(lines, model, job, plan, variants, records)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(model_type), intent(in) :: model
       type(job_type), intent(in) :: job
+      type(study_plan_type), intent(in) :: plan
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:, :)
       integer :: i, j
       do i = 1, size(variants)
          do j = 1, size(records, 2)
             if (records(i, j)%status == result_converged) cycle
-            call append_text(lines, '! no solution: '//model%cases(job%study%cases(j))%name//', '// &
+            call append_text(lines, '! no solution: '//model%cases(plan%cases(j))%name//', '// &
                              trim(model_name(variants(i)%model))//', '//mesh_of(job%units, variants(i))// &
                              '; left out of the errors above')
          end do

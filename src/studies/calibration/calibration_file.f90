@@ -1,13 +1,14 @@
-!> calibration.csv: one row a factor; calibration_data.csv: one row a measured number, calculated before and after.
+!> Rows of calibration.csv: one a factor; calibration_data.csv: one row a measured number, calculated before and after.
 module dg_calibration_file
    use dg_kinds, only: wp
    use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
                         quantity_moment, quantity_none, quantity_percent, quantity_text
-   use dg_csv_table, only: add_row, add_rows_of, begin_table, csv_table_type, is_begun, write_table
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, is_begun, write_table
    use dg_comparison, only: difference, known, percent_error
    use dg_error, only: add_error, error_type
+   use dg_factor_columns, only: factor_columns, factor_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, operation_name
    use dg_least_squares, only: fit_done
@@ -16,44 +17,7 @@ module dg_calibration_file
    use dg_prediction_table, only: add_predictions
    implicit none
    private
-   public :: factor_columns, datum_columns, write_calibrations
-
-   !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: factor_columns(30) = [ &
-      column_type('calibration', quantity_text, 'its name'), &
-      column_type('model', quantity_text, 'as in summary.csv'), &
-      column_type('parameter', quantity_text, &
-         'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point'), &
-      column_type('hole', quantity_text, 'hole section that it is for; empty: all named'), &
-      column_type('operation', quantity_text, 'operation that it is for; empty: all'), &
-      column_type('bit_depth', quantity_length, 'depth of the bit that it is for; empty: all'), &
-      column_type('start', quantity_none, 'the factor as the deck has it (mean over cases and sections)'), &
-      column_type('value', quantity_none, 'the factor that fits best'), &
-      column_type('lower', quantity_none, 'lower end of its 95 % confidence interval; empty: not known'), &
-      column_type('upper', quantity_none, 'upper end'), &
-      column_type('deviation', quantity_none, 'standard deviation'), &
-      column_type('verdict', quantity_text, &
-         'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), not_separated '// &
-         '(data tell only a mixture), no_fit, no_solution; below_bit: the string is free'), &
-      column_type('scatter', quantity_none, &
-         'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these are right'), &
-      column_type('message', quantity_text, 'why there is no fit'), &
-      column_type('offset', quantity_force, 'what the gauge shows beyond string and block, in rows of a hookload_offset'), &
-      column_type('offset_lower', quantity_force, 'lower end of its 95 % confidence interval'), &
-      column_type('offset_upper', quantity_force, 'upper end'), &
-      column_type('case', quantity_text, 'load case, in rows of sticking and free_point (its second pull)'), &
-      column_type('depth', quantity_length, 'of the stuck point, as given (sticking) or found with friction (free_point)'), &
-      column_type('depth_frictionless', quantity_length, 'free point by the usual formula, without friction'), &
-      column_type('tension_above', quantity_force, 'in the string just above the stuck point'), &
-      column_type('tension_below', quantity_force, 'there if nothing stuck'), &
-      column_type('resistance', quantity_force, 'above less below: > 0 holds the string down, < 0 up'), &
-      column_type('resistance_interval', quantity_force, 'half its 95 % interval, from hookload_deviation alone'), &
-      column_type('torque_above', quantity_moment, 'in the string just above the stuck point'), &
-      column_type('torque_below', quantity_moment, 'there if nothing stuck'), &
-      column_type('torque_resistance', quantity_moment, 'above less below'), &
-      column_type('applied', quantity_none, 'the factor that the rest of the run used; empty: that of the deck'), &
-      column_type('hookload_deviation', quantity_force, 'standard deviation of hook loads by the residuals'), &
-      column_type('torque_deviation', quantity_moment, 'of torques')]
+   public :: datum_columns, write_calibrations
 
    type(column_type), parameter :: datum_columns(14) = [ &
       column_type('calibration', quantity_text, 'its name'), &
@@ -74,20 +38,20 @@ module dg_calibration_file
 contains
 
    !> Writes all files.
-   subroutine write_calibrations(job, model, owner, results, others, error)
+   subroutine write_calibrations(job, model, calibrations, owner, results, factors, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibrations(:)
       integer, intent(in) :: owner(:)               !< number of the calibration of each result
       type(calibration_result_type), intent(in) :: results(:)
-      type(csv_table_type), intent(in) :: others    !< rows of calibration.csv that follow
+      type(csv_table_type), intent(inout) :: factors   !< rows of calibration.csv
       type(error_type), allocatable, intent(out) :: error
-      type(csv_table_type) :: factors, data, predictions
+      type(csv_table_type) :: data, predictions
       type(field_list_type) :: row
       integer :: i, k
-      call begin_table(factors, factor_columns, job%units)
       call begin_table(data, datum_columns, job%units)
       do i = 1, size(results)
-         associate (calibration => job%calibrations(owner(i)))
+         associate (calibration => calibrations(owner(i)))
             if (predicts(calibration)) call add_predictions(job, model, calibration, results(i), predictions)
             do k = 1, size(calibration%unknowns)
                call factor_fields(model, calibration, results(i), k, row)
@@ -99,8 +63,7 @@ contains
             end do
          end associate
       end do
-      call add_rows_of(others, factors)
-      call write_one(factors, 'calibration.csv')
+      call write_one(factors, factor_file)
       if (size(results) > 0) call write_one(data, 'calibration_data.csv')
       if (is_begun(predictions)) call write_one(predictions, 'calibration_prediction.csv')
 

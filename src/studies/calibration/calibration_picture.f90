@@ -3,14 +3,15 @@
 module dg_calibration_picture
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type, unknown_type
-   use dg_calibration_file, only: factor_columns
    use dg_calibration_table, only: unknown_text
    use dg_column, only: column_header, column_named
+   use dg_factor_columns, only: factor_columns
    use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, results_file, row_tics, &
                                 series_type, start_script
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: calibration_script
@@ -21,10 +22,11 @@ module dg_calibration_picture
 contains
 
    !> One calibration with one of its models.
-   subroutine calibration_script(name, job, model, number, place, lines)
+   subroutine calibration_script(name, units, model, calibrations, number, place, lines)
       character(*), intent(in) :: name      !< of the picture
-      type(job_type), intent(in) :: job
+      type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibrations(:)
       integer, intent(in) :: number         !< of the calibration in the deck
       integer, intent(in) :: place          !< of the model in the calibration's
       type(text_type), allocatable, intent(out) :: lines(:)
@@ -39,7 +41,7 @@ contains
       real(wp) :: middle, share
       integer, allocatable :: rows_of_factors(:), rows_of_data(:)   !< a calibration, by one model
       integer :: i, rows, offsets
-      calibration = job%calibrations(number)
+      calibration = calibrations(number)
       factors = results_file('calibration')
       data = results_file('calibration_data')
       deck = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
@@ -51,8 +53,8 @@ contains
       end do
       call start_script(lines, name, width, height)
       ! rows by their numbers, gnuplot's column 0: a name may be one that it does not read back as it is
-      rows_of_factors = [(size(job%calibrations(i)%unknowns), i=1, size(job%calibrations))]
-      rows_of_data = [(size(job%calibrations(i)%data), i=1, size(job%calibrations))]
+      rows_of_factors = [(size(calibrations(i)%unknowns), i=1, size(calibrations))]
+      rows_of_data = [(size(calibrations(i)%data), i=1, size(calibrations))]
       call append_text(lines, 'mine(x) = '//is_mine(rows_of_factors))
       call append_text(lines, 'row(name, value) = mine(0) && strlen(stringcolumn(name)) > 0 ? (n = n + 1, value) : NaN')
       call append_text(lines, 'only(value) = mine(0) ? value : NaN')
@@ -70,7 +72,7 @@ contains
          middle = bottom + share*(top - bottom - axis_height) + axis_height
       end if
       call draw_factors('friction factor', .false., 'value', 'lower', 'upper', middle, top)
-      if (offsets > 0) call draw_factors('offset of the gauge ['//trim(job%units%force_label)//']', .true., heading('offset'), &
+      if (offsets > 0) call draw_factors('offset of the gauge ['//trim(units%force_label)//']', .true., heading('offset'), &
                                          heading('offset_lower'), heading('offset_upper'), bottom, middle - axis_height)
       deallocate (series)
       call add_series(series, 'n = 0, '//data//" using (datum(column('before_error_pct'))):(n)", deck, '')
@@ -89,7 +91,7 @@ contains
          integer :: before, k
          before = (place - 1)*rows(number)
          do k = 1, number - 1
-            before = before + size(job%calibrations(k)%models)*rows(k)
+            before = before + size(calibrations(k)%models)*rows(k)
          end do
          text = 'column(0) >= '//to_text(before)//' && column(0) < '//to_text(before + rows(number))
       end function is_mine
@@ -110,7 +112,7 @@ contains
             if (unknown%is_offset .neqv. is_offset) cycle
             unknown%is_offset = .false.    ! the axis says so
             rows = rows + 1
-            factors_shown(rows)%text = unknown_text(job%units, model, unknown)
+            factors_shown(rows)%text = unknown_text(units, model, unknown)
          end do
          if (rows == 0) return
          using = 'n = 0, '//factors//" using (row('"//value//"', column('"
@@ -125,7 +127,7 @@ contains
       pure function heading(column) result(text)
          character(*), intent(in) :: column
          character(:), allocatable :: text
-         text = column_header(column_named(factor_columns, column), job%units)
+         text = column_header(column_named(factor_columns, column), units)
       end function heading
 
       !> The curves over so many named rows, the first on top.

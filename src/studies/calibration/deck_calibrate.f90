@@ -4,17 +4,16 @@ module dg_deck_calibrate
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, solutions_a_step, &
                              tells, unknown_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, places_of, real_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_hole_section, only: hole_section_type
-   use dg_job, only: model_name, model_soft
+   use dg_measured_cases, only: take_measured_cases, take_models
    use dg_load_case, only: given, load_case_type, operation_name
-   use dg_sticking, only: sticking_name
    use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
-   public :: take_calibrations, take_cases, take_models
+   public :: take_calibrations
 
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
@@ -56,7 +55,7 @@ contains
       type(checked_group_type), intent(in) :: group
       logical :: yes
       yes = group%name == 'calibrate'
-      if (yes) yes = .not. any(text_of(group, 'parameter', '') == sticking_name)
+      if (yes) yes = any(text_of(group, 'parameter', trim(parameter_name(1))) == parameter_name)
    end function is_calibration
 
    subroutine take_one(draft, group, number, calibration, faults)
@@ -101,58 +100,12 @@ contains
       if (is_sound(group, 'torque_deviation')) &
          calibration%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
       call take_predicted(draft, group, calibration%predicted, faults)
-      call take_cases(draft, group, calibration%cases, faults, calibration%predicted)
+      call take_measured_cases(draft, group, calibration%cases, faults, calibration%predicted)
       call take_holes(draft, group, calibration%holes, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (all(draft%cases(calibration%cases)%sound) .and. all(draft%holes%sound))) return
       call lay_out(draft, group, calibration, faults)
    end subroutine take_one
-
-   !> Models, each once; the soft string where none is named.
-   subroutine take_models(group, models)
-      type(checked_group_type), intent(in) :: group
-      integer, allocatable, intent(out) :: models(:)
-      models = places_of(group, 'model', model_name)
-      if (size(models) == 0) models = [model_soft]
-   end subroutine take_models
-
-   !> Numbers of the load cases named; all with measurements where none is, less those that are left out.
-   subroutine take_cases(draft, group, cases, faults, left_out)
-      type(draft_type), intent(in) :: draft
-      type(checked_group_type), intent(in) :: group
-      integer, allocatable, intent(out) :: cases(:)
-      type(fault_list_type), intent(inout) :: faults
-      integer, intent(in), optional :: left_out(:)
-      type(text_type), allocatable :: wanted(:)
-      logical :: measured(size(draft%cases))
-      integer :: i, k, found
-      allocate (wanted, source=texts_of(group, 'cases'))
-      do k = 1, size(measured)
-         measured(k) = draft%cases(k)%load_case%measured_hookload%present .or. draft%cases(k)%load_case%measured_torque%present
-      end do
-      allocate (cases(0))
-      if (.not. is_given(group, 'cases')) then
-         if (present(left_out)) measured(left_out) = .false.
-         cases = pack([(k, k=1, size(measured))], measured)
-         if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
-      end if
-      do i = 1, size(wanted)
-         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
-         if (found == 0) cycle
-         if (.not. measured(found)) then
-            if (.not. draft%cases(found)%sound) cycle
-            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
-                       ') has neither measured_hookload nor measured_torque; give one or leave it out')
-         else if (.not. any(cases == found)) then
-            cases = [cases, found]
-         end if
-      end do
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
-      end subroutine fault
-   end subroutine take_cases
 
    !> Numbers of the load cases that are to be predicted, each once; none where none is named.
    subroutine take_predicted(draft, group, cases, faults)

@@ -15,11 +15,10 @@ module dg_model_text
    use dg_sweep, only: at_operation, sweep_type
    use dg_task_record, only: solver_key
    use dg_text, only: text_type, to_text
-   use dg_uncertainty, only: uncertainty_type
    use dg_version, only: program_name, program_version
    implicit none
    private
-   public :: model_lines, sweep_lines, uncertainty_lines
+   public :: model_lines, sweep_lines, append_sweep, append_numbers, yes_or_no
 
    integer, parameter :: longest_settings = 2000
    !> Numbers in one line: a line of a record may have a hundred kilobytes, and a survey any number of stations.
@@ -37,6 +36,7 @@ contains
       allocate (texts, source=lines%lines(:lines%count))
    end function sweep_lines
 
+   !> The same, put to lines that are there.
    subroutine append_sweep(lines, model, sweep)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
@@ -94,29 +94,6 @@ contains
          call append_numbers(lines, key, loads)
       end if
    end subroutine append_loads
-
-   !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
-   function uncertainty_lines(model, uncertainty) result(texts)
-      type(model_type), intent(in) :: model
-      type(uncertainty_type), intent(in) :: uncertainty
-      type(text_type), allocatable :: texts(:)
-      type(line_list_type) :: lines
-      integer :: i
-      call append_sweep(lines, model, uncertainty%range)
-      call add_line(lines, 'samples = '//to_text(uncertainty%samples))
-      call add_line(lines, 'seed = '//to_text(uncertainty%seed))
-      if (allocated(uncertainty%friction_factor)) then
-         do i = 1, size(uncertainty%friction_factor, 1)
-            call append_numbers(lines, 'friction of hole '//to_text(i), uncertainty%friction_factor(i, :i))
-         end do
-         call add_line(lines, 'friction axial, rotary = '//yes_or_no(uncertainty%axial)//' '//yes_or_no(uncertainty%rotary))
-      end if
-      call add_line(lines, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
-      call add_line(lines, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
-      call add_line(lines, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
-      call add_line(lines, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
-      allocate (texts, source=lines%lines(:lines%count))
-   end function uncertainty_lines
 
    !> The model with one of its strings; its load cases are left out.
    function model_lines(model, string) result(texts)
@@ -248,6 +225,7 @@ contains
       end do
    end function settings_text
 
+   !> A switch in words.
    pure function yes_or_no(flag) result(text)
       logical, intent(in) :: flag
       character(:), allocatable :: text

@@ -2,8 +2,7 @@
 module dg_deck_steering
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_sound, line_of, real_of, reals_of
-   use dg_deck_draft, only: draft_type
-   use dg_deck_study, only: take_cases
+   use dg_deck_draft, only: draft_type, take_cases
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_load_case, only: given
    use dg_steering, only: steering_type

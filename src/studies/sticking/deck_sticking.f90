@@ -2,10 +2,10 @@
 module dg_deck_sticking
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
-   use dg_deck_calibrate, only: take_cases, take_models
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_load_case, only: given
+   use dg_measured_cases, only: take_measured_cases, take_models
    use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type
    use dg_text, only: quoted, to_text
@@ -68,7 +68,7 @@ contains
       if (.not. is_given(group, trim(own_key(kind)))) &
          call fault('parameter', 'parameter = '//quoted(trim(sticking_name(kind)))//' needs '//trim(own_key(kind)))
       call take_models(group, sticking%models)
-      call take_cases(draft, group, sticking%cases, faults)
+      call take_measured_cases(draft, group, sticking%cases, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (size(sticking%cases)*size(sticking%models) > most_results) then
          call fault('cases', to_text(size(sticking%cases)*size(sticking%models))//' pairs of load case and model; a group has '// &

@@ -1,11 +1,11 @@
 !> The groups &uncertainty of a deck: a range of depths, and what is not known of well, mud and gauges.
 module dg_deck_uncertainty
    use dg_kinds, only: wp
-   use dg_calibration, only: calibrate_friction_axial, calibrate_friction_rotary, calibration_type, parameter_name
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, reals_of, text_of
    use dg_deck_draft, only: draft_type
-   use dg_deck_sweep, only: take_range
+   use dg_deck_range, only: take_range
    use dg_fault_list, only: add_fault, fault_list_type
+   use dg_friction_estimate, only: friction_estimate_type
    use dg_missing, only: missing
    use dg_sweep, only: point_count
    use dg_text, only: lower_case, quoted, to_text
@@ -14,17 +14,19 @@ module dg_deck_uncertainty
    private
    public :: take_uncertainties
 
+   !> Words of friction_parameter.
+   character(*), parameter :: axial_alone = 'friction_axial', rotary_alone = 'friction_rotary'
    !> Most solutions: more is a slip in bit_depth_step or samples.
    integer, parameter :: most_solutions = 5000000
 
 contains
 
    !> All of a deck, in its order, and the faults of each.
-   subroutine take_uncertainties(draft, groups, models, calibrations, uncertainties, faults)
+   subroutine take_uncertainties(draft, groups, models, estimates, uncertainties, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       integer, intent(in) :: models(:)             !< of &job
-      type(calibration_type), intent(in) :: calibrations(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), allocatable, intent(out) :: uncertainties(:)
       type(fault_list_type), intent(inout) :: faults
       integer :: i, j, n
@@ -37,7 +39,7 @@ contains
       do i = 1, size(groups)
          if (groups(i)%name /= 'uncertainty') cycle
          n = n + 1
-         call take_one(draft, groups(i), n, models, calibrations, uncertainties(n), faults)
+         call take_one(draft, groups(i), n, models, estimates, uncertainties(n), faults)
          do j = 1, n - 1
             if (lower_case(uncertainties(j)%range%name) /= lower_case(uncertainties(n)%range%name)) cycle
             call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &uncertainty: name '// &
@@ -46,19 +48,19 @@ contains
       end do
    end subroutine take_uncertainties
 
-   subroutine take_one(draft, group, number, models, calibrations, uncertainty, faults)
+   subroutine take_one(draft, group, number, models, estimates, uncertainty, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number                !< in the deck
       integer, intent(in) :: models(:)
-      type(calibration_type), intent(in) :: calibrations(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(out) :: uncertainty
       type(fault_list_type), intent(inout) :: faults
       integer :: before
       before = faults%count
       uncertainty%samples = integer_of(group, 'samples', uncertainty%samples)
       uncertainty%seed = integer_of(group, 'seed', uncertainty%seed)
-      call take_friction(draft, group, calibrations, uncertainty, faults)
+      call take_friction(draft, group, estimates, uncertainty, faults)
       uncertainty%density_deviation = real_of(group, 'density_deviation', 0.0_wp)
       uncertainty%inclination_deviation = real_of(group, 'inclination_deviation', 0.0_wp)
       uncertainty%azimuth_deviation = real_of(group, 'azimuth_deviation', 0.0_wp)
@@ -72,7 +74,7 @@ contains
                         'would bend the hole at each station that &tortuosity adds; give survey_errors = ''systematic''')
       call take_range(draft, group, number, models, uncertainty%range, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
-      if (.not. (allocated(uncertainty%friction_factor) .or. uncertainty%calibration > 0) .and. &
+      if (.not. (allocated(uncertainty%friction_factor) .or. uncertainty%estimate > 0) .and. &
           .not. any([uncertainty%density_deviation, uncertainty%inclination_deviation, &
                      uncertainty%azimuth_deviation, uncertainty%hookload_deviation, uncertainty%torque_deviation] > 0.0_wp)) &
          call add_fault(faults, draft%path, group%line, 'group &uncertainty: nothing is uncertain; give a friction_deviation, '// &
@@ -85,10 +87,10 @@ contains
    end subroutine take_one
 
    !> How friction varies, and what of it together.
-   subroutine take_friction(draft, group, calibrations, uncertainty, faults)
+   subroutine take_friction(draft, group, estimates, uncertainty, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
-      type(calibration_type), intent(in) :: calibrations(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(inout) :: uncertainty
       type(fault_list_type), intent(inout) :: faults
       real(wp), allocatable :: above(:)
@@ -97,10 +99,10 @@ contains
       n = size(draft%holes)
       uncertainty%friction_deviation = real_of(group, 'friction_deviation', 0.0_wp)
       uncertainty%friction_correlation = real_of(group, 'friction_correlation', 1.0_wp)
-      uncertainty%axial = text_of(group, 'friction_parameter', '') /= parameter_name(calibrate_friction_rotary)
-      uncertainty%rotary = text_of(group, 'friction_parameter', '') /= parameter_name(calibrate_friction_axial)
+      uncertainty%axial = text_of(group, 'friction_parameter', '') /= rotary_alone
+      uncertainty%rotary = text_of(group, 'friction_parameter', '') /= axial_alone
       if (is_given(group, 'friction_from')) then
-         call take_calibration(group, calibrations, uncertainty, regular)
+         call take_estimate(group, estimates, uncertainty, regular)
          if (.not. regular) call fault('friction_from', 'friction_from = '//quoted(text_of(group, 'friction_from', ''))// &
                                        ' is no &calibrate of this deck with apply = .true.')
          if (any([is_given(group, 'friction'), is_given(group, 'friction_deviation'), is_given(group, 'friction_correlation'), &
@@ -149,20 +151,20 @@ contains
       end subroutine fault
    end subroutine take_friction
 
-   !> Number of the calibration that `friction_from` names, and which coefficients it finds.
-   subroutine take_calibration(group, calibrations, uncertainty, found)
+   !> Number of the estimate that `friction_from` names, and which coefficients it is of.
+   subroutine take_estimate(group, estimates, uncertainty, found)
       type(checked_group_type), intent(in) :: group
-      type(calibration_type), intent(in) :: calibrations(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(inout) :: uncertainty
       logical, intent(out) :: found
       integer :: i
       found = .false.
-      do i = 1, size(calibrations)
-         if (lower_case(calibrations(i)%name) /= lower_case(text_of(group, 'friction_from', ''))) cycle
-         found = calibrations(i)%apply
-         uncertainty%calibration = i
-         uncertainty%axial = calibrations(i)%parameter /= calibrate_friction_rotary
-         uncertainty%rotary = calibrations(i)%parameter /= calibrate_friction_axial
+      do i = 1, size(estimates)
+         if (lower_case(estimates(i)%name) /= lower_case(text_of(group, 'friction_from', ''))) cycle
+         found = estimates(i)%applied
+         uncertainty%estimate = i
+         uncertainty%axial = estimates(i)%axial
+         uncertainty%rotary = estimates(i)%rotary
       end do
-   end subroutine take_calibration
+   end subroutine take_estimate
 end module dg_deck_uncertainty

@@ -20,7 +20,7 @@ module dg_uncertainty
       !> triangle; not allocated: friction is certain [-].
       real(wp), allocatable :: friction_factor(:, :)
       logical :: axial = .true., rotary = .true.    !< which coefficients change
-      integer :: calibration = 0                    !< number of that whose deviations are taken; 0: none
+      integer :: estimate = 0                       !< number of that whose deviations of friction are taken; 0: none
       real(wp) :: density_deviation = 0.0_wp        !< of the mud [kg/m3]
       real(wp) :: inclination_deviation = 0.0_wp    !< of a station [rad]
       real(wp) :: azimuth_deviation = 0.0_wp        !< of a station [rad]

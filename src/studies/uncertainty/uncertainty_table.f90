@@ -61,7 +61,7 @@ contains
       !> One deviation, or one a hole section; how much varies together.
       pure subroutine add_friction()
          integer :: i
-         if (uncertainty%calibration > 0 .and. .not. allocated(uncertainty%friction_deviations)) text = text// &
+         if (uncertainty%estimate > 0 .and. .not. allocated(uncertainty%friction_deviations)) text = text// &
             ', friction as calibrated'
          if (.not. allocated(uncertainty%friction_deviations)) return
          associate (each => uncertainty%friction_deviations)
@@ -70,7 +70,7 @@ contains
             do i = 2, size(each)
                if (any(abs(each - each(1)) > 0.0_wp)) text = text//' and '//to_text(each(i), digits)
             end do
-            if (uncertainty%calibration > 0) then
+            if (uncertainty%estimate > 0) then
                text = text//' as calibrated'
             else if (size(each) > 1 .and. is_missing(uncertainty%friction_correlation)) then
                text = text//' (correlations as given)'

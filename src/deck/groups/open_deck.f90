@@ -1,6 +1,6 @@
-!> The door of this folder: reads a deck with all that it names, checks it, and builds what is to be
+!> Opens a deck: reads it with all that it names and checks it; groups of studies are left to these. Closes it: builds what is to be
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
-module dg_read_deck
+module dg_open_deck
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, logical_of, places_of, real_of, &
                                text_of
@@ -8,13 +8,8 @@ module dg_read_deck
    use dg_deck_centralizer, only: take_centralizers
    use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_check, only: close_holes, check_draft
-   use dg_deck_calibrate, only: take_calibrations
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: deck_type, draft_type
    use dg_deck_fluid, only: draft_fluid
-   use dg_deck_legacy, only: take_legacy
-   use dg_deck_steering, only: take_steering
-   use dg_deck_sticking, only: take_stickings
-   use dg_deck_study, only: take_study
    use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
@@ -23,17 +18,14 @@ module dg_read_deck
    use dg_fluid_notes, only: note_fluids
    use dg_deck_schema, only: name_length
    use dg_deck_survey, only: read_stations
-   use dg_deck_sweep, only: take_sweeps
    use dg_deck_tortuosity, only: take_tortuosity
-   use dg_deck_uncertainty, only: take_uncertainties
    use dg_deck_tie_on, only: tie_on
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_file_lines, only: beside, read_lines
+   use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
-   use dg_legacy_table, only: legacy_table_type
    use dg_load_case, only: given
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, lower_case, suggestion, to_text
@@ -41,91 +33,66 @@ module dg_read_deck
    use dg_units, only: unit_system_type, si_units, field_units
    implicit none
    private
-   public :: read_deck, build_deck
+   public :: open_deck, close_deck
 
 contains
 
-   !> Reads the deck `path`. `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
-   !> is legal but hardly meant.
-   subroutine read_deck(path, model, job, notes, faults)
-      character(*), intent(in) :: path
-      type(model_type), intent(out) :: model
-      type(job_type), intent(out) :: job
-      type(text_type), allocatable, intent(out) :: notes(:)
-      type(fault_list_type), intent(out) :: faults
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
-
-      allocate (notes(0))
-      call read_lines(path, lines, failure, piped=.true.)
-      if (failure /= '') then
-         call add_fault(faults, path, 0, 'deck '//failure)
-         return
-      end if
-      call build_deck(path, lines, model, job, notes, faults)
-   end subroutine read_deck
-
-   !> The same of a deck whose lines are read already: a pipe gives them once.
-   subroutine build_deck(path, lines, model, job, notes, faults)
+   !> Opens a deck whose lines are read. Where not even the units are `known` nothing else can be read.
+   subroutine open_deck(path, lines, deck, job, known, faults)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
-      type(model_type), intent(out) :: model
-      type(job_type), intent(out) :: job
-      type(text_type), allocatable, intent(out) :: notes(:)
-      type(fault_list_type), intent(out) :: faults
+      type(deck_type), intent(out) :: deck
+      type(job_type), intent(inout) :: job
+      logical, intent(out) :: known
+      type(fault_list_type), intent(inout) :: faults
       type(token_type), allocatable :: tokens(:)
       type(group_type), allocatable :: groups(:)
-      type(checked_group_type), allocatable :: checked(:)
-      type(draft_type) :: draft
       character(:), allocatable :: catalogue
       integer :: i
-      logical :: known
-
-      allocate (notes(0))
+      allocate (deck%uses(0), deck%estimates(0))
       call tokenize(lines, tokens)
       call parse_groups(path, tokens, groups, faults)
       deallocate (tokens)
       call check_group_names(path, groups, faults)
-      draft%path = path
-      draft%units = units_of(groups)
-      call check_units(path, groups, draft%units, known, faults)
+      deck%draft%path = path
+      deck%draft%units = units_of(groups)
+      call check_units(path, groups, deck%draft%units, known, faults)
       if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
-      allocate (checked(size(groups)))
+      allocate (deck%groups(size(groups)))
       do i = 1, size(groups)
          if (is_available(groups(i)%name)) then
-            call check_group(path, groups(i), draft%units, checked(i), faults)
+            call check_group(path, groups(i), deck%draft%units, deck%groups(i), faults)
          else
-            checked(i)%name = ''        ! said already
+            deck%groups(i)%name = ''        ! said already
          end if
          deallocate (groups(i)%entries)
       end do
-      call take_job(path, draft%units, checked, job)
+      call take_job(path, deck%draft%units, deck%groups, job)
       job%deck_text = text_of_lines(lines)
-      call fill_from_catalogue(path, checked, catalogue, faults)
-      call take_draft(checked, draft, faults)
-      call take_tortuosity(checked, draft, faults)
-      call take_centralizers(checked, draft, faults)
-      call take_rig_limit(checked, draft, job, faults)
-      call close_holes(draft, faults)
-      call check_draft(draft, faults)
-      call take_legacy(draft, checked, job%legacy, faults)
-      call take_study(draft, checked, job%models, job%study, faults)
-      call take_steering(draft, checked, job%steering, faults)
-      call take_calibrations(draft, checked, job%calibrations, faults)
-      call take_stickings(draft, checked, job%stickings, faults)
-      call take_uncertainties(draft, checked, job%models, job%calibrations, job%uncertainties, faults)
-      call take_sweeps(draft, checked, job%models, job%sweeps, notes, faults)
-      job%inputs = inputs_of(path, checked, catalogue, job%legacy)
-      if (faults%count == 0) call build_model(draft, model, faults)
-      if (faults%count == 0) then
-         if (allocated(draft%path_notes)) notes = [notes, draft%path_notes]
-         do i = 1, size(job%legacy)
-            if (job%legacy(i)%skipped /= '') call append_text(notes, 'legacy '//job%legacy(i)%file//': '//job%legacy(i)%skipped)
-         end do
-         call note_oddities(draft, job, notes)
-         call note_fluids(model, draft%units, notes)
-      end if
-   end subroutine build_deck
+      call fill_from_catalogue(path, deck%groups, catalogue, faults)
+      call take_draft(deck%groups, deck%draft, faults)
+      call take_tortuosity(deck%groups, deck%draft, faults)
+      call take_centralizers(deck%groups, deck%draft, faults)
+      call take_rig_limit(deck%groups, deck%draft, job, faults)
+      call close_holes(deck%draft, faults)
+      call check_draft(deck%draft, faults)
+      deck%inputs = inputs_of(path, deck%groups, catalogue)
+   end subroutine open_deck
+
+   !> Builds the model of a deck without faults. `notes` tells what is legal but hardly meant.
+   subroutine close_deck(deck, job, model, notes, faults)
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(inout) :: job
+      type(model_type), intent(out) :: model
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      job%inputs = deck%inputs
+      if (faults%count == 0) call build_model(deck%draft, model, faults)
+      if (faults%count > 0) return
+      if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
+      call note_oddities(deck%draft, job, deck%uses, notes)
+      call note_fluids(model, deck%draft%units, notes)
+   end subroutine close_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.
    subroutine check_group_names(path, groups, faults)
@@ -164,7 +131,7 @@ contains
          if (.not. group_rules(k)%required) cycle
          do i = 1, size(groups)
             if (groups(i)%name == group_rules(k)%name) exit
-            if (group_rules(k)%name == 'load_case' .and. any(groups(i)%name == [character(11) :: 'sweep', 'uncertainty'])) exit
+            if (group_rules(k)%name == 'load_case' .and. group_rules(group_rule(groups(i)%name))%own_cases) exit
          end do
          if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(group_rules(k)%name)// &
             ': missing; a deck needs it ('//trim(group_rules(k)%meaning)//')')
@@ -181,12 +148,11 @@ contains
       index = 0
    end function group_rule
 
-   !> Files that the deck is made of: itself, its survey, its catalogue ('': none), its tables of other programs.
-   pure function inputs_of(path, groups, catalogue, legacy) result(inputs)
+   !> Files that the deck is made of: itself, its survey, its catalogue ('': none).
+   pure function inputs_of(path, groups, catalogue) result(inputs)
       character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: groups(:)
       character(*), intent(in) :: catalogue
-      type(legacy_table_type), intent(in) :: legacy(:)
       type(text_type), allocatable :: inputs(:)
       integer :: i
       call append_text(inputs, path)
@@ -196,9 +162,6 @@ contains
             call append_text(inputs, beside(path, text_of(groups(i), 'survey_file', '')))
       end do
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
-      do i = 1, size(legacy)
-         call append_text(inputs, legacy(i)%file)
-      end do
    end function inputs_of
 
    !> Whether this version knows and has a group.
@@ -387,4 +350,4 @@ contains
          end do
       end function count_of
    end subroutine take_draft
-end module dg_read_deck
+end module dg_open_deck

@@ -1,32 +1,23 @@
-!> Runs what a deck asks of strings that are held: resistances at a known depth, free points from stretch.
-module dg_run_stickings
+!> What holds a string: resistance at a known depth, and the free point from stretch.
+module dg_hold_string
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged, result_not_converged
-   use dg_csv_table, only: csv_table_type
-   use dg_diagnostic, only: tell
+   use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
-   use dg_interruption, only: by_signals, is_interrupted
-   use dg_job, only: job_type, model_name
+   use dg_interruption, only: by_signals
    use dg_least_squares, only: fit_done, fit_least_squares, fit_type
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
-   use dg_printed_text, only: print_and_keep, printed_text_type
+   use dg_progress, only: progress_type, show_time
    use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
-   use dg_progress, only: progress_type, show_time, start_progress
-   use dg_run_outcome, only: add_part, note_lost
-   use dg_sticking, only: find_free_point, find_resistance, sticking_type
-   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_no_solution, &
-      sticking_result_type
-   use dg_sticking_rows, only: add_stickings
-   use dg_sticking_table, only: sticking_table
+   use dg_sticking, only: find_resistance, sticking_type
+   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type
    use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
    use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
-   use dg_text, only: quoted, text_type, to_text
    implicit none
    private
-   public :: run_stickings
+   public :: resistance, free_point, usual_solutions
 
    !> Pulls and torques are looked for within this many measured hook loads and torques [-].
    real(wp), parameter :: widest = 10.0_wp
@@ -41,58 +32,6 @@ module dg_run_stickings
    real(wp), parameter :: shallowest = 1.0e-3_wp
 
 contains
-
-   !> Each with each of its models. Their rows are put at the end of `rows`, of calibration.csv; `lost` counts those without result.
-   subroutine run_stickings(printed, job, model, rows, lost)
-      type(printed_text_type), intent(inout) :: printed
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(csv_table_type), intent(inout) :: rows
-      integer, intent(out) :: lost
-      type(sticking_result_type), allocatable :: results(:)
-      type(text_type), allocatable :: lines(:)
-      type(progress_type) :: progress
-      integer :: i, j, k, n, many
-      lost = 0
-      do i = 1, size(job%stickings)
-         associate (sticking => job%stickings(i))
-            n = 0
-            allocate (results(size(sticking%models)*size(sticking%cases)))
-            many = size(results)
-            if (sticking%kind == find_free_point) many = size(sticking%models)
-            call start_progress(progress, 'calibration '//quoted(sticking%name), &
-                                'about '//to_text(many*usual_solutions(sticking%kind))//' solutions', job%quiet)
-            do j = 1, size(sticking%models)
-               do k = 1, size(sticking%cases)
-                  if (sticking%kind == find_free_point .and. k == 1) cycle     ! both pulls make one result
-                  n = n + 1
-                  results(n)%model = sticking%models(j)
-                  results(n)%case_index = sticking%cases(k)
-                  results(n)%message = ''
-                  if (sticking%kind == find_free_point) then
-                     call free_point(model, sticking, results(n), progress)
-                  else
-                     call resistance(model, sticking, results(n), progress)
-                  end if
-                  if (is_interrupted()) return
-                  call show_time(progress, real(n, wp)/real(many, wp))
-                  if (results(n)%status /= sticking_no_solution) cycle
-                  lost = lost + 1
-                  call note_lost(printed%outcome, 'calibration '//sticking%name, sticking%models(j), result_not_converged, &
-                                 results(n)%message, model%cases(sticking%cases(k)))
-                  call tell('calibration '//quoted(sticking%name)//', case '// &
-                            quoted(model%cases(sticking%cases(k))%name)//', model '//trim(model_name(sticking%models(j)))// &
-                            ': no solution; '//results(n)%message)
-               end do
-            end do
-            call add_part(printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
-            allocate (lines, source=sticking_table(job%units, model, sticking, results(:n)))
-            call print_and_keep(printed, lines)
-            call add_stickings(model, sticking, results(:n), rows)
-            deallocate (lines, results)
-         end associate
-      end do
-   end subroutine run_stickings
 
    !> Resistance at a known depth: pull and torque above it that give what was measured, less those of a free string.
    subroutine resistance(model, sticking, result, progress)
@@ -232,4 +171,4 @@ contains
                  - sticking%stretch
       end associate
    end subroutine excess
-end module dg_run_stickings
+end module dg_hold_string
