@@ -2,7 +2,8 @@
 """Checks that the READMEs of input/, output/ and src/ say what the sources hold.
 
   input/README.md   one table a group, between marks; must be the table that the deck reader's own rules give
-                    (src/scene/rules/deck_keys.f90, defaults of &solver from src/scene/case/numerics.f90); all operations named
+                    (src/scene/rules/deck_keys.f90 and *_keys.f90 of studies/, defaults of &solver from
+                    src/scene/case/numerics.f90); all operations named
   output/README.md  one table a file, between marks; must be the table that the writer's own columns give
                     (OUTPUT_HOUSES), units of SI decks
   src/README.md     one row a house, with the arrows of check_houses.py, and one a room; files and procedures that it cites exist;
@@ -129,6 +130,12 @@ def shown(value):
     return text
 
 
+def key_sources():
+    """The tables of keys: those of the scene, then those of studies."""
+    studies = sorted((ROOT / "src/studies").glob("*/*_keys.f90"))
+    return "\n".join([source("scene/rules/deck_keys.f90"), *map(without_comments, studies)])
+
+
 def deck_units():
     """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
     kinds, units = source("base/units/unit_kind.f90"), source("base/units/units.f90")
@@ -152,7 +159,7 @@ def solver_defaults():
 
 def key_table(group, rules, labels, factors, numerics):
     """The lines of the table of a group's keys, as they stand in input/README.md."""
-    constants = real_constants(source("scene/rules/deck_keys.f90"))
+    constants = real_constants(key_sources())
     lines = ["| key | default | legal values | unit (field) | meaning |", "|---|---|---|---|---|"]
     for plain, named in rules:
         if unquoted(plain[0]) != group:
@@ -199,7 +206,7 @@ def key_table(group, rules, labels, factors, numerics):
 def check_input(write):
     path = ROOT / "input/README.md"
     text = path.read_text(encoding="utf-8")
-    keys = source("scene/rules/deck_keys.f90")
+    keys = key_sources()
     rules = constructors(keys, "key_rule_type")
     labels, factors = deck_units()
     numerics = solver_defaults()

@@ -2,6 +2,7 @@
 module dg_run_action
    use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
+   use dg_deck_schema, only: group_keys_type
    use dg_deck_template, only: deck_template
    use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
@@ -14,6 +15,7 @@ module dg_run_action
    use dg_printed_text, only: print_lines
    use dg_process, only: someone_reads
    use dg_read_deck, only: build_deck
+   use dg_registry, only: deck_groups
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: field_units, si_units, unit_system_type
@@ -34,13 +36,15 @@ contains
       integer, intent(out) :: status          !< of the program
       type(text_type), allocatable :: lines(:), deck(:), notes(:)
       type(fault_list_type) :: faults
+      type(group_keys_type), allocatable :: groups(:)
       type(model_type) :: model
       type(job_type) :: job
       character(:), allocatable :: failure
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
       select case (action)
       case ('template')
-         call deck_template(lines)
+         call deck_groups(groups)
+         call deck_template(groups, lines)
          call print_lines(lines)
          status = status_ok
       case ('list-catalogue')
@@ -56,7 +60,8 @@ contains
             call tell_lines(fault_lines(faults))
             status = status_bad_input
          else
-            call convert_deck(operand, deck, job%units, lines)
+            call deck_groups(groups)
+            call convert_deck(operand, deck, job%units, groups, lines)
             call print_deck(lines)
             status = status_ok
          end if

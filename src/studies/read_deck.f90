@@ -1,12 +1,13 @@
 !> Reads a deck with the groups of all studies.
 module dg_read_deck
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: group_keys_type
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_file_lines, only: read_lines
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_open_deck, only: close_deck, open_deck
-   use dg_registry, only: register_studies, studies_type
+   use dg_registry, only: deck_groups, register_studies, studies_type
    use dg_text, only: text_type
    implicit none
    private
@@ -45,10 +46,12 @@ contains
       type(studies_type), intent(out), optional :: studies
       type(studies_type) :: found
       type(deck_type) :: deck
+      type(group_keys_type), allocatable :: rules(:)
       logical :: known
       integer :: i
       allocate (notes(0))
-      call open_deck(path, lines, deck, job, known, faults)
+      call deck_groups(rules)
+      call open_deck(path, lines, rules, deck, job, known, faults)
       if (.not. known) return
       call register_studies(found)
       do i = 1, size(found%items)

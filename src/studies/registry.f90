@@ -2,6 +2,8 @@
 module dg_registry
    use dg_accuracy_study, only: accuracy_study_type
    use dg_calibration_study, only: calibration_study_type
+   use dg_deck_keys, only: scene_groups
+   use dg_deck_schema, only: group_keys_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type
    use dg_legacy_study, only: legacy_study_type
@@ -14,7 +16,7 @@ module dg_registry
    use dg_uncertainty_study, only: uncertainty_study_type
    implicit none
    private
-   public :: studies_type, register_studies, name_studies, echo_studies, have_points
+   public :: studies_type, register_studies, deck_groups, name_studies, echo_studies, have_points
 
    !> One study, of whatever type.
    type :: study_item_type
@@ -28,18 +30,31 @@ module dg_registry
 
 contains
 
-   !> The studies in the order in which they are read, and run within their phase.
+   !> The studies in the order in which they are read, told and drawn, and run within their phase. One that goes on from what
+   !> another finds out about friction comes after it.
    subroutine register_studies(studies)
       type(studies_type), intent(out) :: studies
       allocate (studies%items(7))
-      allocate (legacy_study_type :: studies%items(1)%study)
-      allocate (accuracy_study_type :: studies%items(2)%study)
-      allocate (steering_study_type :: studies%items(3)%study)
-      allocate (calibration_study_type :: studies%items(4)%study)
-      allocate (sticking_study_type :: studies%items(5)%study)
-      allocate (sweep_study_type :: studies%items(6)%study)
-      allocate (uncertainty_study_type :: studies%items(7)%study)
+      allocate (sweep_study_type :: studies%items(1)%study)
+      allocate (calibration_study_type :: studies%items(2)%study)
+      allocate (sticking_study_type :: studies%items(3)%study)
+      allocate (uncertainty_study_type :: studies%items(4)%study)
+      allocate (accuracy_study_type :: studies%items(5)%study)
+      allocate (steering_study_type :: studies%items(6)%study)
+      allocate (legacy_study_type :: studies%items(7)%study)
    end subroutine register_studies
+
+   !> Groups that a deck may have, with their keys: those of the scene, then those of all studies.
+   subroutine deck_groups(groups)
+      type(group_keys_type), allocatable, intent(out) :: groups(:)
+      type(studies_type) :: studies
+      integer :: i
+      call scene_groups(groups)
+      call register_studies(studies)
+      do i = 1, size(studies%items)
+         call studies%items(i)%study%add_groups(groups)
+      end do
+   end subroutine deck_groups
 
    !> Enters the files that studies write into the job, for the part of it that is at hand.
    subroutine name_studies(studies, job)

@@ -1,9 +1,8 @@
 !> A deck in the other system of units: numbers change in place, all else of the text stays, comments too.
 module dg_deck_convert
    use dg_kinds, only: wp
-   use dg_deck_keys, only: keys_of
    use dg_deck_number, only: read_real
-   use dg_deck_schema, only: key_rule_type, kind_real
+   use dg_deck_schema, only: group_keys_type, group_place, key_rule_type, kind_real
    use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_unit_kind, only: unit_factor
@@ -22,10 +21,11 @@ contains
 
    !> The lines of a deck without fault, from SI to field units or back. Files that it names stay as they are: the converted deck
    !> tells their units.
-   subroutine convert_deck(path, read, units, lines)
+   subroutine convert_deck(path, read, units, groups, lines)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: read(:)            !< the lines of the deck
       type(unit_system_type), intent(in) :: units       !< of the deck
+      type(group_keys_type), intent(in) :: groups(:)    !< that a deck may have, with their keys
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(text_type), allocatable :: deck(:)
       type(token_type), allocatable :: tokens(:)
@@ -37,7 +37,7 @@ contains
       if (units%name == 'field') other = si_units()
       call tokenize(deck, tokens)
       has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
-      call convert_tokens(tokens, units, other, deck)
+      call convert_tokens(tokens, units, other, groups, deck)
       if (allocated(lines)) deallocate (lines)
       allocate (lines(0))
       call append_text(lines, '! '//path//' with numbers in '//trim(other%name)//' units, by '//program_name// &
@@ -49,10 +49,11 @@ contains
    end subroutine convert_deck
 
    !> Changes the numbers in the lines, from the last to the first, so that places in a line stay true.
-   pure subroutine convert_tokens(tokens, units, other, lines)
+   pure subroutine convert_tokens(tokens, units, other, groups, lines)
       type(token_type), intent(in) :: tokens(:)
       type(unit_system_type), intent(in) :: units      !< of the deck
       type(unit_system_type), intent(in) :: other      !< that is wanted
+      type(group_keys_type), intent(in) :: groups(:)
       type(text_type), intent(inout) :: lines(:)
       character(:), allocatable :: group, key, new
       type(text_type) :: group_of(size(tokens)), key_of(size(tokens))
@@ -99,7 +100,9 @@ contains
          logical :: legal
          integer :: k
          new = ''
-         allocate (rules, source=keys_of(group_of(i)%text))
+         k = group_place(groups, group_of(i)%text)
+         if (k == 0) return
+         allocate (rules, source=groups(k)%keys)
          do k = 1, size(rules)
             if (rules(k)%key /= key_of(i)%text .or. rules(k)%kind /= kind_real) cycle
             from = unit_factor(units, rules(k)%unit)

@@ -10,13 +10,12 @@ module dg_open_deck
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: deck_type, draft_type
    use dg_deck_fluid, only: draft_fluid
-   use dg_deck_keys, only: group_rules
    use dg_deck_model, only: build_model
    use dg_numerics, only: settings_of
    use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
    use dg_fluid_notes, only: note_fluids
-   use dg_deck_schema, only: name_length
+   use dg_deck_schema, only: group_keys_type, group_place, group_rule_type, name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_tie_on, only: tie_on
@@ -38,9 +37,10 @@ module dg_open_deck
 contains
 
    !> Opens a deck whose lines are read. Where not even the units are `known` nothing else can be read.
-   subroutine open_deck(path, lines, deck, job, known, faults)
+   subroutine open_deck(path, lines, rules, deck, job, known, faults)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
+      type(group_keys_type), intent(in) :: rules(:)      !< groups that a deck may have, with their keys
       type(deck_type), intent(out) :: deck
       type(job_type), intent(inout) :: job
       logical, intent(out) :: known
@@ -48,20 +48,24 @@ contains
       type(token_type), allocatable :: tokens(:)
       type(group_type), allocatable :: groups(:)
       character(:), allocatable :: catalogue
-      integer :: i
+      integer :: i, k
       allocate (deck%uses(0), deck%estimates(0))
       call tokenize(lines, tokens)
       call parse_groups(path, tokens, groups, faults)
       deallocate (tokens)
-      call check_group_names(path, groups, faults)
+      call check_group_names(path, groups, rules%rule, faults)
       deck%draft%path = path
       deck%draft%units = units_of(groups)
-      call check_units(path, groups, deck%draft%units, known, faults)
+      call check_units(path, groups, rules, deck%draft%units, known, faults)
       if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
       allocate (deck%groups(size(groups)))
       do i = 1, size(groups)
-         if (is_available(groups(i)%name)) then
-            call check_group(path, groups(i), deck%draft%units, deck%groups(i), faults)
+         k = group_place(rules, groups(i)%name)
+         if (k > 0) then
+            if (.not. rules(k)%rule%available) k = 0
+         end if
+         if (k > 0) then
+            call check_group(path, groups(i), rules(k)%keys, deck%draft%units, deck%groups(i), faults)
          else
             deck%groups(i)%name = ''        ! said already
          end if
@@ -95,29 +99,30 @@ contains
    end subroutine close_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.
-   subroutine check_group_names(path, groups, faults)
+   subroutine check_group_names(path, groups, rules, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
+      type(group_rule_type), intent(in) :: rules(:)
       type(fault_list_type), intent(inout) :: faults
-      character(name_length) :: names(size(group_rules))
-      integer :: i, j, k, slips, found(size(group_rules))
-      names = group_rules%name
+      character(name_length) :: names(size(rules))
+      integer :: i, j, k, slips, found(size(rules))
+      names = rules%name
       slips = 0
       found = 0
       do i = 1, size(groups)
-         k = group_rule(groups(i)%name)
+         k = place_of(groups(i)%name)
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
                            suggestion(groups(i)%name, names))
             cycle
          end if
-         if (.not. group_rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+         if (.not. rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
             ': not available in this version; leave it out')
          found(k) = found(k) + 1
-         if (found(k) == group_rules(k)%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
-            ': a deck has at most '//to_text(group_rules(k)%most)//' of them')
-         if (group_rules(k)%repeatable) cycle
+         if (found(k) == rules(k)%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': a deck has at most '//to_text(rules(k)%most)//' of them')
+         if (rules(k)%repeatable) cycle
          do j = 1, i - 1
             if (groups(j)%name /= groups(i)%name) cycle
             call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name//': given a second time, first in line '// &
@@ -127,26 +132,22 @@ contains
       end do
       ! a misspelt group is most likely the missing one
       if (slips > 0) return
-      do k = 1, size(group_rules)
-         if (.not. group_rules(k)%required) cycle
+      do k = 1, size(rules)
+         if (.not. rules(k)%required) cycle
          do i = 1, size(groups)
-            if (groups(i)%name == group_rules(k)%name) exit
-            if (group_rules(k)%name == 'load_case' .and. group_rules(group_rule(groups(i)%name))%own_cases) exit
+            if (groups(i)%name == rules(k)%name) exit
+            if (rules(k)%name == 'load_case' .and. rules(place_of(groups(i)%name))%own_cases) exit
          end do
-         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(group_rules(k)%name)// &
-            ': missing; a deck needs it ('//trim(group_rules(k)%meaning)//')')
+         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(rules(k)%name)// &
+            ': missing; a deck needs it ('//trim(rules(k)%meaning)//')')
       end do
+   contains
+      pure function place_of(name) result(place)
+         character(*), intent(in) :: name
+         integer :: place
+         place = findloc(rules%name == name, .true., dim=1)
+      end function place_of
    end subroutine check_group_names
-
-   !> Place of a group in the table of groups, 0 where there is none of that name.
-   pure function group_rule(name) result(index)
-      character(*), intent(in) :: name
-      integer :: index
-      do index = 1, size(group_rules)
-         if (group_rules(index)%name == name) return
-      end do
-      index = 0
-   end function group_rule
 
    !> Files that the deck is made of: itself, its survey, its catalogue ('': none).
    pure function inputs_of(path, groups, catalogue) result(inputs)
@@ -163,16 +164,6 @@ contains
       end do
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
    end function inputs_of
-
-   !> Whether this version knows and has a group.
-   pure function is_available(name) result(available)
-      character(*), intent(in) :: name
-      logical :: available
-      integer :: k
-      k = group_rule(name)
-      available = k > 0
-      if (available) available = group_rules(k)%available
-   end function is_available
 
    !> Units of the deck: needed before anything else is read. SI where the deck is silent or wrong.
    pure function units_of(groups) result(units)
@@ -191,9 +182,10 @@ contains
    end function units_of
 
    !> Whether the units that the deck names are known; the faults of &job where not.
-   subroutine check_units(path, groups, units, known, faults)
+   subroutine check_units(path, groups, rules, units, known, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
+      type(group_keys_type), intent(in) :: rules(:)
       type(unit_system_type), intent(in) :: units
       logical, intent(out) :: known
       type(fault_list_type), intent(inout) :: faults
@@ -203,10 +195,10 @@ contains
       known = .true.
       do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
-         call check_group(path, groups(i), units, checked, found)
+         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, found)
          if (.not. is_given(checked, 'units') .or. is_sound(checked, 'units')) return
          known = .false.
-         call check_group(path, groups(i), units, checked, faults)
+         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, faults)
          return
       end do
    end subroutine check_units

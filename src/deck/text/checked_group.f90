@@ -1,7 +1,7 @@
 !> One group of a deck after checking: a value for each key of its table, with ways to ask for it.
 module dg_checked_group
    use dg_kinds, only: wp
-   use dg_deck_keys, only: key_place
+   use dg_deck_schema, only: name_length
    use dg_text, only: text_type
    implicit none
    private
@@ -16,6 +16,7 @@ module dg_checked_group
 
    !> The value of one key in one group. Most keys of a group are absent and have no content, which saves memory.
    type :: value_type
+      character(name_length) :: key = ''
       logical :: given = .false.             !< stands in the deck
       logical :: sound = .false.             !< holds a legal value, given or by default
       logical :: required = .false.          !< must stand in the deck
@@ -34,12 +35,23 @@ module dg_checked_group
 
 contains
 
+   !> Place of a key among those of its group.
+   pure function place_of(group, key) result(place)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      integer :: place
+      do place = 1, size(group%values)
+         if (group%values(place)%key == key) return
+      end do
+      place = 0
+   end function place_of
+
    !> Whether a key stands in the deck, right or wrong.
    pure function is_given(group, key) result(given)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       logical :: given
-      given = group%values(key_place(group%name, key))%given
+      given = group%values(place_of(group, key))%given
    end function is_given
 
    !> Whether a key has a legal value, from the deck or by default.
@@ -47,7 +59,7 @@ contains
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       logical :: sound
-      sound = group%values(key_place(group%name, key))%sound
+      sound = group%values(place_of(group, key))%sound
    end function is_sound
 
    !> Line of a key; of its group where it is not given.
@@ -55,7 +67,7 @@ contains
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
       integer :: line
-      line = group%values(key_place(group%name, key))%line
+      line = group%values(place_of(group, key))%line
    end function line_of
 
    !> Whether every key of a group that is given or required has a legal value.
@@ -72,7 +84,7 @@ contains
       real(wp), intent(in) :: otherwise
       real(wp) :: number
       number = otherwise
-      associate (value => group%values(key_place(group%name, key)))
+      associate (value => group%values(place_of(group, key)))
          if (value%sound) number = value%number
          if (value%sound .and. allocated(value%content)) number = value%content%numbers(1)
       end associate
@@ -94,7 +106,7 @@ contains
       logical, intent(in) :: otherwise
       logical :: flag
       flag = otherwise
-      if (is_sound(group, key)) flag = group%values(key_place(group%name, key))%flag
+      if (is_sound(group, key)) flag = group%values(place_of(group, key))%flag
    end function logical_of
 
    !> The text of a key, or `otherwise`.
@@ -104,7 +116,7 @@ contains
       character(*), intent(in) :: otherwise
       character(:), allocatable :: text
       text = otherwise
-      if (is_sound(group, key)) text = group%values(key_place(group%name, key))%content%texts(1)%text
+      if (is_sound(group, key)) text = group%values(place_of(group, key))%content%texts(1)%text
    end function text_of
 
    !> All numbers of a key [SI]; none where it has no legal ones.
@@ -113,7 +125,7 @@ contains
       character(*), intent(in) :: key
       real(wp), allocatable :: numbers(:)
       allocate (numbers(0))
-      associate (value => group%values(key_place(group%name, key)))
+      associate (value => group%values(place_of(group, key)))
          if (value%sound) numbers = [value%number]
          if (value%sound .and. allocated(value%content)) numbers = value%content%numbers
       end associate
@@ -125,7 +137,7 @@ contains
       character(*), intent(in) :: key
       type(text_type), allocatable :: texts(:)
       allocate (texts(0))
-      if (is_sound(group, key)) texts = group%values(key_place(group%name, key))%content%texts
+      if (is_sound(group, key)) texts = group%values(place_of(group, key))%content%texts
    end function texts_of
 
    !> Places of a key's texts in a list of names, each once; none where the key has no legal ones.

@@ -1,8 +1,8 @@
 !> A commented deck to start from: a small well that runs as it stands, with every other key of every group as a comment, made
 !> from the tables of keys, so that it names all of them.
 module dg_deck_template
-   use dg_deck_keys, only: group_rules, keys_of, operation_words
-   use dg_deck_schema, only: key_rule_type, kind_text, listed, range_text
+   use dg_deck_keys, only: operation_words
+   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_text, listed, range_text
    use dg_text, only: append_text, text_type
    use dg_unit_kind, only: unit_label, unit_none
    use dg_units, only: si_units
@@ -64,58 +64,57 @@ module dg_deck_template
 contains
 
    !> The lines of the template.
-   subroutine deck_template(lines)
+   subroutine deck_template(groups, lines)
+      type(group_keys_type), intent(in) :: groups(:)     !< that a deck may have, with their keys
       type(text_type), allocatable, intent(out) :: lines(:)
       integer :: i, copy, copies
       allocate (lines(0))
       call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
       call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told; in')
       call append_text(lines, '! &job the key units = ''field'' takes ft, in, lbm and klbf instead. Groups may come in any order.')
-      do i = 1, size(group_rules)
+      do i = 1, size(groups)
          copies = 0
-         if (any(examples%group == group_rules(i)%name)) &
-            copies = maxval(examples%copy, mask=examples%group == group_rules(i)%name)
-         if (.not. group_rules(i)%available) cycle
+         if (any(examples%group == groups(i)%rule%name)) &
+            copies = maxval(examples%copy, mask=examples%group == groups(i)%rule%name)
+         if (.not. groups(i)%rule%available) cycle
          call append_text(lines, '')
          call append_text(lines, head(i))
          do copy = 1, copies
-            call append_group(lines, trim(group_rules(i)%name), copy, with_rest=copy == copies, commented=.false.)
+            call append_group(lines, groups(i), copy, with_rest=copy == copies, commented=.false.)
          end do
-         if (copies == 0) call append_group(lines, trim(group_rules(i)%name), 1, with_rest=.true., commented=.true.)
+         if (copies == 0) call append_group(lines, groups(i), 1, with_rest=.true., commented=.true.)
       end do
 
    contains
       pure function head(number) result(text)
          integer, intent(in) :: number
          character(:), allocatable :: text
-         text = '! &'//trim(group_rules(number)%name)//': '//trim(group_rules(number)%meaning)
-         if (group_rules(number)%repeatable) text = text//'; may be repeated'
-         if (.not. group_rules(number)%required) text = text//'; may be left out'
+         text = '! &'//trim(groups(number)%rule%name)//': '//trim(groups(number)%rule%meaning)
+         if (groups(number)%rule%repeatable) text = text//'; may be repeated'
+         if (.not. groups(number)%rule%required) text = text//'; may be left out'
       end function head
    end subroutine deck_template
 
    !> One group: the keys that it gives, then, `with_rest`, the others as comments.
    subroutine append_group(lines, group, copy, with_rest, commented)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      character(*), intent(in) :: group
+      type(group_keys_type), intent(in) :: group
       integer, intent(in) :: copy
       logical, intent(in) :: with_rest
       logical, intent(in) :: commented         !< the whole group
-      type(key_rule_type), allocatable :: rules(:)
       character(:), allocatable :: mark
       integer :: i, k
       mark = ''
       if (commented) mark = '! '
-      allocate (rules, source=keys_of(group))
-      call append_text(lines, mark//'&'//group)
-      do k = 1, size(rules)
+      call append_text(lines, mark//'&'//trim(group%rule%name))
+      do k = 1, size(group%keys)
          do i = 1, size(examples)
-            if (examples(i)%group == group .and. examples(i)%copy == copy .and. examples(i)%key == rules(k)%key) exit
+            if (examples(i)%group == group%rule%name .and. examples(i)%copy == copy .and. examples(i)%key == group%keys(k)%key) exit
          end do
          if (i <= size(examples)) then
-            call append_key(lines, mark//'  '//trim(rules(k)%key)//' = '//trim(examples(i)%value), rules(k))
-         else if (with_rest .and. trim(rules(k)%later) /= '*') then
-            call append_key(lines, '! '//trim(rules(k)%key)//' = '//default_text(rules(k)), rules(k))
+            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//trim(examples(i)%value), group%keys(k))
+         else if (with_rest .and. trim(group%keys(k)%later) /= '*') then
+            call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k)), group%keys(k))
          end if
       end do
       call append_text(lines, mark//'/')

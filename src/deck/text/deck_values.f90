@@ -6,7 +6,7 @@ module dg_deck_values
    use dg_deck_number, only: read_real, read_integer, read_logical
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
       rule_place, split_words, listed, name_length
-   use dg_deck_keys, only: keys_of, operation_words
+   use dg_deck_keys, only: operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: append_text, lower_case, quoted, suggestion, nearest_name, to_text, joined
@@ -28,25 +28,25 @@ module dg_deck_values
 contains
 
    !> Checks one group of the deck `path` against the table.
-   subroutine check_group(path, group, units, checked, faults)
+   subroutine check_group(path, group, rules, units, checked, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: group
+      type(key_rule_type), intent(in) :: rules(:)
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(out) :: checked
       type(fault_list_type), intent(inout) :: faults
       integer :: i, k, n
       integer, allocatable :: count_of(:)
-      type(key_rule_type), allocatable :: rules(:)
       character(name_length), allocatable :: keys(:)   ! a copy: plain arrays pass without a temporary
       character(:), allocatable :: place
 
       place = 'group &'//group%name//': '
       checked%name = group%name
       checked%line = group%line
-      allocate (rules, source=keys_of(group%name))
       n = size(rules)
       allocate (checked%values(n), count_of(n), keys(n))
       keys = rules%key
+      checked%values(:)%key = keys
       checked%values(:)%line = group%line
       checked%values(:)%required = rules%required
       count_of = 0

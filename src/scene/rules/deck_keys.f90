@@ -1,17 +1,20 @@
-!> The tables of all groups and keys of a deck: one place for checking, conversion and documentation.
+!> The tables of all groups and keys of a deck that tell of the scene: one place for checking, conversion and documentation. Those
+!> of a study stand in its room.
 !> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
 module dg_deck_keys
    use dg_kinds, only: wp
-   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text, kind_integer, kind_logical, rule_place
+   use dg_deck_schema, only: add_group, group_keys_type, group_rule_type, &
+      key_rule_type, kind_text, kind_integer, kind_logical, rule_place
    use dg_load_case, only: operation_count, operation_name, operation_alias
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
    implicit none
    private
-   public :: group_rules, keys_of, key_place, operation_words
+   public :: scene_groups, keys_of, key_place, operation_words
+   public :: deepest, strongest, roughest, heaviest, stiffest, round_off
 
-   type(group_rule_type), parameter :: group_rules(18) = [ &
+   type(group_rule_type), parameter :: group_rules(12) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
@@ -27,14 +30,7 @@ module dg_deck_keys
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &
-      group_rule_type('solver', meaning='numbers that steer the solution'), &
-      group_rule_type('sweep', repeatable=.true., own_cases=.true., meaning='hook load and torque against depth'), &
-      group_rule_type('uncertainty', repeatable=.true., own_cases=.true., &
-         meaning='quantiles of hook load and torque against depth, where well, mud and gauges are not known for sure'), &
-      group_rule_type('calibrate', repeatable=.true., meaning='friction from measured hook load and torque'), &
-      group_rule_type('study', meaning='accuracy and cost of models and settings: every combination of its lists'), &
-      group_rule_type('steering', meaning='where assemblies drill to: bit side force, tilt, build and turn rate'), &
-      group_rule_type('legacy', repeatable=.true., meaning='results of another program, beside ours')]
+      group_rule_type('solver', meaning='numbers that steer the solution')]
 
    ! Bounds [deck units of SI].
    real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
@@ -322,166 +318,19 @@ module dg_deck_keys
          meaning='mixed: what the string next to the bit is; elements: beams with gaps to 100 m above the assembly'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
 
-   type(key_rule_type), parameter :: legacy_keys(13) = [ &
-      key_rule_type('legacy', 'label', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
-      key_rule_type('legacy', 'file', kind_text, required=.true., meaning='table of results; path relative to the deck'), &
-      key_rule_type('legacy', 'case', kind_text, required=.true., meaning='name of the load case beside which it is laid'), &
-      key_rule_type('legacy', 'units', kind_text, choices='SI field', meaning='unit system of the file; default the deck''s'), &
-      key_rule_type('legacy', 'skip', kind_integer, default='0', low=0.0_wp, high=1.0e6_wp, &
-         meaning='lines on top of the file before its table'), &
-      key_rule_type('legacy', 'md', kind_text, default='md', &
-         meaning='column of measured depth: heading, number, or first and last character ''1:10'''), &
-      key_rule_type('legacy', 'axial', kind_text, meaning='the same for axial force, tension positive; default axial'), &
-      key_rule_type('legacy', 'torque', kind_text, meaning='the same for torque; default torque'), &
-      key_rule_type('legacy', 'side_force', kind_text, meaning='the same for contact force per length; default side_force'), &
-      key_rule_type('legacy', 'md_unit', kind_text, meaning='unit of that column, where not that of units: m, ft'), &
-      key_rule_type('legacy', 'axial_unit', kind_text, meaning='N, daN, kN, kdaN, t, lbf, klbf, kip'), &
-      key_rule_type('legacy', 'torque_unit', kind_text, meaning='N.m, kN.m, ft.lbf, kft.lbf'), &
-      key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, lbf/ft, klbf/ft')]
-
-   type(key_rule_type), parameter :: study_keys(8) = [ &
-      key_rule_type('study', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
-      key_rule_type('study', 'models', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='default the models of the job; all but mcge heed element_lengths alone'), &
-      key_rule_type('study', 'element_lengths', unit=unit_length, array=.true., low=0.01_wp, high=1.0e3_wp, &
-         meaning='longest elements; default that of the solver'), &
-      key_rule_type('study', 'tolerances', array=.true., low=round_off, high=0.1_wp, meaning='default that of the solver'), &
-      key_rule_type('study', 'wall_stiffnesses', unit=unit_wall, array=.true., low=0.0_wp, open=.true., high=stiffest, &
-         meaning='of every hole section, gk_max in proportion; default as in hole and solver'), &
-      key_rule_type('study', 'gap_locations', kind_text, array=.true., choices='extremum nodes', &
-         meaning='default that of the solver'), &
-      key_rule_type('study', 'linear_solvers', kind_text, array=.true., choices='block banded sparse', &
-         meaning='default that of the solver'), &
-      key_rule_type('study', 'fidelities', kind_text, array=.true., choices='auto fast standard reference', &
-         meaning='beside the element_lengths, each with what it sets in the solver')]
-
-   type(key_rule_type), parameter :: steering_keys(4) = [ &
-      key_rule_type('steering', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
-      key_rule_type('steering', 'toolfaces', unit=unit_angle, array=.true., low=-360.0_wp, high=360.0_wp, &
-         meaning='each case at each of them; default the toolface of the case'), &
-      key_rule_type('steering', 'length', unit=unit_length, low=10.0_wp, high=1.0e3_wp, default='150', &
-         meaning='of the string above the bit that is solved'), &
-      key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
-         meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone')]
-
-   type(key_rule_type), parameter :: sweep_keys(18) = [ &
-      key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
-      key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
-         meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
-      key_rule_type('sweep', 'bit_depth_from', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='first measured depth of the bit; at surface itself there is nothing to solve'), &
-      key_rule_type('sweep', 'bit_depth_to', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='last one; default the end of survey or hole'), &
-      key_rule_type('sweep', 'bit_depth_step', unit=unit_length, low=0.0_wp, open=.true., high=deepest, default='30', &
-         meaning='from one to the next; the last one is always solved'), &
-      key_rule_type('sweep', 'frictions', array=.true., low=0.0_wp, high=roughest, &
-         meaning='coefficients, axial and rotary, all along the hole; default those of the hole sections'), &
-      key_rule_type('sweep', 'string', kind_text, default='main', meaning='name of the drillstring'), &
-      key_rule_type('sweep', 'wob', unit=unit_force, array=.true., low=-strongest, high=strongest, default='0', &
-         meaning='weight on bit, one of all operations or one of each; > 0 pushes the bit, < 0 pulls it'), &
-      key_rule_type('sweep', 'tob', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, default='0', &
-         meaning='torque on bit, one of all operations or one of each'), &
-      key_rule_type('sweep', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='one or several; default the models of &job'), &
-      key_rule_type('sweep', 'rpm', unit=unit_rotation, array=.true., low=0.0_wp, high=1.0e4_wp, default='0', &
-         meaning='rotation speed, for ream and backream; one or one of each operation'), &
-      key_rule_type('sweep', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
-         meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
-      key_rule_type('sweep', 'measured_depths', unit=unit_length, array=.true., low=0.0_wp, open=.true., high=deepest, &
-         meaning='bit depths of measurements, to be laid beside; those of load cases come by themselves'), &
-      key_rule_type('sweep', 'measured_operations', kind_text, array=.true., choices='*', &
-         meaning='operation of each, or one of all'), &
-      key_rule_type('sweep', 'measured_hookloads', unit=unit_force, array=.true., low=0.0_wp, high=strongest, &
-         meaning='measured hook load of each; 0: none'), &
-      key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
-         meaning='measured torque of each; 0: none'), &
-      key_rule_type('sweep', 'frictions_cased', array=.true., low=0.0_wp, high=roughest, &
-         meaning='in place of frictions: coefficients in cased hole sections, one for each of frictions_open'), &
-      key_rule_type('sweep', 'frictions_open', array=.true., low=0.0_wp, high=roughest, &
-         meaning='coefficients in the other hole sections')]
-
-   type(key_rule_type), parameter :: calibrate_keys(13) = [ &
-      key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
-      key_rule_type('calibrate', 'cases', kind_text, array=.true., &
-         meaning='names of load cases; default all with measured_hookload or measured_torque'), &
-      key_rule_type('calibrate', 'parameter', kind_text, default='friction', &
-         choices='friction friction_axial friction_rotary sticking free_point', meaning='what is looked for'), &
-      key_rule_type('calibrate', 'holes', kind_text, array=.true., &
-         meaning='names of hole sections whose friction is looked for; default all'), &
-      key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
-         meaning='what has a factor of its own; default holes'), &
-      key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
-         meaning='what the gauge shows beyond string and block is looked for too: one for all, or one a bit depth'), &
-      key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='one or several; default soft'), &
-      key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='standard deviation of a measured hook load; default: from the residuals'), &
-      key_rule_type('calibrate', 'torque_deviation', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
-         meaning='standard deviation of a measured torque; default: from the residuals'), &
-      key_rule_type('calibrate', 'sticking_depth', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='measured depth of a stuck point or key seat; needed by sticking'), &
-      key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
-         meaning='of the string at surface from one pull to the other; needed by free_point'), &
-      key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
-         meaning='all that follows uses the friction found; with &rig the one offset too, as block weight'), &
-      key_rule_type('calibrate', 'predict', kind_text, array=.true., &
-         meaning='names of load cases that are predicted from what is found; their measurements have no part in it')]
-
-   type(key_rule_type), parameter :: uncertainty_keys(26) = [ &
-      key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
-      key_rule_type('uncertainty', 'operations', kind_text, array=.true., choices='*', &
-         meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
-      key_rule_type('uncertainty', 'bit_depth_from', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='first measured depth of the bit; at surface itself there is nothing to solve'), &
-      key_rule_type('uncertainty', 'bit_depth_to', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='last one; default the end of survey or hole'), &
-      key_rule_type('uncertainty', 'bit_depth_step', unit=unit_length, low=0.0_wp, open=.true., high=deepest, default='30', &
-         meaning='from one to the next; the last one is always solved'), &
-      key_rule_type('uncertainty', 'friction', low=0.0_wp, high=roughest, &
-         meaning='coefficient, axial and rotary, all along the hole; default those of the hole sections'), &
-      key_rule_type('uncertainty', 'string', kind_text, default='main', meaning='name of the drillstring'), &
-      key_rule_type('uncertainty', 'wob', unit=unit_force, array=.true., low=-strongest, high=strongest, default='0', &
-         meaning='weight on bit, one of all operations or one of each; > 0 pushes the bit, < 0 pulls it'), &
-      key_rule_type('uncertainty', 'tob', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, default='0', &
-         meaning='torque on bit, one of all operations or one of each'), &
-      key_rule_type('uncertainty', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='one or several; default the models of &job'), &
-      key_rule_type('uncertainty', 'rpm', unit=unit_rotation, array=.true., low=0.0_wp, high=1.0e4_wp, default='0', &
-         meaning='rotation speed, for ream and backream; one or one of each operation'), &
-      key_rule_type('uncertainty', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
-         meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
-      key_rule_type('uncertainty', 'samples', kind_integer, default='1000', low=2.0_wp, high=1.0e6_wp, &
-         meaning='how often all is drawn anew'), &
-      key_rule_type('uncertainty', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
-         meaning='of the random numbers: the same seed gives the same results'), &
-      key_rule_type('uncertainty', 'friction_deviation', low=0.0_wp, high=roughest, default='0', &
-         meaning='standard deviation of the coefficients of all hole sections'), &
-      key_rule_type('uncertainty', 'friction_correlation', low=0.0_wp, high=1.0_wp, default='1', &
-         meaning='of two hole sections: 1 one error for the whole hole, 0 each section on its own'), &
-      key_rule_type('uncertainty', 'friction_deviations', array=.true., low=0.0_wp, high=roughest, &
-         meaning='in place of friction_deviation, one for each hole section, in the order of the deck'), &
-      key_rule_type('uncertainty', 'friction_correlations', array=.true., low=-1.0_wp, high=1.0_wp, &
-         meaning='in place of friction_correlation: of sections 1 and 2, 1 and 3, ..., 2 and 3, ...'), &
-      key_rule_type('uncertainty', 'friction_parameter', kind_text, default='friction', &
-         choices='friction friction_axial friction_rotary', meaning='which coefficients that is for: both alike, or one'), &
-      key_rule_type('uncertainty', 'friction_from', kind_text, &
-         meaning='name of a &calibrate with apply = .true.: deviations and correlations that it finds'), &
-      key_rule_type('uncertainty', 'density_deviation', unit=unit_density, low=0.0_wp, high=heaviest, default='0', &
-         meaning='standard deviation of the mud density'), &
-      key_rule_type('uncertainty', 'inclination_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
-         meaning='standard deviation of the inclination of a station'), &
-      key_rule_type('uncertainty', 'azimuth_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
-         meaning='standard deviation of the azimuth of a station'), &
-      key_rule_type('uncertainty', 'survey_errors', kind_text, default='random', choices='random systematic', &
-         meaning='each station is off on its own, or all alike'), &
-      key_rule_type('uncertainty', 'hookload_deviation', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
-         meaning='standard deviation of the hook load gauge: quantiles are then those of what it shows'), &
-      key_rule_type('uncertainty', 'torque_deviation', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
-         meaning='standard deviation of the torque gauge')]
-
 contains
 
-   !> Rules of the keys of a group; none for a group that this version does not have.
+   !> The groups of a deck that tell of the scene; studies have groups of their own.
+   subroutine scene_groups(groups)
+      type(group_keys_type), allocatable, intent(out) :: groups(:)
+      integer :: i
+      allocate (groups(0))
+      do i = 1, size(group_rules)
+         call add_group(groups, group_rules(i), keys_of(trim(group_rules(i)%name)))
+      end do
+   end subroutine scene_groups
+
+   !> Rules of the keys of a group of the scene; none for another.
    pure function keys_of(group) result(rules)
       character(*), intent(in) :: group
       type(key_rule_type), allocatable :: rules(:)
@@ -498,12 +347,6 @@ contains
       case ('boundary'); rules = boundary_keys
       case ('load_case'); rules = load_case_keys
       case ('solver'); rules = solver_keys
-      case ('sweep'); rules = sweep_keys
-      case ('uncertainty'); rules = uncertainty_keys
-      case ('calibrate'); rules = calibrate_keys
-      case ('legacy'); rules = legacy_keys
-      case ('study'); rules = study_keys
-      case ('steering'); rules = steering_keys
       case default; allocate (rules(0))
       end select
    end function keys_of
@@ -525,12 +368,6 @@ contains
       case ('boundary'); place = rule_place(boundary_keys, key)
       case ('load_case'); place = rule_place(load_case_keys, key)
       case ('solver'); place = rule_place(solver_keys, key)
-      case ('sweep'); place = rule_place(sweep_keys, key)
-      case ('uncertainty'); place = rule_place(uncertainty_keys, key)
-      case ('calibrate'); place = rule_place(calibrate_keys, key)
-      case ('legacy'); place = rule_place(legacy_keys, key)
-      case ('study'); place = rule_place(study_keys, key)
-      case ('steering'); place = rule_place(steering_keys, key)
       case default; place = 0
       end select
    end function key_place

@@ -8,6 +8,7 @@ module dg_deck_schema
    implicit none
    private
    public :: group_rule_type, key_rule_type, range_text, hold_in_range, rule_place, split_words, listed
+   public :: group_keys_type, add_group, group_place
    public :: kind_text, kind_real, kind_integer, kind_logical
    public :: name_length
 
@@ -51,7 +52,39 @@ module dg_deck_schema
    !> Significant digits of a bound in a message: a rounded bound is kinder than 15 digits of feet.
    integer, parameter :: bound_digits = 5
 
+   !> A group with its keys.
+   type :: group_keys_type
+      type(group_rule_type) :: rule
+      type(key_rule_type), allocatable :: keys(:)
+   end type group_keys_type
+
 contains
+
+   !> Puts a group to those that a deck may have.
+   subroutine add_group(groups, rule, keys)
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      type(group_rule_type), intent(in) :: rule
+      type(key_rule_type), intent(in) :: keys(:)
+      type(group_keys_type), allocatable :: longer(:)
+      integer :: n
+      n = size(groups)
+      allocate (longer(n + 1))
+      longer(:n) = groups
+      longer(n + 1)%rule = rule
+      allocate (longer(n + 1)%keys, source=keys)
+      call move_alloc(longer, groups)
+   end subroutine add_group
+
+   !> Place of a group among those that a deck may have, 0 where there is none of that name.
+   pure function group_place(groups, name) result(place)
+      type(group_keys_type), intent(in) :: groups(:)
+      character(*), intent(in) :: name
+      integer :: place
+      do place = 1, size(groups)
+         if (groups(place)%rule%name == name) return
+      end do
+      place = 0
+   end function group_place
 
    !> Place of a key in a table of rules, 0 where the table has no key of that name.
    pure function rule_place(rules, key) result(place)

@@ -5,6 +5,7 @@ module dg_accuracy_study
    use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
    use dg_case_result, only: case_result_type
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_study, only: take_study
    use dg_error, only: error_type
    use dg_exit_status, only: note_failure
@@ -21,6 +22,7 @@ module dg_accuracy_study
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_solve_case, only: solve_case
+   use dg_study_keys, only: study_keys, study_rule
    use dg_study, only: phase_cases, run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
    use dg_study_file, only: study_columns, write_study
@@ -37,6 +39,7 @@ module dg_accuracy_study
       private
       type(study_plan_type), allocatable :: plan
    contains
+      procedure :: add_groups
       procedure :: read => read_plan
       procedure :: is_asked
       procedure :: phase
@@ -56,6 +59,15 @@ module dg_accuracy_study
       'normal_force_error', 'bending_error', 'iterations', 'seconds', 'cost', 'pareto']
 
 contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(accuracy_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, study_rule, study_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its group.
    subroutine read_plan(self, deck, job, notes, faults)

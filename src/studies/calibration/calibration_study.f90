@@ -11,6 +11,7 @@ module dg_calibration_study
    use dg_case_result, only: result_not_converged
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
@@ -28,6 +29,7 @@ module dg_calibration_study
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
+   use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
    use dg_study, only: phase_after, phase_first, run_type, study_type
    use dg_text, only: append_text, is_separator_free, quoted, text_list, text_type, to_text
    implicit none
@@ -39,6 +41,7 @@ module dg_calibration_study
       type(calibration_type), allocatable :: calibrations(:)
       integer :: estimates = 0     !< of the run that are there before those of the first calibration
    contains
+      procedure :: add_groups
       procedure :: read => read_calibrations
       procedure :: is_asked
       procedure :: phase
@@ -54,6 +57,15 @@ module dg_calibration_study
       'before_hookload', 'after_hookload', 'measured_torque', 'before_torque', 'after_torque', 'before_error', 'after_error']
 
 contains
+
+   !> Its group, which strings that are held share.
+   subroutine add_groups(self, groups)
+      class(calibration_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, calibrate_rule, calibrate_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its groups, and announces what they will find of friction.
    subroutine read_calibrations(self, deck, job, notes, faults)

@@ -5,6 +5,7 @@ module dg_study
    use dg_case_result, only: case_result_type
    use dg_csv_table, only: csv_table_type
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: group_keys_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_friction_estimate, only: friction_estimate_type
@@ -47,6 +48,7 @@ module dg_study
       procedure(asked_interface), deferred :: is_asked
       procedure(phase_interface), deferred :: phase
       procedure(run_interface), deferred :: run
+      procedure :: add_groups => no_groups
       procedure :: echo => echo_nothing
       procedure :: name_files => no_files
       procedure :: name_records => no_files
@@ -95,6 +97,14 @@ module dg_study
    end interface
 
 contains
+
+   !> Groups of a deck that it has, with their keys.
+   subroutine no_groups(self, groups)
+      class(study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (none => self, changes => groups)
+      end associate
+   end subroutine no_groups
 
    !> Lines that tell what it understood of the deck.
    subroutine echo_nothing(self, job, lines)

@@ -2,6 +2,7 @@
 module dg_legacy_study
    use dg_csv_table, only: begin_table, csv_table_type, write_table
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_legacy, only: take_legacy
    use dg_error, only: error_type
    use dg_exit_status, only: note_failure
@@ -16,6 +17,7 @@ module dg_legacy_study
    use dg_picture_data, only: rows_of_file
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
+   use dg_legacy_keys, only: legacy_keys, legacy_rule
    use dg_study, only: phase_cases, run_type, study_type
    use dg_text, only: append_text, text_list, text_type
    implicit none
@@ -26,6 +28,7 @@ module dg_legacy_study
       private
       type(legacy_table_type), allocatable :: tables(:)
    contains
+      procedure :: add_groups
       procedure :: read => read_tables
       procedure :: is_asked
       procedure :: phase
@@ -40,6 +43,15 @@ module dg_legacy_study
       'side_force_difference']
 
 contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(legacy_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, legacy_rule, legacy_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its groups, with the files that they name.
    subroutine read_tables(self, deck, job, notes, faults)

@@ -3,6 +3,7 @@ module dg_steering_study
    use dg_kinds, only: wp
    use dg_case_result, only: result_not_converged
    use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_steering, only: take_steering
    use dg_diagnostic, only: tell
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
@@ -19,6 +20,7 @@ module dg_steering_study
    use dg_steering_file, only: write_steering
    use dg_steering_result, only: steering_result_type
    use dg_steering_table, only: steering_table
+   use dg_steering_keys, only: steering_keys, steering_rule
    use dg_study, only: phase_cases, run_type, study_type
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_threads, only: thread_count
@@ -30,6 +32,7 @@ module dg_steering_study
       private
       type(steering_type), allocatable :: steering
    contains
+      procedure :: add_groups
       procedure :: read => read_steering
       procedure :: is_asked
       procedure :: phase
@@ -41,6 +44,15 @@ module dg_steering_study
    character(*), parameter :: file = 'steering.csv'
 
 contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(steering_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, steering_rule, steering_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its group.
    subroutine read_steering(self, deck, job, notes, faults)

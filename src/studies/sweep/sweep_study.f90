@@ -2,6 +2,7 @@
 module dg_sweep_study
    use dg_column, only: field_real
    use dg_deck_draft, only: deck_type, note_use
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
    use dg_ensemble_study, only: ensemble_study_type, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
@@ -13,6 +14,7 @@ module dg_sweep_study
    use dg_model_text, only: sweep_lines
    use dg_picture_data, only: picture_data_type, rows_of_file
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_echo, only: add_sweeps
@@ -30,6 +32,7 @@ module dg_sweep_study
    type, extends(ensemble_study_type) :: sweep_study_type
       type(sweep_type), allocatable :: sweeps(:)
    contains
+      procedure :: add_groups
       procedure :: read => read_sweeps
       procedure :: echo
       procedure :: add_pictures
@@ -49,6 +52,15 @@ module dg_sweep_study
       'measured_torque', 'error', 'status']
 
 contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(sweep_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, sweep_rule, sweep_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its groups.
    subroutine read_sweeps(self, deck, job, notes, faults)

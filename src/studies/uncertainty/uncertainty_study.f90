@@ -1,6 +1,7 @@
 !> &uncertainty: quantiles of hook load and torque over bit depth, where well, mud, friction and gauges are not known for sure.
 module dg_uncertainty_study
    use dg_deck_draft, only: deck_type, note_use
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_uncertainty, only: take_uncertainties
    use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
@@ -14,6 +15,7 @@ module dg_uncertainty_study
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
+   use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_points, only: add_indicator
@@ -34,6 +36,7 @@ module dg_uncertainty_study
       private
       type(uncertainty_type), allocatable :: uncertainties(:)
    contains
+      procedure :: add_groups
       procedure :: read => read_uncertainties
       procedure :: echo
       procedure :: prepare
@@ -54,6 +57,15 @@ module dg_uncertainty_study
       'torque_p90', 'samples', 'locked_up', 'not_converged']
 
 contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(uncertainty_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, uncertainty_rule, uncertainty_keys)
+      end associate
+   end subroutine add_groups
 
    !> Reads its groups.
    subroutine read_uncertainties(self, deck, job, notes, faults)
