@@ -2,11 +2,12 @@
 """Checks that the READMEs of input/, output/ and src/ say what the sources hold.
 
   input/README.md   one table a group, between marks; must be the table that the deck reader's own rules give
-                    (src/deck_text/deck_keys.f90, defaults of &solver from src/model/numerics.f90); all operations named
+                    (src/scene/rules/deck_keys.f90 and *_keys.f90 of studies/, defaults of &solver from
+                    src/scene/case/numerics.f90); all operations named
   output/README.md  one table a file, between marks; must be the table that the writer's own columns give
-                    (OUTPUT_ROOMS), units of SI decks
-  src/README.md     one row a folder, with the arrows of check_arrows.py; files and procedures that it cites exist; what a new
-                    operation, key, column or model touches is what the example of its row touches
+                    (OUTPUT_HOUSES), units of SI decks
+  src/README.md     one row a house, with the arrows of check_houses.py, and one a room; files and procedures that it cites exist;
+                    what a new operation, key, column or model touches is what the example of its row touches
 
 Usage: check_docs.py [--write]     --write brings the tables of input/ and output/README.md up to date
 """
@@ -14,11 +15,11 @@ import pathlib
 import re
 import sys
 
-import check_arrows
+import check_houses
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Rooms whose modules describe columns of files and tables.
-OUTPUT_ROOMS = ("columns", "files", "tables", "pictures", "page")
+# Houses whose modules describe columns of files and tables.
+OUTPUT_HOUSES = ("report", "studies")
 
 # Tables of columns that only report.html has.
 ON_PAGE = {"part_columns", "lost_columns"}
@@ -129,9 +130,15 @@ def shown(value):
     return text
 
 
+def key_sources():
+    """The tables of keys: those of the scene, then those of studies."""
+    studies = sorted((ROOT / "src/studies").glob("*/*_keys.f90"))
+    return "\n".join([source("scene/rules/deck_keys.f90"), *map(without_comments, studies)])
+
+
 def deck_units():
     """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
-    kinds, units = source("base/unit_kind.f90"), source("base/units.f90")
+    kinds, units = source("base/units/unit_kind.f90"), source("base/units/units.f90")
     labels = {name: (si, field or si) for name, si, field in
               re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)', '[^']*'\))?", kinds)}
     factors = dict(re.findall(r"real\(wp\) :: (\w+) = ([\d.e]+)_wp", units))
@@ -141,7 +148,7 @@ def deck_units():
 
 def solver_defaults():
     """Defaults of the components of numerics_type, in SI."""
-    text = source("model/numerics.f90")
+    text = source("scene/case/numerics.f90")
     constants = real_constants(text)
     body = text[text.index("type :: numerics_type"):text.index("end type numerics_type")]
     found = {}
@@ -152,7 +159,7 @@ def solver_defaults():
 
 def key_table(group, rules, labels, factors, numerics):
     """The lines of the table of a group's keys, as they stand in input/README.md."""
-    constants = real_constants(source("deck_text/deck_keys.f90"))
+    constants = real_constants(key_sources())
     lines = ["| key | default | legal values | unit (field) | meaning |", "|---|---|---|---|---|"]
     for plain, named in rules:
         if unquoted(plain[0]) != group:
@@ -199,7 +206,7 @@ def key_table(group, rules, labels, factors, numerics):
 def check_input(write):
     path = ROOT / "input/README.md"
     text = path.read_text(encoding="utf-8")
-    keys = source("deck_text/deck_keys.f90")
+    keys = key_sources()
     rules = constructors(keys, "key_rule_type")
     labels, factors = deck_units()
     numerics = solver_defaults()
@@ -225,7 +232,7 @@ def check_input(write):
     if write and renewed != text:
         path.write_text(renewed, encoding="utf-8")
         faults = [fault for fault in faults if "--write" not in fault]
-    cases = source("model/load_case.f90")
+    cases = source("scene/case/load_case.f90")
     for array in ("operation_name", "operation_alias"):
         words = re.search(rf"{array}\(operation_count\) = \[character\(\d+\) ::(.*?)\]", cases, re.S).group(1)
         faults += [f"input/README.md does not name the operation {word}" for word in re.findall(r"'(\w+)'", words)
@@ -237,8 +244,8 @@ def check_input(write):
 def header_suffixes():
     """What each quantity puts behind the name of a column, with SI units."""
     labels = {name: value.strip() for name, value in
-              re.findall(r"character\(\d+\) :: (\w+_label) = '([^']*)'", source("base/units.f90"))}
-    text = source("columns/column.f90")
+              re.findall(r"character\(\d+\) :: (\w+_label) = '([^']*)'", source("base/units/units.f90"))}
+    text = source("report/columns/column.f90")
     body = re.search(r"function column_header\(.*?end function column_header", text, re.S).group()
     found = {}
     for quantity, expression in re.findall(r"case \((quantity_\w+)\); header = header//(.*)", body):
@@ -249,9 +256,9 @@ def header_suffixes():
 
 
 def column_tables():
-    """All tables of columns in OUTPUT_ROOMS: name of the array, and its columns as pairs of header and meaning."""
+    """All tables of columns in OUTPUT_HOUSES: name of the array, and its columns as pairs of header and meaning."""
     suffixes, tables, faults = header_suffixes(), {}, []
-    for file in sorted(file for room in OUTPUT_ROOMS for file in (ROOT / "src" / room).glob("*.f90")):
+    for file in sorted(file for house in OUTPUT_HOUSES for file in (ROOT / "src" / house).rglob("*.f90")):
         text = without_comments(file)
         for name, body in re.findall(r"type\(column_type\), parameter :: (\w+)\(\d+\) = \[(.*?)\]\n", text, re.S):
             tables[name] = []
@@ -295,14 +302,18 @@ def check_src():
     faults, cited = [], 0
     rows = {name: {word for word in re.findall(r"\w+", uses) if word != "nothing"} for name, uses in
             re.findall(r"^\| `(\w+)/` \|.*\| ([^|]*) \|$", text, re.M)}
-    for folder in sorted({p.parent.name for p in (ROOT / "src").glob("*/*.f90")}):
-        if folder not in rows:
-            faults.append(f"src/README.md has no row for {folder}/")
-        elif rows[folder] != check_arrows.MAY_USE.get(folder):
-            faults.append(f"src/README.md: {folder}/ uses {sorted(rows[folder])}, check_arrows.py has "
-                          f"{sorted(check_arrows.MAY_USE.get(folder, []))}")
-    for name, procedures in re.findall(r"`(\w+/\w+\.f90)`((?:,? `\w+`)*)", text):
-        path = ROOT / name if name.startswith("app/") else ROOT / "src" / name
+    for house in sorted({p.relative_to(ROOT / "src").parts[0] for p in (ROOT / "src").rglob("*.f90")}):
+        if house not in rows:
+            faults.append(f"src/README.md has no row for {house}/")
+        elif rows[house] != check_houses.MAY_USE.get(house):
+            faults.append(f"src/README.md: {house}/ uses {sorted(rows[house])}, check_houses.py has "
+                          f"{sorted(check_houses.MAY_USE.get(house, []))}")
+    told = set(re.findall(r"^\| `(\w+/\w+)/` \|", text, re.M))
+    rooms = {"/".join(p.relative_to(ROOT / "src").parts[:2]) for p in (ROOT / "src").glob("*/*/*.f90")}
+    faults += [f"src/README.md has no row for {room}/" for room in sorted(rooms - told)]
+    faults += [f"src/README.md: there is no {room}/" for room in sorted(told - rooms)]
+    for name, procedures in re.findall(r"`((?:\w+/)+\w+\.f90)`((?:,? `\w+`)*)", text):
+        path = ROOT / name if name.startswith(("app/", "test/")) else ROOT / "src" / name
         cited += 1
         if not path.is_file():
             faults.append(f"src/README.md: there is no {name}")
@@ -318,12 +329,12 @@ def check_src():
                     faults.append(f"{path.relative_to(ROOT)}: src/README.md has no convention {one}")
     added = re.findall(r"^\| [^|]* \| ([^|]*) \| `(\w+)` \|$", text[text.index("## How to add"):], re.M)
     for files, example in added:
-        told = {name if name.startswith("app/") else f"src/{name}" for name in re.findall(r"`(\w+/\w+\.f90)`", files)}
+        told = {name if name.startswith("app/") else f"src/{name}" for name in re.findall(r"`((?:\w+/)+\w+\.f90)`", files)}
         there = {str(path.relative_to(ROOT)) for folder in ("src", "app") for path in (ROOT / folder).rglob("*.f90")
                  if re.search(rf"\b{example}\b", without_comments(path))}
         faults += [f"src/README.md, How to add: {example} stands in {name}, too" for name in sorted(there - told)]
         faults += [f"src/README.md, How to add: {name} does not know {example}" for name in sorted(told - there)]
-    print(f"  src/README.md: {len(rows)} folders, {cited} citations of files, {len(conventions)} conventions, {len(added)} things to add")
+    print(f"  src/README.md: {len(rows)} houses, {len(rooms)} rooms, {cited} citations of files, {len(conventions)} conventions, {len(added)} things to add")
     return faults
 
 

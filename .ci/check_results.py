@@ -23,7 +23,7 @@ from vtkmodules.vtkIOHDF import vtkHDFReader
 SAME = 1.0e-9      # CSV files have ten digits
 # Positions are differences of kilometres; clock angles pass through text of ten digits: 1e-9 of them is no more than this [m].
 NEAR = 1.0e-6
-MOST_PLAIN = 8192   # numbers of a dataset that is stored as it is (most_plain in src/files/hdf5_file.f90)
+MOST_PLAIN = 8192   # numbers of a dataset that is stored as it is (most_plain in src/report/files/hdf5_file.f90)
 ROOT = ("deck", "deck_path", "title", "program", "version", "compiler", "compiler_options", "time", "unit_system")
 
 faults = []

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps src/catalogue/catalogue_lines.f90, the catalogue that the program carries with it, equal to input/catalogue.csv.
+"""Keeps src/deck/catalogue/catalogue_lines.f90, the catalogue that the program carries with it, equal to input/catalogue.csv.
 
 Usage: embed_catalogue.py [--write]     --write makes the source anew
 """
@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SOURCE = ROOT / "src/catalogue/catalogue_lines.f90"
+SOURCE = ROOT / "src/deck/catalogue/catalogue_lines.f90"
 LONGEST = 110   # letters of a row in a line of Fortran, which may have 132
 
 
@@ -35,7 +35,7 @@ def main():
         SOURCE.write_text(text, encoding="ascii")
     same = SOURCE.exists() and SOURCE.read_text(encoding="ascii") == text
     if not same:
-        print("FAULT src/catalogue/catalogue_lines.f90 is not what input/catalogue.csv makes; run .ci/embed_catalogue.py --write")
+        print("FAULT src/deck/catalogue/catalogue_lines.f90 is not what input/catalogue.csv makes; run .ci/embed_catalogue.py --write")
     return 0 if same else 1
 
 

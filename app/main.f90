@@ -4,15 +4,16 @@
 program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines
    use dg_deck_echo, only: echo_lines
-   use dg_diagnostic, only: tell, tell_lines, tell_faults
+   use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: error_type, status_ok, status_bad_input, status_failure
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: fault_lines, fault_list_type
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_line, print_lines
    use dg_process, only: begin_process, end_process
    use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
+   use dg_registry, only: echo_studies, have_points, name_studies, studies_type
    use dg_run_action, only: run_action
    use dg_run_deck, only: run_deck
    use dg_standard_output, only: guard_descriptors, output_failed
@@ -59,15 +60,16 @@ contains
       integer, intent(out) :: status
       type(model_type) :: model
       type(job_type) :: job
+      type(studies_type) :: studies
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
       type(error_type), allocatable :: error
       integer :: i
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
-      call read_deck(arguments%deck, model, job, notes, faults)
+      call read_deck(arguments%deck, model, job, notes, faults, studies)
       if (faults%count > 0) then
-         call tell_faults(faults)
+         call tell_lines(fault_lines(faults))
          status = status_bad_input
          return
       end if
@@ -77,12 +79,12 @@ contains
       job%parts = arguments%parts
       job%merge = arguments%merge
       job%again = arguments%again
-      if (max(job%parts, job%merge) > 0 .and. size(job%sweeps) + size(job%uncertainties) == 0) then
+      if (max(job%parts, job%merge) > 0 .and. .not. have_points(studies)) then
          call tell(arguments%deck//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
          status = status_bad_input
          return
       end if
-      if (job%again .and. size(job%sweeps) + size(job%uncertainties) == 0) then
+      if (job%again .and. .not. have_points(studies)) then
          call tell(arguments%deck//' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by '// &
                    'every run: leave --again out')
          status = status_bad_input
@@ -90,6 +92,7 @@ contains
       end if
       do i = 1, size(arguments%chosen)
          job%part = arguments%chosen(i)
+         call name_studies(studies, job)
          call check_inputs(job, model, error)
          if (.not. allocated(error)) call check_links(job, model, error)
          if (allocated(error)) exit
@@ -100,23 +103,25 @@ contains
          return
       end if
       if (arguments%check) then
-         call print_echo(job, model, notes)
+         call print_echo(job, model, studies, notes)
          status = status_ok
          return
       end if
       if (.not. job%quiet) call print_notes(notes)
-      call run_deck(job, model, arguments%chosen, status)
+      call run_deck(job, model, studies, arguments%chosen, status)
    end subroutine work
 
    !> What a deck asks for, of a run that only checks it.
-   subroutine print_echo(job, model, notes)
+   subroutine print_echo(job, model, studies, notes)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(studies_type), intent(in) :: studies
       type(text_type), intent(in) :: notes(:)
-      type(text_type), allocatable :: lines(:)
+      type(text_type), allocatable :: lines(:), before(:), after(:)
       integer :: i
       call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
-      call echo_lines(job, model, lines)
+      call echo_studies(studies, job, before, after)
+      call echo_lines(job, model, before, after, lines)
       call print_lines(lines)
       do i = 1, size(notes)
          call print_line('note        '//notes(i)%text)

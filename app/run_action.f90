@@ -2,14 +2,20 @@
 module dg_run_action
    use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
+   use dg_deck_schema, only: group_keys_type
    use dg_deck_template, only: deck_template
-   use dg_diagnostic, only: tell, tell_faults
+   use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
-   use dg_fault_list, only: fault_list_type
+   use dg_fault_list, only: add_fault, fault_lines, fault_list_type
+   use dg_file_lines, only: read_lines
+   use dg_job, only: job_type
    use dg_kinds, only: wp
+   use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned
    use dg_printed_text, only: print_lines
    use dg_process, only: someone_reads
+   use dg_read_deck, only: build_deck
+   use dg_registry, only: deck_groups
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_units, only: field_units, si_units, unit_system_type
@@ -28,22 +34,34 @@ contains
       character(*), intent(in) :: action
       character(*), intent(in) :: operand     !< '': none
       integer, intent(out) :: status          !< of the program
-      type(text_type), allocatable :: lines(:)
+      type(text_type), allocatable :: lines(:), deck(:), notes(:)
       type(fault_list_type) :: faults
+      type(group_keys_type), allocatable :: groups(:)
+      type(model_type) :: model
+      type(job_type) :: job
+      character(:), allocatable :: failure
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
       select case (action)
       case ('template')
-         call deck_template(lines)
+         call deck_groups(groups)
+         call deck_template(groups, lines)
          call print_lines(lines)
          status = status_ok
       case ('list-catalogue')
          call list_catalogue(operand, status)
       case ('convert')
-         call convert_deck(operand, lines, faults)
+         call read_lines(operand, deck, failure, piped=.true.)
+         if (failure /= '') then
+            call add_fault(faults, operand, 0, 'deck '//failure)
+         else
+            call build_deck(operand, deck, model, job, notes, faults)
+         end if
          if (faults%count > 0) then
-            call tell_faults(faults)
+            call tell_lines(fault_lines(faults))
             status = status_bad_input
          else
+            call deck_groups(groups)
+            call convert_deck(operand, deck, job%units, groups, lines)
             call print_deck(lines)
             status = status_ok
          end if
@@ -78,7 +96,7 @@ contains
       call find_catalogue('', '', path)
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
-         call tell_faults(faults)
+         call tell_lines(fault_lines(faults))
          return
       end if
       allocate (lines(0))

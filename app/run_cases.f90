@@ -7,25 +7,24 @@ module dg_run_cases
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_history_file, only: write_history
-   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: limits_table
    use dg_model, only: model_type
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_hole_view, write_string_view
-   use dg_printed_text, only: print_lines, printed_text_type
+   use dg_printed_text, only: print_lines
    use dg_profile_file, only: write_profile
    use dg_progress, only: end_progress, progress_type, show_cases, start_progress
+   use dg_registry, only: studies_type
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_results_h5, only: write_results_h5
-   use dg_run_legacy, only: run_legacy
    use dg_run_outcome, only: note_cases
-   use dg_run_steering, only: run_steering
-   use dg_run_study, only: run_study
    use dg_solve_case, only: solve_case
    use dg_standard_output, only: flush_output
+   use dg_study, only: phase_cases, run_type
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
@@ -43,51 +42,40 @@ module dg_run_cases
 contains
 
    !> The load cases of a deck.
-   subroutine run_cases(printed, job, model, results, alongs, wholes, status)
-      type(printed_text_type), intent(inout) :: printed
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(inout) :: results(:)   !< one a model and case
-      type(along_string_type), intent(inout) :: alongs(:)   !< as many
+   subroutine run_cases(run, studies, alongs, wholes)
+      type(run_type), intent(inout) :: run                  !< with room for a result a model and case
+      type(studies_type), intent(inout) :: studies
+      type(along_string_type), intent(inout) :: alongs(:)   !< as many as there are results
       type(whole_string_type), intent(inout) :: wholes(:)   !< as many
-      integer, intent(inout) :: status
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
-      integer :: i, lost
-      call solve_all(job, model, results, alongs, wholes, status)
-      call note_cases(printed%outcome, model, results)
-      call write_summary(in_folder(job, 'summary.csv'), job, model, results, error)
-      call note_failure(error, status)
-      call write_limits(in_folder(job, 'limits.csv'), job, model, results, wholes, error)
-      call note_failure(error, status)
-      if (job%hdf5) then
-         call write_results_h5(in_folder(job, 'results.h5'), job, model, results, alongs, wholes, error)
-         call note_failure(error, status)
+      integer :: i
+      call solve_all(run%job, run%model, run%results, alongs, wholes, run%status)
+      call note_cases(run%printed%outcome, run%model, run%results)
+      call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, error)
+      call note_failure(error, run%status)
+      call write_limits(in_folder(run%job, 'limits.csv'), run%job, run%model, run%results, wholes, error)
+      call note_failure(error, run%status)
+      if (run%job%hdf5) then
+         call write_results_h5(in_folder(run%job, 'results.h5'), run%job, run%model, run%results, alongs, wholes, error)
+         call note_failure(error, run%status)
       end if
-      call print_lines(result_table(job, model, results))
-      call print_lines(model_table(job, model, results))
-      call limits_table(job, model, results, wholes, lines)
+      call print_lines(result_table(run%job, run%model, run%results))
+      call print_lines(model_table(run%job, run%model, run%results))
+      call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
-      if (allocated(job%legacy)) then
-         do i = 1, size(job%legacy)
-            call run_legacy(printed, job, model, results, i, error)
-            call note_failure(error, status)
-         end do
-      end if
-      if (allocated(job%study)) then
-         call run_study(printed, job, model, error)
-         call note_failure(error, status)
-      end if
-      if (allocated(job%steering) .and. .not. is_interrupted()) then
-         call run_steering(printed, job, model, lost, error)
-         call note_failure(error, status)
-         if (lost > 0) status = graver(status, status_not_converged)
-      end if
+      do i = 1, size(studies%items)
+         associate (study => studies%items(i)%study)
+            if (study%phase() /= phase_cases .or. .not. study%is_asked()) cycle
+            call study%run(run, error)
+            call note_failure(error, run%status)
+         end associate
+      end do
       call flush_output()
       if (is_interrupted()) then
-         call tell('ended by '//interruption_name()//': '//to_text(count(results%status /= result_not_converged))//' of '// &
-                   to_text(size(results))//' results are there, the others are marked not_converged')
-         status = graver(status, status_failure)
+         call tell('ended by '//interruption_name()//': '//to_text(count(run%results%status /= result_not_converged))//' of '// &
+                   to_text(size(run%results))//' results are there, the others are marked not_converged')
+         run%status = graver(run%status, status_failure)
       end if
    end subroutine run_cases
 
@@ -113,7 +101,7 @@ contains
          !$omp critical (results_in_order)
          call show_cases(progress, count(solved), size(results), 'next '//place(job, model, number_of(row), case_of(row)))
          !$omp end critical (results_in_order)
-         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error)
+         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error, stop=by_signals())
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))

@@ -1,25 +1,23 @@
 !> Does all that a deck asks for: load cases, calibrations, sweeps, Monte Carlos, pictures and the page.
 module dg_run_deck
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
    use dg_diagnostic, only: tell
-   use dg_ensemble_record, only: ensemble_title, ensemble_type
-   use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input, status_not_converged
+   use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input
    use dg_exit_status, only: graver, note_ending, note_failure
    use dg_folder, only: make_folder
    use dg_folder_lock, only: folder_lock_type, lock_folder, release_folder
    use dg_interruption, only: is_interrupted, watch_for_signals
    use dg_job, only: job_type
-   use dg_memory, only: check_memory
    use dg_model, only: model_type
-   use dg_part_faults, only: faults_text, part_faults_type, start_faults
+   use dg_part_faults, only: faults_text, start_faults
    use dg_part_list, only: part_list_text
-   use dg_printed_text, only: print_line, printed_text_type
-   use dg_run_calibrations, only: run_calibrations
+   use dg_printed_text, only: print_line
+   use dg_registry, only: name_studies, studies_type
    use dg_run_cases, only: run_cases
-   use dg_run_ensembles, only: close_records, prepare_ensembles, run_ensemble
+   use dg_run_memory, only: check_memory
    use dg_run_pictures, only: run_pictures
    use dg_standard_output, only: flush_output
+   use dg_study, only: phase_after, phase_first, phase_points, run_type
    use dg_text, only: text_type, to_text
    use dg_whole_string, only: whole_string_type
    use dg_written_files, only: begin_files, end_files, other_records
@@ -31,9 +29,10 @@ contains
 
    !> Does all that the deck asks for, of a divided run the chosen parts one after another. One that fails does not keep the next
    !> from being run. `status` is the exit status: the gravest of what happened.
-   subroutine run_deck(asked, given, chosen, status)
+   subroutine run_deck(asked, given, studies, chosen, status)
       type(job_type), intent(in) :: asked          !< as deck and command line have it
       type(model_type), intent(in) :: given        !< as the deck has it
+      type(studies_type), intent(inout) :: studies
       integer, intent(in) :: chosen(:)             !< parts; 1 of an undivided run
       integer, intent(out) :: status
       type(job_type) :: job                        !< with one part after another
@@ -42,7 +41,7 @@ contains
       integer :: i, outcome
       status = status_ok
       job = asked
-      call check_memory(job, given, error)
+      call check_memory(job, given, studies, error)
       if (.not. allocated(error)) call make_folder(job%output_dir, error)
       call watch_for_signals()
       call note_failure(error, status)
@@ -54,7 +53,8 @@ contains
             exit
          end if
          job%part = chosen(i)
-         call run_alone(job, given, outcome)
+         call name_studies(studies, job)
+         call run_alone(job, given, studies, outcome)
          status = graver(status, outcome)
          failed(i) = outcome == status_failure .or. outcome == status_bad_input
       end do
@@ -63,9 +63,10 @@ contains
    end subroutine run_deck
 
    !> Takes the output folder for this run, or part of one, alone.
-   subroutine run_alone(job, given, status)
+   subroutine run_alone(job, given, studies, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: given        !< as the deck has it
+      type(studies_type), intent(inout) :: studies
       integer, intent(out) :: status
       type(folder_lock_type) :: lock
       character(:), allocatable :: note
@@ -75,7 +76,7 @@ contains
       call note_failure(error, status)
       if (allocated(error)) return
       if (note /= '' .and. .not. job%quiet) call tell(note)
-      call run_in_folder(job, given, status)
+      call run_in_folder(job, given, studies, status)
       call release_folder(lock)
    end subroutine run_alone
 
@@ -90,83 +91,127 @@ contains
    end subroutine print_path
 
    !> Solves, writes, prints. A case that fails is marked and told on standard error; the others go on.
-   subroutine run_in_folder(asked, given, status)
-      type(job_type), intent(in) :: asked          !< as the deck has it
+   subroutine run_in_folder(job, given, studies, status)
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: given        !< as the deck has it
+      type(studies_type), intent(inout) :: studies
       integer, intent(inout) :: status
-      type(job_type) :: job                        !< with deviations that calibrations hand on
-      type(model_type) :: model                    !< with friction that calibrations apply
-      type(ensemble_type), allocatable :: ensembles(:)
-      type(printed_text_type) :: printed           !< tables of all but load cases
-      type(case_result_type), allocatable :: results(:)
+      type(run_type) :: run
       type(along_string_type), allocatable :: alongs(:)
       type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
-      type(part_faults_type) :: faults             !< of parts that are to be joined
-      integer :: i, lost, rows
-      logical :: calibrated_first, written
-
-      calibrated_first = any(asked%calibrations%apply)
-      model = given
-      job = asked
-      lost = 0
-      if (calibrated_first) then
-         call begin_files(job, given, error)
-         if (.not. allocated(error)) call print_path(given)
-         if (.not. allocated(error)) call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
-         if (lost > 0) status = status_not_converged
-      end if
-      call start_faults(faults, job%merge)
-      if (.not. allocated(error)) call prepare_ensembles(job, model, ensembles, faults, error)
-      if (.not. allocated(error) .and. faults_text(faults) /= '') call raise(error, status_bad_input, faults_text(faults))
-      ! what is refused so far leaves the results of an earlier run as they are
-      if (.not. (allocated(error) .or. calibrated_first)) call begin_files(job, model, error)
-      if (allocated(error)) then
-         call tell(error%message)
-         status = error%status
-         if (calibrated_first) call end_files(job, error)
-         return
-      end if
-      if (.not. calibrated_first) call print_path(given)
+      integer :: i, rows
+      run%job = job
+      run%given = given
+      run%model = given
+      run%estimates = studies%estimates
+      run%status = status
+      call prepare_run(run, studies, error)
+      status = run%status
+      if (allocated(error)) return
       rows = 0
-      if (job%parts == 0 .and. job%merge == 0) rows = size(job%models)*size(model%cases)
-      allocate (results(rows), alongs(rows), wholes(rows))
-      if (rows > 0) call run_cases(printed, job, model, results, alongs, wholes, status)
-      if (is_interrupted()) then
-         if (size(job%calibrations) + size(job%stickings) > 0 .and. .not. calibrated_first) call note_ending('calibrations', status)
-      else if (job%parts == 0 .and. job%merge == 0 .and. .not. calibrated_first) then
-         call run_calibrations(printed, asked, given, model, job%uncertainties, lost, error)
-         call note_failure(error, status)
-         if (lost > 0) status = graver(status, status_not_converged)
+      if (.not. is_divided(job)) rows = size(job%models)*size(given%cases)
+      allocate (run%results(rows), alongs(rows), wholes(rows))
+      if (rows > 0) call run_cases(run, studies, alongs, wholes)
+      if (.not. is_divided(job)) call run_phase(phase_after, run, studies, 'calibrations')
+      call run_phase(phase_points, run, studies, '')
+      if (.not. is_interrupted()) then
+         do i = 1, size(studies%items)
+            call studies%items(i)%study%finish(run)
+         end do
       end if
-      written = .true.
-      do i = 1, size(ensembles)
-         if (is_interrupted()) then
-            call note_ending(ensemble_title(ensembles(i)), status)
-            exit
-         end if
-         call run_ensemble(printed, job, model, ensembles(i), lost, error)
-         written = written .and. .not. allocated(error)
-         call note_failure(error, status)
-         if (lost > 0) status = graver(status, status_not_converged)
-      end do
-      if (written .and. max(job%parts, job%merge) == 0 .and. .not. is_interrupted()) call close_records(ensembles, status)
       if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
          call print_line('Results in '//job%output_dir// &
                          trim(merge('; open report.html there', '                        ', job%plots)))
       call flush_output()
       if (job%plots .and. job%parts == 0) then
          if (is_interrupted()) then
-            call note_ending('pictures', status)
+            call note_ending('pictures', run%status)
          else
-            call run_pictures(printed, job, model, results, alongs, wholes, error)
-            call note_failure(error, status)
+            call run_pictures(run, studies, alongs, wholes, error)
+            call note_failure(error, run%status)
          end if
       end if
       call end_files(job, error)
-      call note_failure(error, status)
+      call note_failure(error, run%status)
       if (job%parts == 0 .and. .not. job%quiet) call note_records(job)
+      status = run%status
    end subroutine run_in_folder
+
+   !> Whether a run solves a part of its points, or joins parts: then it does nothing else.
+   pure function is_divided(job) result(is)
+      type(job_type), intent(in) :: job
+      logical :: is
+      is = job%parts > 0 .or. job%merge > 0
+   end function is_divided
+
+   !> Runs the studies that change the scene, then lets all studies refuse the run: what is refused leaves the results of an earlier
+   !> run as they are, unless some have been written by then. `error` has been told.
+   subroutine prepare_run(run, studies, error)
+      type(run_type), intent(inout) :: run
+      type(studies_type), intent(inout) :: studies
+      type(error_type), allocatable, intent(out) :: error
+      logical :: begun
+      integer :: i
+      begun = .false.
+      do i = 1, size(studies%items)
+         associate (study => studies%items(i)%study)
+            if (study%phase() /= phase_first .or. .not. study%is_asked()) cycle
+            if (.not. begun) then
+               begun = .true.
+               call begin_files(run%job, run%given, error)
+               if (allocated(error)) exit
+               call print_path(run%given)
+            end if
+            call study%run(run, error)
+            if (allocated(error)) exit
+         end associate
+      end do
+      call start_faults(run%part_faults, run%job%merge)
+      do i = 1, size(studies%items)
+         if (allocated(error)) exit
+         call studies%items(i)%study%prepare(run, error)
+      end do
+      if (.not. allocated(error) .and. faults_text(run%part_faults) /= '') &
+         call raise(error, status_bad_input, faults_text(run%part_faults))
+      if (.not. (allocated(error) .or. begun)) call begin_files(run%job, run%model, error)
+      if (allocated(error)) then
+         call tell(error%message)
+         run%status = error%status
+         if (begun) call end_files_of(run%job)
+         return
+      end if
+      if (.not. begun) call print_path(run%given)
+   end subroutine prepare_run
+
+   !> Leaves the list of files as it should be, whatever else went wrong.
+   subroutine end_files_of(job)
+      type(job_type), intent(in) :: job
+      type(error_type), allocatable :: error
+      call end_files(job, error)
+      if (allocated(error)) call tell(error%message)
+   end subroutine end_files_of
+
+   !> Runs the studies of a phase.
+   subroutine run_phase(phase, run, studies, what)
+      integer, intent(in) :: phase
+      type(run_type), intent(inout) :: run
+      type(studies_type), intent(inout) :: studies
+      character(*), intent(in) :: what       !< they are, where a signal keeps them from being run; '': they tell
+      type(error_type), allocatable :: error
+      integer :: i
+      do i = 1, size(studies%items)
+         associate (study => studies%items(i)%study)
+            if (study%phase() /= phase .or. .not. study%is_asked()) cycle
+            if (is_interrupted() .and. what /= '') then
+               call note_ending(what, run%status)
+               exit
+            end if
+            call study%run(run, error)
+            call note_failure(error, run%status)
+         end associate
+      end do
+   end subroutine run_phase
 
    !> Tells of unfinished work of other sweeps, which stays in the folder.
    subroutine note_records(job)

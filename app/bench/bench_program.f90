@@ -13,8 +13,10 @@ module dg_bench_program
    use dg_kinds, only: wp
    use dg_model, only: copy_without_cases, model_type
    use dg_read_deck, only: read_deck
+   use dg_registry, only: studies_type
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
+   use dg_sweep_study, only: sweep_study_type
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
    use dg_text, only: append_text, text_type
    implicit none
@@ -90,21 +92,27 @@ contains
       character(*), intent(in) :: program, deck
       real(wp) :: ratio
       type(model_type) :: model
+      type(studies_type) :: studies
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
       type(fault_list_type) :: faults
       real(wp) :: seconds, solutions
       integer(int64) :: start
-      integer :: i
+      integer :: i, k
       ratio = 0.0_wp
       allocate (notes(0))
-      call read_deck(deck, model, job, notes, faults)
+      call read_deck(deck, model, job, notes, faults, studies)
       if (faults%count > 0) return
       call time_run(program, deck, seconds)
       solutions = sum(column_of(out//'/summary.csv', 'seconds'))
       call system_clock(start)
-      do i = 1, size(job%sweeps)
-         call solve_sweep(model, job%sweeps(i))
+      do i = 1, size(studies%items)
+         select type (study => studies%items(i)%study)
+         type is (sweep_study_type)
+            do k = 1, size(study%sweeps)
+               call solve_sweep(model, study%sweeps(k))
+            end do
+         end select
       end do
       ratio = seconds/(solutions + since(start))
    end function ratio_of_sweep

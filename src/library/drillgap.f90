@@ -8,6 +8,7 @@
 !> Threads of OpenMP may call solve at the same time, with one model or several: a model is only read. A program that does so
 !> must itself be built with OpenMP (`openmp = "*"` in its fpm.toml), so that this library is, too.
 module drillgap
+   use dg_case_memory, only: check_case_memory
    use dg_case_result, only: case_result_type, contact_point_type, gap_row_type, iteration_type, result_converged, &
       result_locked_up, result_not_converged, result_status_name
    use dg_centralizer, only: centralizer_type
@@ -24,12 +25,12 @@ module drillgap
    use dg_load_case, only: given, load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
       operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, operation_trip_in, &
       operation_trip_out, optional_real
-   use dg_memory, only: check_case_memory
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type, copy_without_cases, inner_type => model_type
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
    use dg_parts_by_call, only: add_component, add_fluid, add_hole
+   use dg_process_memory, only: address_room, memory_of_machine
    use dg_profile, only: profile_type, side_above, side_below, side_none, state_elastic, state_free, state_rigid
    use dg_read_deck, only: read_checked_deck => read_deck
    use dg_rig, only: rig_type
@@ -154,7 +155,7 @@ contains
          ! words of faults are made by one thread at a time: see to_text in dg_text
          !$omp critical (drillgap_words)
          call check_load_case(one, one%cases(1), error)
-         if (.not. allocated(error)) call check_case_memory(one, error)
+         if (.not. allocated(error)) call check_case_memory(one, room, error)
          !$omp end critical (drillgap_words)
          if (.not. allocated(error)) call solve_case(one, number, 1, result, error, totals_only)
       end if
@@ -162,6 +163,12 @@ contains
       result%status = result_not_converged
       result%message = error%message
    end subroutine solve
+
+   !> Memory that is there [bytes].
+   function room() result(bytes)
+      real(wp) :: bytes
+      bytes = min(memory_of_machine(), address_room())
+   end function room
 
    !> Solves load cases, as many at a time as there are threads. One that is refused does not keep the others from being solved.
    !> Example: the second program there.

@@ -77,7 +77,7 @@ module dg_case_result
    !> One row of the state table as it stands at the end: the gap of one element.
    type :: gap_row_type
       real(wp) :: md = 0.0_wp                  !< of its place x0 [m]
-      integer :: state = 0                     !< free, elastic, rigid (dg_gap_state)
+      integer :: state = 0                     !< free, elastic, rigid (dg_named_states)
       real(wp) :: force = 0.0_wp               !< contact force, >= 0 [N]
       integer :: flips = 0                     !< changes of state in all
       integer :: moves = 0                     !< changes of place in all

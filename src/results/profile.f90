@@ -6,7 +6,7 @@
 module dg_profile
    use dg_kinds, only: wp
    use dg_missing, only: missing
-   use dg_gap_state, only: state_elastic, state_free, state_name, state_rigid
+   use dg_named_states, only: state_elastic, state_free, state_name, state_rigid
    implicit none
    private
    public :: profile_type, new_profile, taken_rows, piece_depths

@@ -1,9 +1,9 @@
 !> Every row of the state table (Eqs. 7 and 8), and the force law of Fig. 2.
 module dg_test_gap_state
    use funit, only: assertEqual, assertGreaterThan, assertTrue, TestMethod, TestSuite
-   use dg_gap_state, only: contact_force, depth_of, gap_law_type, gap_thresholds_type, next_state, state_elastic, state_free, &
-                           state_name, state_rigid
+   use dg_gap_state, only: contact_force, depth_of, gap_law_type, gap_thresholds_type, next_state
    use dg_kinds, only: wp
+   use dg_named_states, only: state_elastic, state_free, state_name, state_rigid
    implicit none
    private
    public :: gap_state_suite

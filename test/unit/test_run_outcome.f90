@@ -7,8 +7,9 @@ module dg_test_run_outcome
    use dg_job, only: model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
-   use dg_run_outcome, only: add_part, locked_count, lost_count, note_lost, note_sweep, note_uncertainty, outcome_type, &
-                             solution_count
+   use dg_run_outcome, only: add_part, locked_count, lost_count, note_lost, outcome_type, solution_count
+   use dg_sweep_outcome, only: note_sweep
+   use dg_uncertainty_outcome, only: note_uncertainty
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_sweep_table, only: sweep_sentences
@@ -70,7 +71,7 @@ contains
                           result_locked_up, result_locked_up, result_not_converged, result_locked_up])
       points(2)%message = 'too <few>'
       call note_sweep(outcome, sample_sweep(), points, text_list('a sentence'))
-      call assertEqual('a sentence', outcome%sweeps(1)%text)
+      call assertEqual('a sentence', outcome%sentences(1)%text)
       call assertEqual(16, solution_count(outcome))
       call assertEqual(2, lost_count(outcome))
       call assertEqual(4, locked_count(outcome))

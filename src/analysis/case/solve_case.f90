@@ -1,0 +1,70 @@
+!> One load case by the model of a given number: the one place that knows the doors of all models.
+module dg_solve_case
+   use dg_case_result, only: case_result_type, has_numbers, result_not_converged
+   use dg_error, only: error_type, raise, status_failure
+   use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
+   use dg_mixed_string, only: solve_mixed_string
+   use dg_model, only: model_type
+   use dg_rig, only: indicated_load
+   use dg_rigid_string, only: solve_rigid_string
+   use dg_soft_string, only: solve_soft_string
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_stopping, only: is_stopped, stop_reason, stop_type
+   use dg_text, only: to_text
+   implicit none
+   private
+   public :: solve_case
+
+contains
+
+   !> Solves one case with one model. Where that is refused, or its caller has it stop before it is done, the result is marked as
+   !> not converged. The model is only read: several threads may solve cases of it.
+   subroutine solve_case(model, number, case_index, result, error, totals_only, stop)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number            !< of the model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      logical, intent(in), optional :: totals_only   !< .true.: no profile is asked for; models that save time so leave it out
+      type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
+      type(stop_type) :: stopped
+      integer, parameter :: nothing = 0
+      if (present(stop)) stopped = stop
+      select case (merge(nothing, number, is_stopped(stopped)))
+      case (nothing)
+         result%message = 'not begun'
+      case (model_mcge)
+         call solve_static_analysis(model, case_index, result, error, totals_only, stop)
+      case (model_soft)
+         call solve_soft_string(model, case_index, result, error, totals_only)
+      case (model_rigid)
+         call solve_rigid_string(model, case_index, result, error)
+      case (model_mixed)
+         call solve_mixed_string(model, case_index, result, error, stop)
+      case default
+         call raise(error, status_failure, 'no model of number '//to_text(number))
+      end select
+      if (allocated(error)) then
+         result%status = result_not_converged
+         result%message = error%message
+      end if
+      if (.not. allocated(result%message)) result%message = ''
+      if (is_stopped(stopped) .and. result%status == result_not_converged) then
+         call empty(result)     ! half an iteration is no result to show
+         ! one thread at a time: see to_text in dg_text
+         !$omp critical (interruption_text)
+         result%message = 'ended by '//stop_reason(stopped)//' before it was solved'
+         !$omp end critical (interruption_text)
+      end if
+      if (model%rig%given .and. has_numbers(result%status)) result%weight_indicator = &
+         indicated_load(model%rig, model%cases(case_index)%operation, result%hookload)
+      result%case_index = case_index
+      result%model = number
+   end subroutine solve_case
+
+   !> A result without numbers, marked.
+   subroutine empty(result)
+      type(case_result_type), intent(out) :: result
+      result%status = result_not_converged
+   end subroutine empty
+end module dg_solve_case

@@ -1,0 +1,170 @@
+!> A deck in the other system of units: numbers change in place, all else of the text stays, comments too.
+module dg_deck_convert
+   use dg_kinds, only: wp
+   use dg_deck_number, only: read_real
+   use dg_deck_schema, only: group_keys_type, group_place, key_rule_type, kind_real
+   use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
+   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_unit_kind, only: unit_factor
+   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: convert_deck
+
+   !> A number is written with the fewest digits that are this near to it [-]: 0.3 mm in 3000 m, and 1500 m is 1500 m again after a
+   !> conversion to and fro.
+   real(wp), parameter :: near = 1.0e-7_wp
+   integer, parameter :: most_digits = 9
+
+contains
+
+   !> The lines of a deck without fault, from SI to field units or back. Files that it names stay as they are: the converted deck
+   !> tells their units.
+   subroutine convert_deck(path, read, units, groups, lines)
+      character(*), intent(in) :: path
+      type(text_type), intent(in) :: read(:)            !< the lines of the deck
+      type(unit_system_type), intent(in) :: units       !< of the deck
+      type(group_keys_type), intent(in) :: groups(:)    !< that a deck may have, with their keys
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(text_type), allocatable :: deck(:)
+      type(token_type), allocatable :: tokens(:)
+      type(unit_system_type) :: other
+      logical :: has_job
+      integer :: i
+      allocate (deck, source=read)
+      other = field_units()
+      if (units%name == 'field') other = si_units()
+      call tokenize(deck, tokens)
+      has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
+      call convert_tokens(tokens, units, other, groups, deck)
+      if (allocated(lines)) deallocate (lines)
+      allocate (lines(0))
+      call append_text(lines, '! '//path//' with numbers in '//trim(other%name)//' units, by '//program_name// &
+                       '; comments are as they were.')
+      if (.not. has_job) call append_text(lines, "&job units = '"//trim(other%name)//"' /")
+      do i = 1, size(deck)
+         call append_text(lines, deck(i)%text)
+      end do
+   end subroutine convert_deck
+
+   !> Changes the numbers in the lines, from the last to the first, so that places in a line stay true.
+   pure subroutine convert_tokens(tokens, units, other, groups, lines)
+      type(token_type), intent(in) :: tokens(:)
+      type(unit_system_type), intent(in) :: units      !< of the deck
+      type(unit_system_type), intent(in) :: other      !< that is wanted
+      type(group_keys_type), intent(in) :: groups(:)
+      type(text_type), intent(inout) :: lines(:)
+      character(:), allocatable :: group, key, new
+      type(text_type) :: group_of(size(tokens)), key_of(size(tokens))
+      integer :: i
+      group = ''
+      key = ''
+      do i = 1, size(tokens)
+         if (tokens(i)%kind == token_group) then
+            group = lower_case(tokens(i)%text)
+            key = ''
+         else if (is_key(tokens, i)) then
+            key = lower_case(tokens(i)%text)
+            if (index(key, '(') > 0) key = key(:index(key, '(') - 1)
+         end if
+         group_of(i)%text = group
+         key_of(i)%text = key
+      end do
+      do i = size(tokens), 1, -1
+         new = ''
+         associate (token => tokens(i))
+            select case (token%kind)
+            case (token_group)
+               new = '&'//token%text//added(i)
+            case (token_text)
+               if (group_of(i)%text == 'job' .and. key_of(i)%text == 'units') new = "'"//trim(other%name)//"'"
+            case (token_word)
+               if (.not. is_key(tokens, i)) new = converted(token, lines(token%line)%text(token%first:token%last))
+            case default
+            end select
+            if (new /= '') lines(token%line)%text = lines(token%line)%text(:token%first - 1)//new// &
+                                                    lines(token%line)%text(token%last + 1:)
+         end associate
+      end do
+
+   contains
+
+      !> A number in the other units, its count before it; '' where it stays as it is.
+      pure function converted(token, written) result(new)
+         type(token_type), intent(in) :: token
+         character(*), intent(in) :: written
+         character(:), allocatable :: new
+         type(key_rule_type), allocatable :: rules(:)
+         real(wp) :: number, from, to
+         logical :: legal
+         integer :: k
+         new = ''
+         k = group_place(groups, group_of(i)%text)
+         if (k == 0) return
+         allocate (rules, source=groups(k)%keys)
+         do k = 1, size(rules)
+            if (rules(k)%key /= key_of(i)%text .or. rules(k)%kind /= kind_real) cycle
+            from = unit_factor(units, rules(k)%unit)
+            to = unit_factor(other, rules(k)%unit)
+            if (abs(from - to) <= 0.0_wp) return
+            call read_real(token%text, number, legal)
+            if (abs(number) <= 0.0_wp) return
+            if (legal) new = written(:index(written, '*'))//shortest(number*from/to)
+         end do
+      end function converted
+
+      !> What a group must say that it has not said: the units, or those of the file that it names.
+      pure function added(start) result(text)
+         integer, intent(in) :: start
+         character(:), allocatable :: text
+         text = ''
+         select case (lower_case(tokens(start)%text))
+         case ('job')
+            if (.not. has(start, 'units')) text = " units = '"//trim(other%name)//"'"
+         case ('trajectory')
+            if (has(start, 'survey_file') .and. .not. has(start, 'survey_units')) text = " survey_units = '"// &
+               trim(units%name)//"'"
+         case ('legacy')
+            if (.not. has(start, 'units')) text = " units = '"//trim(units%name)//"'"
+         case default
+         end select
+      end function added
+
+      !> Whether the group that starts there has a key.
+      pure function has(start, name) result(is)
+         integer, intent(in) :: start
+         character(*), intent(in) :: name
+         logical :: is
+         integer :: k
+         is = .false.
+         do k = start + 1, size(tokens)
+            if (tokens(k)%kind == token_group) return
+            if (is_key(tokens, k) .and. key_of(k)%text == name) is = .true.
+         end do
+      end function has
+   end subroutine convert_tokens
+
+   !> A number as text, as a person would write it.
+   pure function shortest(number) result(text)
+      real(wp), intent(in) :: number
+      character(:), allocatable :: text
+      real(wp) :: back
+      integer :: digits
+      do digits = 1, most_digits
+         text = to_text(number, digits)
+         read (text, *) back
+         if (abs(back - number) <= near*abs(number)) return
+      end do
+   end function shortest
+
+   !> Whether a token is a key: a word before =.
+   pure function is_key(tokens, i) result(is)
+      type(token_type), intent(in) :: tokens(:)
+      integer, intent(in) :: i
+      logical :: is
+      is = .false.
+      if (tokens(i)%kind /= token_word .or. i == size(tokens)) return
+      is = tokens(i + 1)%kind == token_equals
+   end function is_key
+end module dg_deck_convert

@@ -1,0 +1,290 @@
+!> What is legal in a deck but hardly meant: numbers that look like a slip of units, and parts that no case uses. The program
+!> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
+module dg_deck_notes
+   use dg_kinds, only: wp
+   use dg_component, only: closed_diameter, has_bend, has_blades, is_open, opens, tube_area
+   use dg_constants, only: degree
+   use dg_deck_draft, only: draft_component_type, draft_type, string_use_type
+   use dg_error, only: error_type
+   use dg_job, only: job_type, model_mcge, model_mixed, model_name
+   use dg_load_case, only: operation_trip_out, rotates
+   use dg_merge_sort, only: first_equal
+   use dg_path_difference, only: find_difference, path_difference_type
+   use dg_survey, only: tangent_of
+   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
+   use dg_unit_kind, only: in_units, unit_diameter, unit_length
+   implicit none
+   private
+   public :: note_oddities
+
+   !> Mud lighter than any foam that is pumped [kg/m3]: specific gravity, or another unit's number.
+   real(wp), parameter :: lightest_mud = 300.0_wp
+   !> Holes wider than so many strings: inches or metres among millimetres.
+   real(wp), parameter :: widest_hole = 12.0_wp
+   !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53); pounds
+   !> a foot are 0.67 of kilogrammes a metre, these 1.49 of those.
+   real(wp), parameter :: least_mass = 0.75_wp, most_mass = 1.6_wp
+   !> Young's moduli of what strings are made of [Pa]: glass fibre has 45, steel 206.
+   real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
+   !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
+   real(wp), parameter :: sharpest = 310.0_wp*degree/30.0_wp
+   !> Deeper than any hole so far [m]: feet among metres.
+   real(wp), parameter :: deepest = 16.0e3_wp
+   !> To compare with: water [kg/m3] and steel [Pa].
+   real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
+   !> Threshold of Eqs. 7-8 from which on the contact force that it hides shows in the hook load [-] (a build of 900 m: 1e-4 at
+   !> this, 2 % where it is as large as the deck may have it).
+   real(wp), parameter :: large_eps_n0 = 0.01_wp
+   !> Angle between the directions of a spline and of minimum curvature from which on stations are too sparse for a spline [rad].
+   !> 160 random wells: with stations every 9 to 30 m it is less in all but sharp bends, and drag differs by 1 to 17 %; with
+   !> stations only where the plan changes it is 8 to 44 deg, and drag differs by 17 to 540 %.
+   real(wp), parameter :: sparse = 3.0_wp*degree
+   !> Notes on components that are told.
+   integer, parameter :: most_notes = 200
+   integer, parameter :: digits = 6, few_digits = 4, angle_digits = 3
+
+contains
+
+   !> Adds to `notes` what is odd in a deck that is without fault.
+   subroutine note_oddities(draft, job, uses, notes)
+      type(draft_type), intent(in) :: draft
+      type(job_type), intent(in) :: job
+      type(string_use_type), intent(in) :: uses(:)     !< of strings, beside those of load cases
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp), dimension(size(draft%components)) :: deepest_bit, below
+      real(wp) :: narrowest
+      integer :: i, before
+      do i = 1, size(draft%fluids)
+         associate (fluid => draft%fluids(i)%fluid, units => draft%units)
+            ! a fluid of one side alone may well be gas
+            if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
+               call append_text(notes, 'group &fluid: density = '//to_text(fluid%density/units%density, digits)// &
+                                ' is that of a gas or of foam; water has '//to_text(water/units%density, few_digits))
+         end associate
+      end do
+      if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
+         'group &solver: eps_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
+         'force and friction come out too small')
+      call note_block(draft, notes)
+      call note_path(draft, notes)
+      if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
+      call find_uses(draft, uses, deepest_bit, below)
+      narrowest = minval(draft%holes%section%diameter)
+      before = size(notes)
+      do i = 1, size(draft%components)
+         call note_component(draft, draft%components(i), narrowest, notes)
+         call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
+         call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
+         if (size(notes) < before + most_notes) cycle
+         call append_text(notes, 'more notes on components are left out')
+         exit
+      end do
+      call note_bends(draft, job, notes)
+   end subroutine note_oddities
+
+   !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
+   subroutine note_block(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      if (.not. draft%rig%given) return
+      do i = 1, size(draft%cases)
+         associate (case => draft%cases(i)%load_case)
+            if (.not. case%measured_hookload%present .or. case%operation /= operation_trip_out) cycle
+            if (case%measured_hookload%value > draft%rig%block_weight) cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload is no more than block_weight of '// &
+                             '&rig; with &rig it is what the indicator shows, the block counted in')
+            return
+         end associate
+      end do
+   end subroutine note_block
+
+   !> Bent housings that a model, or a string that turns, leaves out.
+   subroutine note_bends(draft, job, notes)
+      type(draft_type), intent(in) :: draft
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do i = 1, size(draft%components)
+         associate (item => draft%components(i))
+            if (.not. has_bend(item%component)) cycle
+            do k = 1, size(job%models)
+               if (job%models(k) == model_mcge .or. (job%models(k) == model_mixed .and. draft%numerics%mixed_elements)) cycle
+               call append_text(notes, 'group &component in line '//to_text(item%line)// &
+                  ': model '//trim(model_name(job%models(k)))//' may leave the bend out: it is beams that know it')
+            end do
+            do k = 1, size(draft%cases)
+               if (draft%cases(k)%load_case%string /= item%string .or. .not. rotates(draft%cases(k)%load_case%operation)) cycle
+               call append_text(notes, 'group &component in line '//to_text(item%line)//': cases that turn the string, as '// &
+                  quoted(draft%cases(k)%load_case%name)//', are solved without its bend, which turns with it: see input/README.md')
+               exit
+            end do
+         end associate
+      end do
+   end subroutine note_bends
+
+   !> A survey that goes deeper, or turns more sharply, than any hole does.
+   subroutine note_path(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: above(3), below(3), curvature
+      integer :: i, before
+      associate (stations => draft%stations, units => draft%units)
+         do i = 2, size(stations%md)
+            before = i - 1
+            above = tangent_of(stations%inclination(before), stations%azimuth(before))
+            below = tangent_of(stations%inclination(i), stations%azimuth(i))
+            curvature = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(below - above)))/(stations%md(i) - stations%md(before))
+            if (curvature <= sharpest) cycle
+            call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
+                             trim(in_units(units, unit_length, stations%md(i), digits))//' the hole turns by '// &
+                             to_text(curvature/units%curvature, few_digits)//' '//trim(units%curvature_label)// &
+                             ', more than results were ever checked for; is a depth or an angle mistyped?')
+            exit
+         end do
+         if (stations%md(size(stations%md)) > deepest) call append_text(notes, 'group &trajectory: the last station lies at '// &
+            trim(in_units(units, unit_length, stations%md(size(stations%md)), digits))// &
+            ', deeper than any hole so far; mind the units')
+      end associate
+   end subroutine note_path
+
+   !> A spline that swings between its stations.
+   subroutine note_spline(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(trajectory_type) :: spline, arcs
+      type(path_difference_type) :: difference
+      type(error_type), allocatable :: error
+      associate (stations => draft%stations, units => draft%units)
+         call new_trajectory(spline, stations%md, stations%inclination, stations%azimuth, interpolation_spline, error)
+         if (.not. allocated(error)) call new_trajectory(arcs, stations%md, stations%inclination, stations%azimuth, &
+                                                         interpolation_minimum_curvature, error)
+         if (allocated(error)) return
+         difference = find_difference(spline, arcs)
+         if (difference%direction <= sparse) return
+         call append_text(notes, "group &trajectory: interpolation = 'spline' swings between sparse stations: it leaves "// &
+            'minimum curvature by up to '//to_text(difference%direction/degree, angle_digits)//' deg in direction, near '// &
+            trim(in_units(units, unit_length, difference%direction_md, few_digits))//', and by up to '// &
+            trim(in_units(units, unit_length, difference%position, angle_digits))//' in position. It turns '// &
+            'by '//to_text(difference%turns(1)/degree, angle_digits)//' deg in all instead of '// &
+            to_text(difference%turns(2)/degree, angle_digits)//'; friction and moments go by that. Give stations where bends '// &
+            "begin and end and between, or interpolation = 'minimum_curvature'")
+      end associate
+   end subroutine note_spline
+
+   !> Numbers of a component that do not go together.
+   subroutine note_component(draft, item, narrowest, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: narrowest         !< diameter of the narrowest hole section [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: tube
+      associate (part => item%component, units => draft%units)
+         if (narrowest > widest_hole*closed_diameter(part)) call note('it is '// &
+            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//' wide in holes of '// &
+            trim(in_units(units, unit_diameter, narrowest, digits))//' and more; mind the units')
+         if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
+            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//', are wider than its centralizers, '// &
+            trim(in_units(units, unit_diameter, part%centralizer%od, digits))//': the centralizers do not touch; check both')
+         if (has_blades(part) .and. .not. (part%joint_od > part%od .or. opens(part))) &
+            call note('a stabilizer without joint_od touches at its od, '// &
+            trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
+            'give blades as joint_od and their body as od')
+         tube = part%density*tube_area(part%od, part%id)
+         if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) call note( &
+            'mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and density has '// &
+            to_text(tube/units%mass_per_length, few_digits)//'; mind the units, and the density of what is not steel')
+         if (part%youngs < softest .or. part%youngs > stiffest) call note('youngs = '// &
+            to_text(part%youngs/units%modulus, digits)//'; steel has '//to_text(steel/units%modulus, few_digits))
+         if (item%connected .and. .not. part%joint_torsion > 0.0_wp) call note('the torque at which its connection yields is '// &
+            'not known: it needs a joint_id (with tool joints) or an id and a yield (without) that leave a pin and a box; or '// &
+            'give joint_torsion')
+      end associate
+   contains
+      subroutine note(text)
+         character(*), intent(in) :: text
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)//': '//text)
+      end subroutine note
+   end subroutine note_component
+
+   !> Deepest bit of the string of each component, and the length of the string below the component.
+   subroutine find_uses(draft, uses, deepest_bit, below)
+      type(draft_type), intent(in) :: draft
+      type(string_use_type), intent(in) :: uses(:)
+      real(wp), intent(out) :: deepest_bit(:)   !< of all cases and other uses; -1: the string is not used [m]
+      real(wp), intent(out) :: below(:)         !< [m]
+      type(text_type), allocatable :: names(:)
+      integer, allocatable :: first(:)
+      real(wp) :: length(size(below))           ! of each string so far, at the place of its first component
+      integer :: i, n, used
+      n = size(below)
+      allocate (names(n + size(draft%cases) + size(uses)))
+      do i = 1, n
+         names(i)%text = draft%components(i)%string
+      end do
+      do i = 1, size(draft%cases)
+         names(n + i)%text = draft%cases(i)%load_case%string
+      end do
+      used = n + size(draft%cases)
+      do i = 1, size(uses)
+         names(used + i)%text = uses(i)%string
+      end do
+      allocate (first, source=first_equal(names))
+      deepest_bit = -1.0_wp
+      do i = 1, size(draft%cases)
+         call deepen(first(n + i), draft%cases(i)%load_case%bit_depth)
+      end do
+      do i = 1, size(uses)
+         call deepen(first(used + i), uses(i)%depth)
+      end do
+      length = 0.0_wp
+      do i = 1, n
+         deepest_bit(i) = deepest_bit(first(i))
+         below(i) = length(first(i))
+         length(first(i)) = length(first(i)) + draft%components(i)%component%length
+      end do
+   contains
+      !> A string, by the place of its first component, is used at a depth of the bit.
+      subroutine deepen(place, depth)
+         integer, intent(in) :: place
+         real(wp), intent(in) :: depth          !< [m]
+         if (place <= n) deepest_bit(place) = max(deepest_bit(place), depth)
+      end subroutine deepen
+   end subroutine find_uses
+
+   !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.
+   subroutine note_unused(draft, item, deepest_bit, below, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: deepest_bit       !< of its string; < 0: the string is not used [m]
+      real(wp), intent(in) :: below             !< length of its string below it [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      if (deepest_bit < 0.0_wp) then
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': string '//quoted(item%string)// &
+                          ' is used by no case and no sweep')
+      else if (below >= deepest_bit) then
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
+                          ' never enters the hole: the components below it are '// &
+                          trim(in_units(draft%units, unit_length, below, digits))//' long')
+      end if
+   end subroutine note_unused
+
+   !> A tool that opens, but stands above its depth of opening whatever the deck asks for.
+   subroutine note_closed(draft, item, lower_end, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: lower_end         !< greatest measured depth of its lower end [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: upper_end
+      associate (part => item%component, units => draft%units)
+         upper_end = 0.0_wp
+         if (part%length > 0.0_wp) upper_end = max(lower_end - part%length, 0.0_wp)
+         if (.not. opens(part) .or. .not. lower_end > 0.0_wp .or. is_open(part, upper_end)) return
+         call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
+            ' counts as closed everywhere: a tool opens where its whole length is below opened_below = '// &
+            trim(in_units(units, unit_length, part%opened_below, digits))//', and its upper end comes to '// &
+            trim(in_units(units, unit_length, upper_end, digits)))
+      end associate
+   end subroutine note_closed
+end module dg_deck_notes

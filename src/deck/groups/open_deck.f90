@@ -1,0 +1,345 @@
+!> Opens a deck: reads it with all that it names and checks it; groups of studies are left to these. Closes it: builds what is to be
+!> computed, in SI units. All faults come back together; nothing is built where there is one.
+module dg_open_deck
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, logical_of, places_of, real_of, &
+                               text_of
+   use dg_catalogue, only: catalogue_within
+   use dg_deck_centralizer, only: take_centralizers
+   use dg_deck_catalogue, only: fill_from_catalogue
+   use dg_deck_check, only: close_holes, check_draft
+   use dg_deck_draft, only: deck_type, draft_type
+   use dg_deck_fluid, only: draft_fluid
+   use dg_deck_model, only: build_model
+   use dg_numerics, only: settings_of
+   use dg_deck_notes, only: note_oddities
+   use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
+   use dg_fluid_notes, only: note_fluids
+   use dg_deck_schema, only: group_keys_type, group_place, group_rule_type, name_length
+   use dg_deck_survey, only: read_stations
+   use dg_deck_tortuosity, only: take_tortuosity
+   use dg_deck_tie_on, only: tie_on
+   use dg_deck_text, only: group_type, parse_groups
+   use dg_deck_token, only: token_type, tokenize
+   use dg_deck_values, only: check_group
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_file_lines, only: beside
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: given
+   use dg_model, only: model_type
+   use dg_text, only: append_text, text_type, lower_case, suggestion, to_text
+   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
+   use dg_units, only: unit_system_type, si_units, field_units
+   implicit none
+   private
+   public :: open_deck, close_deck
+
+contains
+
+   !> Opens a deck whose lines are read. Where not even the units are `known` nothing else can be read.
+   subroutine open_deck(path, lines, rules, deck, job, known, faults)
+      character(*), intent(in) :: path
+      type(text_type), intent(in) :: lines(:)
+      type(group_keys_type), intent(in) :: rules(:)      !< groups that a deck may have, with their keys
+      type(deck_type), intent(out) :: deck
+      type(job_type), intent(inout) :: job
+      logical, intent(out) :: known
+      type(fault_list_type), intent(inout) :: faults
+      type(token_type), allocatable :: tokens(:)
+      type(group_type), allocatable :: groups(:)
+      character(:), allocatable :: catalogue
+      integer :: i, k
+      allocate (deck%uses(0), deck%estimates(0))
+      call tokenize(lines, tokens)
+      call parse_groups(path, tokens, groups, faults)
+      deallocate (tokens)
+      call check_group_names(path, groups, rules%rule, faults)
+      deck%draft%path = path
+      deck%draft%units = units_of(groups)
+      call check_units(path, groups, rules, deck%draft%units, known, faults)
+      if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
+      allocate (deck%groups(size(groups)))
+      do i = 1, size(groups)
+         k = group_place(rules, groups(i)%name)
+         if (k > 0) then
+            if (.not. rules(k)%rule%available) k = 0
+         end if
+         if (k > 0) then
+            call check_group(path, groups(i), rules(k)%keys, deck%draft%units, deck%groups(i), faults)
+         else
+            deck%groups(i)%name = ''        ! said already
+         end if
+         deallocate (groups(i)%entries)
+      end do
+      call take_job(path, deck%draft%units, deck%groups, job)
+      job%deck_text = text_of_lines(lines)
+      call fill_from_catalogue(path, deck%groups, catalogue, faults)
+      call take_draft(deck%groups, deck%draft, faults)
+      call take_tortuosity(deck%groups, deck%draft, faults)
+      call take_centralizers(deck%groups, deck%draft, faults)
+      call take_rig_limit(deck%groups, deck%draft, job, faults)
+      call close_holes(deck%draft, faults)
+      call check_draft(deck%draft, faults)
+      deck%inputs = inputs_of(path, deck%groups, catalogue)
+   end subroutine open_deck
+
+   !> Builds the model of a deck without faults. `notes` tells what is legal but hardly meant.
+   subroutine close_deck(deck, job, model, notes, faults)
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(inout) :: job
+      type(model_type), intent(out) :: model
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      job%inputs = deck%inputs
+      if (faults%count == 0) call build_model(deck%draft, model, faults)
+      if (faults%count > 0) return
+      if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
+      call note_oddities(deck%draft, job, deck%uses, notes)
+      call note_fluids(model, deck%draft%units, notes)
+   end subroutine close_deck
+
+   !> Groups: known, of this version, not given twice where once is enough, none missing.
+   subroutine check_group_names(path, groups, rules, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: groups(:)
+      type(group_rule_type), intent(in) :: rules(:)
+      type(fault_list_type), intent(inout) :: faults
+      character(name_length) :: names(size(rules))
+      integer :: i, j, k, slips, found(size(rules))
+      names = rules%name
+      slips = 0
+      found = 0
+      do i = 1, size(groups)
+         k = place_of(groups(i)%name)
+         if (k == 0) then
+            slips = slips + 1
+            call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
+                           suggestion(groups(i)%name, names))
+            cycle
+         end if
+         if (.not. rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': not available in this version; leave it out')
+         found(k) = found(k) + 1
+         if (found(k) == rules(k)%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': a deck has at most '//to_text(rules(k)%most)//' of them')
+         if (rules(k)%repeatable) cycle
+         do j = 1, i - 1
+            if (groups(j)%name /= groups(i)%name) cycle
+            call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name//': given a second time, first in line '// &
+                           to_text(groups(j)%line)//'; keep one')
+            exit
+         end do
+      end do
+      ! a misspelt group is most likely the missing one
+      if (slips > 0) return
+      do k = 1, size(rules)
+         if (.not. rules(k)%required) cycle
+         do i = 1, size(groups)
+            if (groups(i)%name == rules(k)%name) exit
+            if (rules(k)%name == 'load_case' .and. rules(place_of(groups(i)%name))%own_cases) exit
+         end do
+         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(rules(k)%name)// &
+            ': missing; a deck needs it ('//trim(rules(k)%meaning)//')')
+      end do
+   contains
+      pure function place_of(name) result(place)
+         character(*), intent(in) :: name
+         integer :: place
+         place = findloc(rules%name == name, .true., dim=1)
+      end function place_of
+   end subroutine check_group_names
+
+   !> Files that the deck is made of: itself, its survey, its catalogue ('': none).
+   pure function inputs_of(path, groups, catalogue) result(inputs)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: groups(:)
+      character(*), intent(in) :: catalogue
+      type(text_type), allocatable :: inputs(:)
+      integer :: i
+      call append_text(inputs, path)
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'trajectory') cycle
+         if (text_of(groups(i), 'survey_file', '') /= '') &
+            call append_text(inputs, beside(path, text_of(groups(i), 'survey_file', '')))
+      end do
+      if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
+   end function inputs_of
+
+   !> Units of the deck: needed before anything else is read. SI where the deck is silent or wrong.
+   pure function units_of(groups) result(units)
+      type(group_type), intent(in) :: groups(:)
+      type(unit_system_type) :: units
+      integer :: i, j
+      units = si_units()
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         do j = 1, size(groups(i)%entries)
+            if (groups(i)%entries(j)%key /= 'units' .or. size(groups(i)%entries(j)%values) == 0) cycle
+            if (lower_case(groups(i)%entries(j)%values(1)%text) == 'field') units = field_units()
+            return
+         end do
+      end do
+   end function units_of
+
+   !> Whether the units that the deck names are known; the faults of &job where not.
+   subroutine check_units(path, groups, rules, units, known, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: groups(:)
+      type(group_keys_type), intent(in) :: rules(:)
+      type(unit_system_type), intent(in) :: units
+      logical, intent(out) :: known
+      type(fault_list_type), intent(inout) :: faults
+      type(checked_group_type) :: checked
+      type(fault_list_type) :: found
+      integer :: i
+      known = .true.
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, found)
+         if (.not. is_given(checked, 'units') .or. is_sound(checked, 'units')) return
+         known = .false.
+         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, faults)
+         return
+      end do
+   end subroutine check_units
+
+   !> Fills the job from &job, or from defaults where the deck has none.
+   subroutine take_job(path, units, groups, job)
+      character(*), intent(in) :: path
+      type(unit_system_type), intent(in) :: units
+      type(checked_group_type), intent(in) :: groups(:)
+      type(job_type), intent(inout) :: job
+      type(text_type), allocatable :: models(:)
+      integer :: i
+      job%deck_path = path
+      job%units = units
+      job%title = ''
+      job%output_dir = default_folder(path)
+      job%models = [1]
+      allocate (models(0))
+      do i = 1, size(groups)
+         if (groups(i)%name == 'strength') job%design = draft_design(groups(i))
+      end do
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'job') cycle
+         job%title = text_of(groups(i), 'title', '')
+         job%output_dir = text_of(groups(i), 'output_dir', job%output_dir)
+         if (job%output_dir == '') job%output_dir = default_folder(path)
+         job%profiles = logical_of(groups(i), 'profiles', .true.)
+         job%hdf5 = logical_of(groups(i), 'hdf5', .true.)
+         job%plots = logical_of(groups(i), 'plots', .true.)
+         if (is_given(groups(i), 'rig_limit') .and. is_sound(groups(i), 'rig_limit')) &
+            job%rig_limit = given(real_of(groups(i), 'rig_limit', 0.0_wp))
+         job%threads = integer_of(groups(i), 'threads', 0)
+         if (is_sound(groups(i), 'models')) job%models = places_of(groups(i), 'models', model_name)
+         return
+      end do
+   end subroutine take_job
+
+   !> The load that the rig may carry is told by &job or by &rig.
+   subroutine take_rig_limit(groups, draft, job, faults)
+      type(checked_group_type), intent(in) :: groups(:)
+      type(draft_type), intent(inout) :: draft
+      type(job_type), intent(inout) :: job
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i
+      if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
+         do i = 1, size(groups)
+            if (groups(i)%name /= 'rig') cycle
+            call add_fault(faults, draft%path, line_of(groups(i), 'max_hookload'), &
+                           'group &rig: max_hookload is rig_limit of &job under another name; keep one')
+            return
+         end do
+      end if
+      if (draft%rig%max_hookload%present) job%rig_limit = draft%rig%max_hookload
+      draft%rig%max_hookload = job%rig_limit
+   end subroutine take_rig_limit
+
+   !> The lines of a file in one text, in linear time.
+   pure function text_of_lines(lines) result(text)
+      type(text_type), intent(in) :: lines(:)
+      character(:), allocatable :: text
+      integer :: i, length
+      length = 0
+      do i = 1, size(lines)
+         length = length + len(lines(i)%text) + 1
+      end do
+      allocate (character(length) :: text)
+      length = 0
+      do i = 1, size(lines)
+         text(length + 1:length + len(lines(i)%text) + 1) = lines(i)%text//new_line('a')
+         length = length + len(lines(i)%text) + 1
+      end do
+   end function text_of_lines
+
+   !> output/<name of the deck without .nml>.
+   pure function default_folder(path) result(folder)
+      character(*), intent(in) :: path
+      character(:), allocatable :: folder
+      character(:), allocatable :: name
+      name = path(index(path, '/', back=.true.) + 1:)
+      if (len(name) > 4) then
+         if (lower_case(name(len(name) - 3:)) == '.nml') name = name(:len(name) - 4)
+      end if
+      folder = 'output/'//name
+   end function default_folder
+
+   !> Fills the draft from all groups but &job.
+   subroutine take_draft(groups, draft, faults)
+      type(checked_group_type), intent(in) :: groups(:)
+      type(draft_type), intent(inout) :: draft
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, holes, fluids, components, cases
+      allocate (draft%holes(count_of('hole')), draft%components(count_of('component')), draft%cases(count_of('load_case')))
+      allocate (draft%fluids(count_of('fluid')))
+      holes = 0
+      fluids = 0
+      components = 0
+      cases = 0
+      draft%numerics = settings_of('auto')      ! for a deck without &solver
+      do i = 1, size(groups)
+         select case (groups(i)%name)
+         case ('job')
+            draft%gravity = real_of(groups(i), 'gravity', draft%gravity)
+         case ('trajectory')
+            if (draft%trajectory_line > 0) cycle     ! a second one is a fault already
+            draft%trajectory_line = groups(i)%line
+            draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
+                                        text_of(groups(i), 'interpolation', '') == 'spline')
+            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, faults)
+            if (draft%stations%skipped /= '') &
+               call append_text(draft%path_notes, 'survey '//draft%stations%file//': '//draft%stations%skipped)
+            if (draft%has_stations) call tie_on(groups(i), draft, faults)
+         case ('hole')
+            holes = holes + 1
+            call draft_hole(groups(i), holes, draft%holes(holes))
+         case ('fluid')
+            fluids = fluids + 1
+            call draft_fluid(draft%path, groups(i), draft%fluids(fluids), faults)
+         case ('rig')
+            call draft_rig(draft%path, groups(i), draft%rig, faults)
+         case ('component')
+            components = components + 1
+            call draft_component(draft%path, groups(i), draft%units, draft%components(components), faults)
+         case ('load_case')
+            cases = cases + 1
+            call draft_case(draft%path, groups(i), draft%cases(cases), faults)
+         case ('boundary')
+            draft%boundary = draft_boundary(groups(i))
+         case ('solver')
+            call draft_numerics(draft%path, groups(i), draft%numerics, faults)
+         case default
+         end select
+      end do
+   contains
+      pure function count_of(name) result(number)
+         character(*), intent(in) :: name
+         integer :: number
+         integer :: k
+         number = 0
+         do k = 1, size(groups)
+            if (groups(k)%name == name) number = number + 1
+         end do
+      end function count_of
+   end subroutine take_draft
+end module dg_open_deck

@@ -1,0 +1,166 @@
+!> A commented deck to start from: a small well that runs as it stands, with every other key of every group as a comment, made
+!> from the tables of keys, so that it names all of them.
+module dg_deck_template
+   use dg_deck_keys, only: operation_words
+   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_text, listed, range_text
+   use dg_text, only: append_text, text_type
+   use dg_unit_kind, only: unit_label, unit_none
+   use dg_units, only: si_units
+   use dg_version, only: program_name, program_version
+   implicit none
+   private
+   public :: deck_template
+
+   !> One key that the template gives.
+   type :: example_type
+      character(12) :: group = ''
+      integer :: copy = 1              !< of a group that stands several times
+      character(20) :: key = ''
+      character(60) :: value = ''
+   end type example_type
+
+   type(example_type), parameter :: examples(*) = [ &
+      example_type('job', 1, 'title', '''My well'''), &
+      example_type('job', 1, 'units', '''SI'''), &
+      example_type('job', 1, 'models', '''mcge'', ''soft'''), &
+      example_type('trajectory', 1, 'md', '0, 600, 1500, 2400'), &
+      example_type('trajectory', 1, 'inc', '0, 0, 60, 60'), &
+      example_type('trajectory', 1, 'azi', '45, 45, 45, 45'), &
+      example_type('hole', 1, 'name', '''casing'''), &
+      example_type('hole', 1, 'md_top', '0'), &
+      example_type('hole', 1, 'md_bottom', '1500'), &
+      example_type('hole', 1, 'diameter', '224.4'), &
+      example_type('hole', 1, 'friction', '0.20'), &
+      example_type('hole', 2, 'name', '''open hole'''), &
+      example_type('hole', 2, 'md_bottom', '2400'), &
+      example_type('hole', 2, 'diameter', '215.9'), &
+      example_type('hole', 2, 'friction', '0.30'), &
+      example_type('fluid', 1, 'density', '1200'), &
+      example_type('component', 1, 'name', '''collars'''), &
+      example_type('component', 1, 'kind', '''collar'''), &
+      example_type('component', 1, 'length', '120'), &
+      example_type('component', 1, 'od', '165.1'), &
+      example_type('component', 1, 'id', '71.4'), &
+      example_type('component', 2, 'name', '''drill pipe'''), &
+      example_type('component', 2, 'od', '127.0'), &
+      example_type('component', 2, 'id', '108.6'), &
+      example_type('component', 2, 'mass', '31.9'), &
+      example_type('component', 2, 'joint_od', '161.9'), &
+      example_type('component', 2, 'yield', '931'), &
+      example_type('load_case', 1, 'name', '''up'''), &
+      example_type('load_case', 1, 'operation', '''trip_out'''), &
+      example_type('load_case', 1, 'bit_depth', '2400'), &
+      example_type('load_case', 2, 'name', '''drill'''), &
+      example_type('load_case', 2, 'operation', '''rotary_drilling'''), &
+      example_type('load_case', 2, 'bit_depth', '2400'), &
+      example_type('load_case', 2, 'wob', '50'), &
+      example_type('load_case', 2, 'tob', '3')]
+
+   !> Column at which what is said of a key begins.
+   integer, parameter :: remark_column = 42
+   !> Letters of a remark in one line.
+   integer, parameter :: remark_width = 76
+
+contains
+
+   !> The lines of the template.
+   subroutine deck_template(groups, lines)
+      type(group_keys_type), intent(in) :: groups(:)     !< that a deck may have, with their keys
+      type(text_type), allocatable, intent(out) :: lines(:)
+      integer :: i, copy, copies
+      allocate (lines(0))
+      call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
+      call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told; in')
+      call append_text(lines, '! &job the key units = ''field'' takes ft, in, lbm and klbf instead. Groups may come in any order.')
+      do i = 1, size(groups)
+         copies = 0
+         if (any(examples%group == groups(i)%rule%name)) &
+            copies = maxval(examples%copy, mask=examples%group == groups(i)%rule%name)
+         if (.not. groups(i)%rule%available) cycle
+         call append_text(lines, '')
+         call append_text(lines, head(i))
+         do copy = 1, copies
+            call append_group(lines, groups(i), copy, with_rest=copy == copies, commented=.false.)
+         end do
+         if (copies == 0) call append_group(lines, groups(i), 1, with_rest=.true., commented=.true.)
+      end do
+
+   contains
+      pure function head(number) result(text)
+         integer, intent(in) :: number
+         character(:), allocatable :: text
+         text = '! &'//trim(groups(number)%rule%name)//': '//trim(groups(number)%rule%meaning)
+         if (groups(number)%rule%repeatable) text = text//'; may be repeated'
+         if (.not. groups(number)%rule%required) text = text//'; may be left out'
+      end function head
+   end subroutine deck_template
+
+   !> One group: the keys that it gives, then, `with_rest`, the others as comments.
+   subroutine append_group(lines, group, copy, with_rest, commented)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(group_keys_type), intent(in) :: group
+      integer, intent(in) :: copy
+      logical, intent(in) :: with_rest
+      logical, intent(in) :: commented         !< the whole group
+      character(:), allocatable :: mark
+      integer :: i, k
+      mark = ''
+      if (commented) mark = '! '
+      call append_text(lines, mark//'&'//trim(group%rule%name))
+      do k = 1, size(group%keys)
+         do i = 1, size(examples)
+            if (examples(i)%group == group%rule%name .and. examples(i)%copy == copy .and. examples(i)%key == group%keys(k)%key) exit
+         end do
+         if (i <= size(examples)) then
+            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//trim(examples(i)%value), group%keys(k))
+         else if (with_rest .and. trim(group%keys(k)%later) /= '*') then
+            call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k)), group%keys(k))
+         end if
+      end do
+      call append_text(lines, mark//'/')
+   end subroutine append_group
+
+   !> A line of a key with its meaning, unit and legal values behind it, and below it where they are long.
+   pure subroutine append_key(lines, start, rule)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: start
+      type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: line, rest
+      integer :: cut
+      line = start//repeat(' ', max(1, remark_column - len(start)))//'! '
+      rest = remark_of(rule)
+      do while (len(rest) > remark_width)
+         cut = index(rest(:remark_width + 1), ' ', back=.true.)
+         if (cut == 0) exit
+         call append_text(lines, line//rest(:cut - 1))
+         rest = rest(cut + 1:)
+         line = '!'//repeat(' ', remark_column - 1)//'  '
+      end do
+      call append_text(lines, line//rest)
+   end subroutine append_key
+
+   !> Meaning, unit and legal values of a key.
+   pure function remark_of(rule) result(line)
+      type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: line
+      line = trim(rule%meaning)
+      if (rule%choices == '*') then
+         line = line//': '//listed(operation_words())
+      else if (rule%choices /= '') then
+         line = line//': '//listed(rule%choices)
+      else if (range_text(rule, si_units(), si_units()) /= '') then
+         line = line//' ['//range_text(rule, si_units(), si_units())//']'
+      else if (rule%unit /= unit_none) then
+         line = line//' ['//unit_label(si_units(), rule%unit)//']'
+      end if
+      if (rule%required) line = line//'; required'
+   end function remark_of
+
+   !> A default as a deck would write it; nothing where there is none.
+   pure function default_text(rule) result(text)
+      type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: text
+      text = trim(rule%default)
+      if (rule%kind == kind_text .and. text /= '') text = ''''//text//''''
+   end function default_text
+end module dg_deck_template

@@ -1,0 +1,350 @@
+!> Turns the texts of a group's entries into numbers, logicals and names after the table of keys, and notes
+!> every fault against it. Numbers come out in SI units.
+module dg_deck_values
+   use dg_kinds, only: wp
+   use dg_checked_group, only: value_type, checked_group_type
+   use dg_deck_number, only: read_real, read_integer, read_logical
+   use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
+      rule_place, split_words, listed, name_length
+   use dg_deck_keys, only: operation_words
+   use dg_deck_text, only: group_type, entry_type, value_text_type
+   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_text, only: append_text, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_text_fault, only: find_text_fault
+   use dg_unit_kind, only: unit_factor, unit_label, unit_none
+   use dg_units, only: unit_system_type, si_units
+   implicit none
+   private
+   public :: check_group
+
+   !> Values that a message repeats where there are too many.
+   integer, parameter :: values_shown = 3
+   !> Texts that a list may have; numbers may be as many as repeat counts allow.
+   integer, parameter :: most_texts = 1000
+   !> Keys of texts that become no cell of a table: file names, and headings of other programs' tables.
+   character(*), parameter :: not_in_cells(8) = [character(14) :: 'output_dir', 'catalogue_file', 'survey_file', 'file', 'md', &
+      'axial', 'torque', 'side_force']
+
+contains
+
+   !> Checks one group of the deck `path` against the table.
+   subroutine check_group(path, group, rules, units, checked, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(in) :: group
+      type(key_rule_type), intent(in) :: rules(:)
+      type(unit_system_type), intent(in) :: units
+      type(checked_group_type), intent(out) :: checked
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, k, n
+      integer, allocatable :: count_of(:)
+      character(name_length), allocatable :: keys(:)   ! a copy: plain arrays pass without a temporary
+      character(:), allocatable :: place
+
+      place = 'group &'//group%name//': '
+      checked%name = group%name
+      checked%line = group%line
+      n = size(rules)
+      allocate (checked%values(n), count_of(n), keys(n))
+      keys = rules%key
+      checked%values(:)%key = keys
+      checked%values(:)%line = group%line
+      checked%values(:)%required = rules%required
+      count_of = 0
+      do i = 1, size(group%entries)
+         k = rule_place(rules, group%entries(i)%key)
+         if (k == 0) then
+            call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
+                           '; '//suggestion(group%entries(i)%key, keys))
+         else
+            count_of(k) = count_of(k) + 1
+            call take_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
+         end if
+      end do
+      do k = 1, n
+         if (checked%values(k)%given) cycle
+         if (rules(k)%required) then
+            if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
+            if (.not. misspelt(group, keys, trim(keys(k)))) &
+               call add_fault(faults, path, group%line, place//'key '//trim(rules(k)%key)//' is missing; '// &
+                              needed_text(rules(k), units))
+         else if (rules(k)%default /= '') then
+            call set_default(rules(k), checked%values(k))
+         end if
+      end do
+   end subroutine check_group
+
+   !> Whether a key stands in a group.
+   pure function has_entry(group, key) result(has)
+      type(group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      logical :: has
+      integer :: i
+      has = .false.
+      do i = 1, size(group%entries)
+         if (group%entries(i)%key == key) has = .true.
+      end do
+   end function has_entry
+
+   !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
+   pure function misspelt(group, keys, key) result(is)
+      type(group_type), intent(in) :: group
+      character(*), intent(in) :: keys(:)
+      character(*), intent(in) :: key
+      logical :: is
+      integer :: i
+      is = .false.
+      do i = 1, size(group%entries)
+         if (any(keys == group%entries(i)%key)) cycle
+         if (nearest_name(group%entries(i)%key, keys) == key) is = .true.
+      end do
+   end function misspelt
+
+   !> Reads the values of one entry; `times` counts the entries of this key so far.
+   subroutine take_entry(path, place, entry, rule, units, times, value, faults)
+      character(*), intent(in) :: path
+      character(*), intent(in) :: place
+      type(entry_type), intent(in) :: entry
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: times
+      type(value_type), intent(inout) :: value
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, held
+      character(:), allocatable :: message, name, shown
+
+      if (times > 1 .and. (entry%first == 0 .or. .not. rule%array)) then
+         call fault(entry%key//' is given a second time, first in line '//to_text(value%line)//'; keep one')
+         return
+      end if
+      if (times == 1) then
+         value%given = .true.
+         value%line = entry%line
+         value%sound = .true.
+         allocate (value%content)
+         if (rule%kind == kind_text) allocate (value%content%texts(0))
+         if (rule%kind == kind_real .or. rule%kind == kind_integer) allocate (value%content%numbers(0))
+      end if
+      if (.not. entry%sound) then
+         value%sound = .false.
+         return
+      end if
+      if (trim(rule%later) == '*') then
+         call fault(entry%key//' is not available in this version; leave it out')
+         return
+      end if
+      if (.not. rule%array) then
+         if (entry%first > 0) then
+            call fault(entry%key//' takes one value and no subscript')
+            return
+         end if
+         if (size(entry%values) > 1) then
+            shown = entry%values(1)%text
+            do i = 2, min(values_shown, size(entry%values))
+               shown = shown//', '//entry%values(i)%text
+            end do
+            if (size(entry%values) > values_shown) shown = shown//', ...'
+            call fault(entry%key//' takes one value, '//to_text(size(entry%values))//' given ('//shown//')')
+            return
+         end if
+      else if (value%sound) then
+         held = 0
+         if (allocated(value%content%numbers)) held = size(value%content%numbers)
+         if (allocated(value%content%texts)) held = size(value%content%texts)
+         if (max(entry%first, 1) /= held + 1) then
+            call fault(entry%key//'('//to_text(entry%first)//') comes after '//to_text(held)// &
+                       ' values; give the values in order, without gaps')
+            return
+         end if
+      end if
+      if (rule%kind == kind_text .and. size(entry%values) > most_texts) then
+         call fault(entry%key//' takes at most '//to_text(most_texts)//' texts, '//to_text(size(entry%values))//' given')
+         return
+      end if
+      if (.not. value%sound) return
+      if (allocated(value%content%numbers)) value%content%numbers = [value%content%numbers, spread(0.0_wp, 1, size(entry%values))]
+      do i = 1, size(entry%values)
+         name = entry%key
+         if (rule%array .and. rule%kind /= kind_text) name = name//'('//to_text(i + max(entry%first, 1) - 1)//')'
+         call take_value(entry%values(i), name, max(entry%first, 1) + i - 1, rule, units, value, message)
+         if (message == '') cycle
+         if (entry%values(i)%line /= entry%line) message = message//' [line '//to_text(entry%values(i)%line)//']'
+         call fault(message)
+      end do
+
+   contains
+
+      subroutine fault(text)
+         character(*), intent(in) :: text
+         value%sound = .false.
+         call add_fault(faults, path, entry%line, place//text)
+      end subroutine fault
+   end subroutine take_entry
+
+   !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
+   subroutine take_value(item, name, place, rule, units, value, message)
+      type(value_text_type), intent(in) :: item
+      character(*), intent(in) :: name
+      integer, intent(in) :: place             !< of the value among those of its key
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      type(value_type), intent(inout) :: value
+      character(:), allocatable, intent(out) :: message
+      real(wp) :: number
+      integer :: whole
+      logical :: legal
+
+      message = ''
+      select case (rule%kind)
+      case (kind_text)
+         call take_text(item, name, rule, value, message)
+      case (kind_logical)
+         legal = .not. item%in_quotes
+         if (legal) call read_logical(item%text, value%flag, legal)
+         if (.not. legal) message = name//' = '//shown(item)//' is no logical; write .true. or .false.'
+      case default
+         legal = .not. item%in_quotes
+         number = 0.0_wp
+         if (legal) then
+            if (rule%kind == kind_integer) then
+               call read_integer(item%text, whole, legal)
+               if (legal) number = real(whole, wp)
+            else
+               call read_real(item%text, number, legal)
+            end if
+         end if
+         if (.not. legal) then
+            message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)
+            return
+         end if
+         number = number*unit_factor(units, rule%unit)
+         call hold_in_range(rule, si_units(), number, legal)
+         if (.not. legal) then
+            message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
+            return
+         end if
+         value%content%numbers(place) = number
+      end select
+   end subroutine take_value
+
+   !> Reads one text, as a name from a list where the key has one.
+   subroutine take_text(item, name, rule, value, message)
+      type(value_text_type), intent(in) :: item
+      character(*), intent(in) :: name
+      type(key_rule_type), intent(in) :: rule
+      type(value_type), intent(inout) :: value
+      character(:), allocatable, intent(out) :: message
+      character(name_length), allocatable :: choices(:), later(:)
+      character(:), allocatable :: chosen
+      integer :: i
+      message = ''
+      chosen = item%text
+      if (.not. item%in_quotes) then
+         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
+         return
+      end if
+      if (rule%choices /= '') then
+         if (rule%choices == '*') then
+            call split_words(operation_words(), choices)
+         else
+            call split_words(rule%choices, choices)
+         end if
+         call split_words(rule%later, later)
+         chosen = ''
+         do i = 1, size(choices)
+            if (lower_case(item%text) == lower_case(trim(choices(i)))) chosen = trim(choices(i))
+         end do
+         if (chosen == '') then
+            do i = 1, size(later)
+               if (lower_case(item%text) == trim(later(i))) message = name//' = '//quoted(item%text)// &
+                  ' is not available in this version; available: '//joined(choices, ', ')
+            end do
+            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
+            return
+         end if
+      else if (rule%required .and. item%text == '') then
+         message = name//' is empty; give a text'
+         return
+      else
+         call find_text_fault(item%text, .not. any(not_in_cells == rule%key), message)
+         if (message /= '') message = name//' = '//quoted(item%text)//' '//message
+         if (message /= '') return
+      end if
+      call append_text(value%content%texts, chosen)
+   end subroutine take_text
+
+   !> Sets the default of a key, which the table states in units of SI.
+   subroutine set_default(rule, value)
+      type(key_rule_type), intent(in) :: rule
+      type(value_type), intent(inout) :: value
+      real(wp) :: number
+      logical :: legal
+      legal = .true.
+      select case (rule%kind)
+      case (kind_text)
+         ! By component: gfortran 12 gives a deferred-length text in a structure constructor a wrong length.
+         allocate (value%content)
+         allocate (value%content%texts(1))
+         value%content%texts(1)%text = trim(rule%default)
+      case (kind_logical)
+         call read_logical(trim(rule%default), value%flag, legal)
+      case default
+         call read_real(trim(rule%default), number, legal)
+         value%number = number*unit_factor(si_units(), rule%unit)
+      end select
+      value%sound = legal
+   end subroutine set_default
+
+   !> A value as the user wrote it.
+   pure function shown(item) result(text)
+      type(value_text_type), intent(in) :: item
+      character(:), allocatable :: text
+      if (item%in_quotes) then
+         text = quoted(item%text)
+      else
+         text = quoted(item%text)
+         text = text(2:len(text) - 1)
+      end if
+   end function shown
+
+   !> 'whole number' or 'number'.
+   pure function needed_number(rule) result(text)
+      type(key_rule_type), intent(in) :: rule
+      character(:), allocatable :: text
+      text = 'number'
+      if (rule%kind == kind_integer) text = 'whole number'
+   end function needed_number
+
+   !> What a key needs, with its range: 'needs a number, > 0 mm'.
+   pure function needed_text(rule, units) result(text)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text, range
+      select case (rule%kind)
+      case (kind_text)
+         text = 'needs a text in quotes'
+         if (rule%choices == '*') then
+            text = text//': '//listed(operation_words())
+         else if (rule%choices /= '') then
+            text = text//': '//listed(rule%choices)
+         end if
+      case (kind_logical)
+         text = 'needs .true. or .false.'
+      case default
+         text = 'needs a '//needed_number(rule)
+         range = range_text(rule, units, si_units())
+         if (range /= '') then
+            text = text//', '//range
+         else if (rule%unit /= unit_none) then
+            text = text//' ['//unit_label(units, rule%unit)//']'
+         end if
+      end select
+   end function needed_text
+
+   !> What to write instead of an unknown word: a near one, and all that are legal, since a name with digits is near to many.
+   pure function advice_of(word, choices) result(advice)
+      character(*), intent(in) :: word, choices(:)
+      character(:), allocatable :: advice
+      advice = suggestion(word, choices)
+      if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
+   end function advice_of
+end module dg_deck_values

@@ -1,0 +1,169 @@
+!> Names of the files of results, relative to the output folder. No other file is ever removed from it.
+module dg_result_name
+   use dg_job, only: job_type, model_name
+   use dg_model, only: model_type
+   use dg_text, only: text_type, to_text
+   implicit none
+   private
+   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, failed_file
+   public :: result_names, is_result_name, is_record_name, picture_folder
+
+   ! Files of one case.
+   integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, history_file = 5, case_files = 5
+
+   !> Folder of scripts and pictures, within the output folder.
+   character(*), parameter :: picture_folder = 'pictures'
+   character(*), parameter :: fixed_names(9) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
+      'study.csv', 'steering.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
+   !> Beginnings of names with something of the deck in them, and their endings. Builds before 0.2.0 wrote .vtkhdf.
+   character(*), parameter :: beginnings(9) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_', &
+                                                              'legacy_', 'sweep_', 'uncertainty_']
+   character(*), parameter :: endings(9) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf', '.csv', '.csv', &
+                                                            '.csv']
+   !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
+   character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
+   !> What names may be made of, and how long the system lets them be.
+   character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+'
+   character(*), parameter :: digits = '0123456789'
+   integer, parameter :: longest_name = 255
+
+contains
+
+   !> Name of a file of one case and model.
+   pure function case_file(kind, case, number) result(name)
+      integer, intent(in) :: kind               !< profile_file, ...
+      character(*), intent(in) :: case
+      integer, intent(in) :: number             !< of the model
+      character(:), allocatable :: name
+      name = '_'//case//'_'//trim(model_name(number))
+      select case (kind)
+      case (profile_file)
+         name = 'profile'//name//'.csv'
+      case (view_file)
+         name = 'view'//name//'.hdf'
+      case (hole_file)
+         name = 'hole'//name//'.hdf'
+      case (contacts_file)
+         name = 'contacts'//name//'.csv'
+      case default
+         name = 'history'//name//'.csv'
+      end select
+   end function case_file
+
+   !> Name of the record of work that is not finished: of a part, or of an undivided run (`parts` = 0).
+   pure function record_file(what, name, part, parts) result(file)
+      character(*), intent(in) :: what         !< sweep or uncertainty
+      character(*), intent(in) :: name         !< of it
+      integer, intent(in) :: part, parts
+      character(:), allocatable :: file
+      file = what//'_'//name//'.partial'
+      if (parts > 0) file = what//'_'//name//'.part_'//to_text(part)//'_of_'//to_text(parts)
+   end function record_file
+
+   !> Name of the record that an undivided run leaves where points did not converge: they can be solved again from it.
+   pure function failed_file(what, name) result(file)
+      character(*), intent(in) :: what, name   !< as in record_file
+      character(:), allocatable :: file
+      file = what//'_'//name//'.failed'
+   end function failed_file
+
+   !> What a run of the job writes as results, pictures aside. A part of a divided run writes none.
+   subroutine result_names(job, model, names)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable, intent(out) :: names(:)
+      integer :: i, j, n
+      n = size(fixed_names) + size(job%study_files) + case_files*size(job%models)*size(model%cases)
+      allocate (names(n))
+      n = 0
+      call add('report.html', job%plots)
+      do i = 1, size(job%study_files)
+         call add(job%study_files(i)%text, .true.)
+      end do
+      if (job%merge == 0 .and. size(model%cases) > 0) call add_cases()
+      if (job%parts > 0) n = 0
+      names = names(:n)
+
+   contains
+
+      subroutine add(name, is_written)
+         character(*), intent(in) :: name
+         logical, intent(in) :: is_written
+         if (.not. is_written) return
+         n = n + 1
+         names(n)%text = name
+      end subroutine add
+
+      !> What load cases bring.
+      subroutine add_cases()
+         call add('summary.csv', .true.)
+         call add('limits.csv', .true.)
+         call add('results.h5', job%hdf5)
+         do j = 1, size(job%models)
+            do i = 1, size(model%cases)
+               call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
+               call add(case_file(contacts_file, model%cases(i)%name, job%models(j)), job%profiles)
+               call add(case_file(view_file, model%cases(i)%name, job%models(j)), job%plots)
+               call add(case_file(hole_file, model%cases(i)%name, job%models(j)), job%plots)
+               call add(case_file(history_file, model%cases(i)%name, job%models(j)), model%numerics%history)
+            end do
+         end do
+      end subroutine add_cases
+   end subroutine result_names
+
+   !> Whether a name could be that of a result: plain, in the output folder or its folder of pictures, of a form that runs write.
+   pure function is_result_name(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      integer :: i, j
+      is = .false.
+      if (index(name, picture_folder//'/') == 1) then
+         if (.not. is_plain(name(len(picture_folder) + 2:))) return
+         do i = 1, size(picture_endings)
+            is = is .or. has_form(name, picture_folder//'/', trim(picture_endings(i)))
+         end do
+         return
+      end if
+      if (.not. is_plain(name)) return
+      is = any(fixed_names == name)
+      do i = 1, size(beginnings)
+         if (i > 3) then
+            is = is .or. has_form(name, trim(beginnings(i)), trim(endings(i)))
+            cycle
+         end if
+         do j = 1, size(model_name)
+            is = is .or. has_form(name, trim(beginnings(i)), '_'//trim(model_name(j))//trim(endings(i)))
+         end do
+      end do
+   end function is_result_name
+
+   !> Whether a name could be that of a record.
+   pure function is_record_name(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      integer :: part, of
+      is = .false.
+      if (.not. is_plain(name)) return
+      if (index(name, 'sweep_') /= 1 .and. index(name, 'uncertainty_') /= 1) return
+      is = has_form(name, '', '.partial') .or. has_form(name, '', '.failed')
+      part = index(name, '.part_', back=.true.)
+      of = index(name, '_of_', back=.true.)
+      if (is .or. part == 0 .or. of <= part + len('.part_') .or. of + len('_of_') > len(name)) return
+      is = verify(name(part + len('.part_'):of - 1), digits) == 0 .and. verify(name(of + len('_of_'):), digits) == 0
+   end function is_record_name
+
+   !> Whether a name begins and ends so, with something between.
+   pure function has_form(name, beginning, ending) result(has)
+      character(*), intent(in) :: name, beginning, ending
+      logical :: has
+      has = len(name) > len(beginning) + len(ending)
+      if (has) has = name(:len(beginning)) == beginning .and. name(len(name) - len(ending) + 1:) == ending
+   end function has_form
+
+   pure function is_plain(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      is = len(name) > 0 .and. len(name) <= longest_name .and. verify(name, letters) == 0
+      if (is) is = name(1:1) /= '.'
+   end function is_plain
+end module dg_result_name

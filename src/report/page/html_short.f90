@@ -1,0 +1,272 @@
+!> A run in a few sentences, first on its page: which load case is nearest to a limit, where and by how much; what buckles; how far
+!> results may be trusted.
+module dg_html_short
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_column, only: field_list_type, field_text
+   use dg_comparison, only: as_measured, percent_error
+   use dg_html_text, only: html_safe, spaced
+   use dg_job, only: job_type, model_mcge, model_name
+   use dg_limits_file, only: limits_columns, limits_fields
+   use dg_line_list, only: add_line, line_list_type
+   use dg_load_case, only: load_case_type, operation_label, optional_real
+   use dg_model, only: model_type
+   use dg_run_outcome, only: outcome_type
+   use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_utilisation, only: governing_name
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: append_short
+
+   integer, parameter :: few = 4, fewer = 3    !< digits
+   real(wp), parameter :: per_cent = 100.0_wp
+   character(*), parameter :: not_buckled = 'none'
+   !> Load cases that a sentence names at most.
+   integer, parameter :: most_named = 6
+
+contains
+
+   !> The sentences, of the load cases with one model: gap elements where they are asked for, else the first model; then of sweeps.
+   subroutine append_short(lines, job, model, results, wholes, outcome)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(outcome_type), intent(in) :: outcome
+      integer, allocatable :: rows(:)
+      integer :: i, shown
+      shown = job%models(1)
+      if (any(job%models == model_mcge)) shown = model_mcge
+      rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
+      if (size(rows) == 0 .and. .not. allocated(outcome%sentences)) return
+      call add_line(lines, '<h2>In short</h2>')
+      if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p>')
+      call add_line(lines, '<ul>')
+      if (size(rows) > 0) then
+         call append_governing(lines, job, model, results(rows), wholes(rows))
+         call append_loads(lines, job, model, results(rows))
+         call append_buckled(lines, model, results(rows), wholes(rows))
+         call append_errors(lines, model, results(rows))
+         call append_models(lines, job, model, results, rows)
+         if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
+         i = count([(has_message(results(rows(i))), i=1, size(rows))])
+         if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
+      end if
+      if (allocated(outcome%sentences)) then
+         do i = 1, size(outcome%sentences)
+            call add_line(lines, '<li>'//html_safe(outcome%sentences(i)%text)//'.</li>')
+         end do
+      end if
+      call add_line(lines, '</ul>')
+   end subroutine append_short
+
+   !> Which case uses most of a strength, and which go beyond one.
+   subroutine append_governing(lines, job, model, results, wholes)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      real(wp) :: used(size(results))
+      integer :: i, most
+      used = -1.0_wp
+      do i = 1, size(results)
+         associate (here => wholes(i)%utilisation)
+            if (here%governing > 0) used(i) = here%used(here%governing)%value
+         end associate
+      end do
+      if (all(used < 0.0_wp)) then
+         call add_line(lines, '<li>Limits: no strength is known. Give <code>yield</code> or a <code>catalogue</code> for '// &
+                       'components, or <code>&amp;rig</code>.</li>')
+         return
+      end if
+      most = maxloc(used, dim=1)
+      associate (here => wholes(most)%utilisation)
+         call add_line(lines, '<li>Nearest to a limit: <b>'//case_text(job, model%cases(results(most)%case_index))//'</b>, '// &
+                       trim(governing_name(here))//', '//to_text(per_cent*used(most), fewer)//' % used, at '// &
+                       trim(in_units(job%units, unit_length, here%md(here%governing)%value, few))//' measured depth.</li>')
+      end associate
+      if (any(used > 1.0_wp)) then
+         call add_line(lines, '<li><b>Beyond a limit</b>: '//named(model, pack(results%case_index, used > 1.0_wp))//'.</li>')
+      else
+         call add_line(lines, '<li>No load case is beyond a known limit of strength, slips or rig, design factors included.</li>')
+      end if
+   end subroutine append_governing
+
+   !> Least and greatest hook load.
+   subroutine append_loads(lines, job, model, results)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      integer :: least, most, cases(size(results))
+      least = minloc(results%hookload, dim=1)
+      most = maxloc(results%hookload, dim=1)
+      if (size(results) == 1) then
+         call add_line(lines, '<li>Hook load: '//trim(in_units(job%units, unit_force, results(1)%hookload, few))//'.</li>')
+      else
+         call add_line(lines, '<li>Hook load: from '// &
+                       trim(in_units(job%units, unit_force, results(least)%hookload, few))//' ('// &
+                       html_safe(model%cases(results(least)%case_index)%name)//') to '// &
+                       trim(in_units(job%units, unit_force, results(most)%hookload, few))//' ('// &
+                       html_safe(model%cases(results(most)%case_index)%name)//').</li>')
+      end if
+      cases = results%case_index
+      if (results(least)%hookload <= 0.0_wp) call add_line(lines, '<li><b>Pushed at the surface</b>: '// &
+         named(model, pack(cases, results%hookload <= 0.0_wp))//'.</li>')
+   end subroutine append_loads
+
+   !> Which cases were found to buckle, or by models on the axis are beyond the published limit.
+   subroutine append_buckled(lines, model, results, wholes)
+      type(line_list_type), intent(inout) :: lines
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      type(field_list_type) :: fields
+      logical :: buckled(size(results))
+      integer :: cases(size(results))
+      character(:), allocatable :: shape, text
+      integer :: i
+      do i = 1, size(results)
+         fields%count = 0
+         call limits_fields('', results(i), wholes(i), fields)
+         shape = limit_text(fields, 'buckling')
+         if (results(i)%model == model_mcge) shape = limit_text(fields, 'shape')
+         buckled(i) = shape /= not_buckled .and. shape /= ''
+      end do
+      text = 'Beyond a published buckling limit'
+      if (results(1)%model == model_mcge) text = 'Found to buckle'
+      cases = results%case_index
+      if (any(buckled)) then
+         call add_line(lines, '<li>'//text//': '//named(model, pack(cases, buckled))//'.</li>')
+      else
+         call add_line(lines, '<li>'//text//': no load case.</li>')
+      end if
+   end subroutine append_buckled
+
+   !> Hook loads against what was measured, and against another calculation.
+   subroutine append_errors(lines, model, results)
+      type(line_list_type), intent(inout) :: lines
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(optional_real) :: measured(size(results)), reference(size(results))
+      integer :: i
+      do i = 1, size(results)
+         associate (load_case => model%cases(results(i)%case_index))
+            measured(i) = percent_error(as_measured(results(i)%hookload, results(i)%weight_indicator), load_case%measured_hookload)
+            reference(i) = percent_error(results(i)%hookload, load_case%reference_hookload)
+         end associate
+      end do
+      call tell('Measured hook loads', measured)
+      call tell('Reference hook loads', reference)
+   contains
+      subroutine tell(what, errors)
+         character(*), intent(in) :: what
+         type(optional_real), intent(in) :: errors(:)
+         integer :: worst
+         if (.not. any(errors%present)) return
+         worst = maxloc(errors%value, dim=1, mask=errors%present)
+         call add_line(lines, '<li>'//what//': '//to_text(count(errors%present))//', met within '// &
+                       to_text(errors(worst)%value, fewer)//' %; the worst is '// &
+                       html_safe(model%cases(results(worst)%case_index)%name)//'.</li>')
+      end subroutine tell
+   end subroutine append_errors
+
+   !> How far the hook loads of other models are from these.
+   subroutine append_models(lines, job, model, results, rows)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      integer, intent(in) :: rows(:)           !< of the model that is shown
+      real(wp) :: apart, worst, scale
+      integer :: i, k, m, where_worst
+      scale = maxval(abs(results(rows)%hookload))
+      if (.not. scale > 0.0_wp) return
+      do m = 1, size(job%models)
+         if (job%models(m) == results(rows(1))%model) cycle
+         worst = -1.0_wp
+         where_worst = 0
+         do i = 1, size(rows)
+            do k = 1, size(results)
+               if (results(k)%model /= job%models(m) .or. results(k)%case_index /= results(rows(i))%case_index .or. &
+                   results(k)%status /= result_converged) cycle
+               apart = abs(results(k)%hookload - results(rows(i))%hookload)
+               if (apart > worst) then
+                  worst = apart
+                  where_worst = results(k)%case_index
+               end if
+            end do
+         end do
+         if (where_worst > 0) call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
+            trim(in_units(job%units, unit_force, worst, fewer))//' of these, '//to_text(per_cent*worst/scale, fewer)// &
+            ' % of the greatest; the worst is '//html_safe(model%cases(where_worst)%name)//'.</li>')
+      end do
+   end subroutine append_models
+
+   !> How far bending moments may be off.
+   subroutine append_moments(lines, model, results, wholes)
+      type(line_list_type), intent(inout) :: lines
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      integer :: worst
+      if (.not. any(wholes%bending_error%present)) return
+      worst = maxloc(wholes%bending_error%value, dim=1, mask=wholes%bending_error%present)
+      call add_line(lines, '<li>Bending moments: within '//to_text(per_cent*wholes(worst)%bending_error%value, fewer)// &
+                    ' % of the greatest of their case, by two ways to find them; the worst is '// &
+                    html_safe(model%cases(results(worst)%case_index)%name)//'.</li>')
+   end subroutine append_moments
+
+   !> Text of a column of limits.csv.
+   pure function limit_text(fields, name) result(text)
+      type(field_list_type), intent(in) :: fields
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, fields%count
+         if (limits_columns(i)%name == name .and. fields%fields(i)%kind == field_text) text = fields%fields(i)%text
+      end do
+   end function limit_text
+
+   !> A load case with what it does.
+   function case_text(job, load_case) result(text)
+      type(job_type), intent(in) :: job
+      type(load_case_type), intent(in) :: load_case
+      character(:), allocatable :: text
+      text = html_safe(load_case%name)//' ('//spaced(trim(operation_label(load_case%operation)))//', bit at '// &
+             trim(in_units(job%units, unit_length, load_case%bit_depth, few + 1))//')'
+   end function case_text
+
+   !> Names of load cases, the first of many.
+   function named(model, cases) result(text)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: cases(:)      !< their numbers
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, min(size(cases), most_named)
+         if (i > 1) text = text//', '
+         text = text//html_safe(model%cases(cases(i))%name)
+      end do
+      if (size(cases) > most_named) text = text//' and '//to_text(size(cases) - most_named)//' more'
+   end function named
+
+   pure function has_message(result) result(has)
+      type(case_result_type), intent(in) :: result
+      logical :: has
+      has = .false.
+      if (allocated(result%message)) has = result%message /= ''
+   end function has_message
+
+   pure function cases_text(number) result(text)
+      integer, intent(in) :: number
+      character(:), allocatable :: text
+      text = to_text(number)//' load cases'
+      if (number == 1) text = '1 load case'
+   end function cases_text
+end module dg_html_short

@@ -1,0 +1,151 @@
+!> The pictures of a run: writes a gnuplot script for each into the folder `pictures` of the output folder, has gnuplot draw
+!> them, and tells which are there. Without gnuplot the scripts stay, to be drawn elsewhere.
+module dg_picture_files
+   use dg_along_string, only: along_string_type
+   use dg_assembly_picture, only: assembly_script, shown_length
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_child_process, only: find_program
+   use dg_error, only: error_type
+   use dg_file_system, only: write_text_file
+   use dg_folder, only: make_folder
+   use dg_forces_picture, only: forces_script
+   use dg_gnuplot_script, only: spelled
+   use dg_hookload_picture, only: hookload_script
+   use dg_job, only: job_type, model_mcge, model_name
+   use dg_model, only: model_type
+   use dg_path_picture, only: path_script
+   use dg_picture_data, only: rows_along, rows_of_contacts, rows_of_file
+   use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
+   use dg_picture_list, only: add_picture, folder_in, free_name, new_picture, picture_list_type
+   use dg_result_name, only: case_file, contacts_file, picture_folder, profile_file
+   use dg_strength_picture, only: strength_script
+   use dg_summary_file, only: summary_columns
+   use dg_text, only: text_list, text_type
+   use dg_written_files, only: check_picture_folder, note_file
+   implicit none
+   private
+   public :: begin_pictures, end_pictures
+
+   !> Script that draws all, for whoever wants them again.
+   character(*), parameter :: whole_script = 'all'
+
+   !> Columns of the tables beneath pictures, of the files that these are drawn from.
+   character(*), parameter :: path_columns(9) = [character(16) :: 'md', 'tvd', 'north', 'east', 'inclination', 'azimuth', &
+      'dogleg', 'displacement', 'standoff']
+   character(*), parameter :: forces_columns(8) = [character(16) :: 'md', 'axial', 'torque', 'bending', 'side_force', 'clock', &
+      'sinusoidal_load', 'buckling_margin']
+   character(*), parameter :: strength_columns(8) = [character(16) :: 'md', 'von_mises', 'safety_factor', 'axial_stress', &
+      'bending_stress', 'bending_range', 'torsional_stress', 'torque']
+   character(*), parameter :: hookload_shown(10) = [character(24) :: 'case', 'model', 'hookload', 'weight_indicator', 'measured', &
+      'error', 'reference', 'reference_error', 'torque', 'status']
+
+contains
+
+   !> Begins the pictures of a run with that of all load cases. `error` where a script cannot be written.
+   subroutine begin_pictures(job, model, results, list, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(picture_list_type), intent(out) :: list
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      allocate (list%pictures(0))
+      call make_folder(folder_in(job), error)
+      if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
+      if (allocated(error) .or. size(results) == 0) return
+      call hookload_script('hookload', job, model, results, lines)
+      call add_picture(list, job, new_picture('hookload', 'Hook load of all cases', 0, &
+                                     rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list())), &
+                       lines, error)
+   end subroutine begin_pictures
+
+   !> Adds those along the string of each load case, and has all drawn. `error` also where gnuplot fails or the program is asked to
+   !> end; a missing gnuplot is none.
+   subroutine end_pictures(job, model, results, alongs, list, error)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(inout) :: error
+      integer :: i
+      if (allocated(error)) return
+      if (job%profiles) then                ! the files that these draw from
+         do i = 1, size(model%cases)
+            call add_case(list, job, model, i, results, alongs, error)
+         end do
+      end if
+      if (.not. allocated(error)) call draw(job, list, error)
+   end subroutine end_pictures
+
+   !> Pictures along the string of a load case, of those results that are solutions; none where there are none.
+   subroutine add_case(list, job, model, case_index, results, alongs, error)
+      type(picture_list_type), intent(inout) :: list
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(error_type), allocatable, intent(inout) :: error
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: name, left_out, file
+      integer, allocatable :: rows(:)
+      integer :: k
+      rows = pack([(k, k=1, size(results))], results%case_index == case_index .and. results%status == result_converged)
+      rows = pack(rows, [(allocated(results(rows(k))%profile%md), k=1, size(rows))])
+      if (size(rows) == 0) return         ! numbers that are no solution are not drawn
+      left_out = ''
+      do k = 1, size(results)
+         if (results(k)%case_index == case_index .and. .not. any(rows == k)) &
+            left_out = left_out//' '//trim(model_name(results(k)%model))
+      end do
+      ! contact is what gap elements find; of other models the first
+      k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
+      associate (load_case => model%cases(case_index))
+         file = case_file(profile_file, load_case%name, results(k)%model)
+         name = free_name(list, 'path_'//load_case%name)
+         call path_script(name, job, model, results(k), lines)
+         call add_picture(list, job, new_picture(name, 'Well path with contact of the string', case_index, &
+                                        rows_along(file, path_columns, results(k), alongs(k))), lines, error)
+         name = free_name(list, 'forces_'//load_case%name)
+         call forces_script(name, job, model, results(rows), alongs(rows), left_out, lines)
+         call add_picture(list, job, new_picture(name, 'Along the string', case_index, &
+                                        rows_along(file, forces_columns, results(k), alongs(k))), lines, error)
+         name = free_name(list, 'strength_'//load_case%name)
+         call strength_script(name, job, model, results(rows), alongs(rows), lines)
+         call add_picture(list, job, new_picture(name, 'Stress, safety factor and torque against what the string bears', &
+                                        case_index, &
+                                        rows_along(file, strength_columns, results(k), alongs(k))), lines, error)
+         if (results(k)%model /= model_mcge) return
+         name = free_name(list, 'assembly_'//load_case%name)
+         call assembly_script(name, job, model, results(k), lines)
+         call add_picture(list, job, new_picture(name, &
+            'The lowest part of the string in its hole; forces across it, angles as clock angles', case_index, &
+            rows_of_contacts(case_file(contacts_file, load_case%name, results(k)%model), results(k), &
+                             load_case%bit_depth - shown_length)), lines, error)
+      end associate
+   end subroutine add_case
+
+   !> Has gnuplot draw all scripts, if there is one.
+   subroutine draw(job, list, error)
+      type(job_type), intent(in) :: job
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type) :: names(size(list%pictures)), scripts(size(list%pictures))
+      character(:), allocatable :: gnuplot
+      logical :: drawn(size(list%pictures))
+      integer :: i
+      do i = 1, size(list%pictures)
+         names(i)%text = list%pictures(i)%name
+         scripts(i)%text = 'load '//spelled(names(i)%text//'.gp')
+      end do
+      call note_file(job%output_dir, picture_folder//'/'//whole_script//'.gp', error)
+      if (.not. allocated(error)) call note_file(job%output_dir, picture_folder//'/'//complaint_file, error)
+      if (.not. allocated(error)) call write_text_file(folder_in(job)//'/'//whole_script//'.gp', scripts, error)
+      if (allocated(error)) return
+      gnuplot = find_program('gnuplot')
+      list%no_gnuplot = gnuplot == ''
+      call draw_pictures(gnuplot, folder_in(job), names, usual_patience, drawn, error)
+      list%pictures%drawn = drawn
+   end subroutine draw
+end module dg_picture_files

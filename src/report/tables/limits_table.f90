@@ -1,0 +1,160 @@
+!> A short block on standard output: how near the string came to its limits, the worst of the solved cases of a
+!> model. The rest is in limits.csv.
+module dg_limits_table
+   use dg_kinds, only: wp
+   use dg_named_states, only: buckling_name, buckling_none
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
+   use dg_constants, only: pi
+   use dg_job, only: job_type, model_name
+   use dg_load_case, only: given, optional_real
+   use dg_model, only: model_type, string_index
+   use dg_number_text, only: fixed_cell, left_aligned
+   use dg_text, only: append_text, text_type, to_text
+   use dg_units, only: unit_system_type
+   use dg_utilisation, only: governing_name
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: limits_table
+
+   integer, parameter :: head_width = 30
+   integer, parameter :: number_width = 16
+   integer, parameter :: name_width = 26, limit_width = 16, share_width = 8
+
+   real(wp), parameter :: percent = 0.01_wp
+   !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
+   real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
+
+contains
+
+   !> The lines of the block of every model; a model without a solved case has none.
+   pure subroutine limits_table(job, model, results, wholes, lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      type(text_type), allocatable, intent(out) :: lines(:)
+      integer, allocatable :: rows(:)
+      integer :: i, k
+      allocate (lines(0))
+      do i = 1, size(job%models)
+         rows = pack([(k, k=1, size(results))], results%model == job%models(i) .and. results%status == result_converged)
+         if (size(rows) == 0) cycle
+         call append_text(lines, '')
+         call append_text(lines, 'Limits, model '//trim(model_name(job%models(i)))//' (all: limits.csv)')
+         call append_block(lines, job%units, model, results(rows), wholes(rows))
+      end do
+   end subroutine limits_table
+
+   pure subroutine append_block(lines, units, model, results, wholes)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      type(optional_real), dimension(size(results)) :: numbers, depths, nowhere
+      type(text_type) :: names(size(results))
+      integer :: i
+      do i = 1, size(results)
+         names(i)%text = model%cases(results(i)%case_index)%name
+      end do
+      ! copies, because a component of an array of records is no array that could be handed on as it is
+      numbers%present = .true.
+      numbers%value = -wholes%stretch
+      call append_least(lines, units, names, 'Largest stretch', quantity_length, 2, numbers, nowhere, .true.)
+      numbers%present = abs(wholes%windup) > least_windup
+      numbers%value = -abs(wholes%windup)
+      call append_least(lines, units, names, 'Largest wind-up', quantity_turns, 2, numbers, nowhere, .true.)
+      numbers = wholes%bending_error
+      numbers%value = -wholes%bending
+      depths%present = .true.
+      depths%value = wholes%bending_md
+      call append_least(lines, units, names, 'Largest bending moment', quantity_moment, 2, numbers, depths, .true.)
+      numbers = wholes%bending_error
+      numbers%value = -100.0_wp*numbers%value
+      call append_least(lines, units, names, 'Moments may be off by, %', quantity_none, 1, numbers, nowhere, .true.)
+      numbers = wholes%least_standoff
+      do i = 1, size(results)
+         numbers(i)%present = numbers(i)%present .and. has_centralizers(model, results(i)%case_index)
+      end do
+      numbers%value = 100.0_wp*wholes%least_standoff%value
+      depths = wholes%least_standoff_md
+      call append_least(lines, units, names, 'Least standoff, %', quantity_none, 1, numbers, depths, .false.)
+      numbers = wholes%least_safety
+      depths = wholes%least_safety_md
+      call append_least(lines, units, names, 'Least safety against yield', quantity_none, 2, numbers, depths, .false.)
+      numbers = wholes%overpull_margin
+      call append_least(lines, units, names, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
+      numbers = wholes%rig_margin
+      call append_least(lines, units, names, 'Least room under rig limit', quantity_force, 1, numbers, nowhere, .false.)
+      numbers = wholes%makeup_margin
+      depths = wholes%makeup_margin_md
+      call append_least(lines, units, names, 'Least room under make-up', quantity_moment, 2, numbers, depths, .false.)
+      numbers = wholes%buckling_margin
+      depths = wholes%buckling_margin_md
+      call append_least(lines, units, names, 'Least margin to buckling', quantity_force, 1, numbers, depths, .false.)
+      numbers = wholes%wob_buckling
+      call append_least(lines, units, names, 'Most wob before buckling', quantity_force, 1, numbers, nowhere, .false.)
+      numbers = wholes%wob_no_hookload
+      call append_least(lines, units, names, 'Most wob till slack hook', quantity_force, 1, numbers, nowhere, .false.)
+      numbers = wholes%wob_lockup
+      call append_least(lines, units, names, 'Most wob before lock-up', quantity_force, 1, numbers, nowhere, .false.)
+      do i = 1, size(results)
+         if (wholes(i)%buckling == buckling_none) cycle
+         call append_text(lines, '  buckled by the limits: '//names(i)%text//', '//trim(buckling_name(wholes(i)%buckling))// &
+                          ', '//to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
+                          trim(units%length_label)//' of string')
+      end do
+      do i = 1, size(results)
+         if (wholes(i)%shape == buckling_none) cycle
+         call append_text(lines, '  found buckled: '//names(i)%text//', snaking over '// &
+                          to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', coiled over '// &
+                          to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' in '// &
+                          to_text(anint(wholes(i)%coil_turns))//' turns')
+      end do
+      if (any(wholes%utilisation%governing > 0)) call append_text(lines, &
+         '  Limit that governs each case, and how much of it is used:')
+      do i = 1, size(results)
+         associate (most => wholes(i)%utilisation)
+            if (most%governing == 0) cycle
+            call append_text(lines, '    '//left_aligned(names(i)%text, name_width)// &
+                             left_aligned(trim(governing_name(most)), limit_width)// &
+                             fixed_cell(most%used(most%governing), percent, share_width, 1)//' % at '// &
+                             to_text(anint(most%md(most%governing)%value/units%length))//' '//trim(units%length_label))
+         end associate
+      end do
+   end subroutine append_block
+
+   !> Whether a case runs a string with centralisers, whose standoff is looked for.
+   pure function has_centralizers(model, case_index) result(has)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      logical :: has
+      has = any(model%strings(string_index(model%strings, model%cases(case_index)%string))%components%centralizer%present)
+   end function has_centralizers
+
+   !> The least of some numbers, with its case and place; `negative` numbers are shown without their sign.
+   pure subroutine append_least(lines, units, names, what, quantity, decimals, numbers, depths, negative)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(text_type), intent(in) :: names(:)                      !< of the cases
+      character(*), intent(in) :: what
+      integer, intent(in) :: quantity, decimals
+      type(optional_real), intent(in) :: numbers(:), depths(:)     !< as many
+      logical, intent(in) :: negative
+      character(head_width) :: head
+      character(:), allocatable :: line
+      real(wp) :: value
+      integer :: k
+      if (.not. any(numbers%present)) return
+      k = minloc(numbers%value, mask=numbers%present, dim=1)
+      value = numbers(k)%value
+      if (negative) value = -value
+      head = '  '//what
+      line = head//trim(adjustl(fixed_cell(given(value), unit_size(quantity, units), number_width, decimals)))
+      if (unit_text(quantity, units) /= '') line = line//' '//unit_text(quantity, units)
+      if (depths(k)%present) line = line//' at '//to_text(anint(depths(k)%value/units%length))//' '//trim(units%length_label)
+      call append_text(lines, line//' ('//names(k)%text//')')
+   end subroutine append_least
+end module dg_limits_table

@@ -1,0 +1,41 @@
+!> What to run and where results go: the part of a deck that is no mechanics.
+module dg_job
+   use dg_design_factors, only: design_factors_type
+   use dg_load_case, only: optional_real
+   use dg_text, only: text_type
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name
+
+   integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
+   integer, parameter :: model_soft = 2  !< flexible: soft string
+   integer, parameter :: model_rigid = 3 !< stiff string that follows the hole axis
+   integer, parameter :: model_mixed = 4 !< stiff where stiffness matters, soft elsewhere
+   integer, parameter :: model_count = 4
+   !> Names in decks and files, in the order of the numbers above.
+   character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft', 'rigid', 'mixed']
+
+   type :: job_type
+      character(:), allocatable :: title
+      character(:), allocatable :: deck_path   !< as the user typed it
+      character(:), allocatable :: output_dir
+      type(text_type), allocatable :: inputs(:) !< paths of the files that were read: deck, survey, catalogue, tables
+      type(unit_system_type) :: units
+      integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
+      type(text_type), allocatable :: study_files(:)    !< names of the results that studies write
+      type(text_type), allocatable :: study_records(:)  !< names of the records that they keep of unfinished work
+      type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
+      type(design_factors_type) :: design      !< of strengths
+      character(:), allocatable :: deck_text   !< the deck itself, for the record
+      logical :: profiles = .true.             !< write profiles along the string
+      logical :: hdf5 = .true.                 !< write results.h5
+      logical :: plots = .true.                !< write files to look at
+      logical :: quiet = .false.
+      integer :: part = 1                      !< of the sweeps, the one that this run solves, from 1 to parts
+      integer :: parts = 0                     !< 0: undivided; else sweeps alone are run, and only this part of them
+      integer :: merge = 0                     !< > 0: so many parts are joined, nothing is solved
+      logical :: again = .false.               !< points that did not converge are solved again, with other settings of the solver
+      integer :: threads = 0                   !< cases solved at a time; 0: all cores
+   end type job_type
+end module dg_job

@@ -1,0 +1,112 @@
+!> Every number that steers the solution, with its default, meaning and legal range in one place.
+module dg_numerics
+   use dg_kinds, only: wp
+   use dg_linear_solver_name, only: solver_banded, solver_block, solver_name, solver_sparse
+   use dg_text, only: lower_case, quoted
+   use dg_tuning, only: tuning_type
+   implicit none
+   private
+   public :: numerics_type, default_wall, patience
+   public :: gap_at_extremum, gap_at_nodes
+   public :: gap_location_count, gap_location_name
+   public :: fidelity_name, settings_of, set_fidelity, other_location
+   public :: solver_banded, solver_block, solver_name, solver_sparse
+
+   integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2
+   integer, parameter :: gap_at_nodes = 2    !< fixed points: the cheap alternative
+   integer, parameter :: gap_location_count = 2
+   !> Names in decks, in the order of the numbers above.
+   character(*), parameter :: gap_location_name(gap_location_count) = [character(8) :: 'extremum', 'nodes']
+
+   integer, parameter :: fidelity_count = 4
+   !> Names in decks. auto lets elements be as long as the local scale bears and solves in their plane strings that stay in one;
+   !> fast the same with fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere, and for space.
+   !> All but fast find moments on elements short enough for them; reference proves these by halving the elements.
+   character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
+   !> Longest element of each [m].
+   real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
+   !> Tolerance of `fast` [-]: a hook load of 700 kN to a newton.
+   real(wp), parameter :: fast_tolerance = 1.0e-6_wp
+
+   !> Relative compression over which the wall yields elastically before it counts as rigid, where neither
+   !> deck nor mud sheath say otherwise [-]: 5 % of the clearance, 2 mm in a usual hole.
+   real(wp), parameter :: default_elastic_share = 0.05_wp
+
+   !> Stiffness of a wall [N/m2]: half of solid steel's, as good as rigid. Ten times more changes the largest moment of nine in ten
+   !> wells by less than 0.3 %.
+   real(wp), parameter :: default_wall = 1.0e11_wp
+
+   type :: numerics_type
+      real(wp) :: element_length = 10.0_wp     !< longest element [m]
+      integer :: gap_location = gap_at_extremum
+      !> Largest residual force over the string's weight (and moment over weight times one metre) at convergence [-].
+      !> Round-off of the residual is near 1e-14.
+      real(wp) :: tolerance = 1.0e-9_wp
+      logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
+      logical :: moments = .false.             !< moments along the string are found on elements short enough for them
+      logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
+      logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
+      logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
+      integer :: linear_solver = solver_block  !< number of one of solver_name
+      integer :: max_iterations = 1300         !< of all attempts at a case together: those of dg_tuning
+      integer :: load_steps = 1                !< increments of friction and bit loads
+      real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
+      real(wp) :: gk_contact = default_wall    !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
+      real(wp) :: gk_max = 1.0e12_wp           !< of a rigid wall [N/m2]: Gkmax
+      real(wp) :: eps_n0 = 1.0e-8_wp           !< threshold of relative compression [-]: Eqs. 7-8
+      real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
+      real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
+      real(wp) :: relocation = 0.5_wp          !< a closed MCGE moves when its element is deeper elsewhere by this part of c [-]
+      real(wp) :: step_limit = 2.0_wp          !< largest lateral change of a node in one iteration over its clearance [-]
+      real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
+      logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
+      logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
+      logical :: history = .false.             !< keep and write the iteration history
+      type(tuning_type) :: tuning              !< of start and iteration: no deck changes it
+      character(50) :: unknown_fidelity = ''   !< a name that settings_of does not know, in quotes; new_model refuses it
+   end type numerics_type
+
+contains
+
+   !> Settings of a fidelity by its name, letter case aside. new_model refuses those of an unknown one.
+   pure function settings_of(fidelity) result(numerics)
+      character(*), intent(in) :: fidelity
+      type(numerics_type) :: numerics
+      call set_fidelity(numerics, fidelity)
+   end function settings_of
+
+   !> How many times as long as usual each attempt may be, so that all of them together make use of max_iterations [-]. Where that
+   !> is less than usual attempts are no shorter: fewer of them are made.
+   pure function patience(numerics) result(times)
+      type(numerics_type), intent(in) :: numerics
+      type(numerics_type) :: usual
+      real(wp) :: times
+      times = max(1.0_wp, real(numerics%max_iterations, wp)/real(usual%max_iterations, wp))
+   end function patience
+
+   !> The place of the gaps that is not asked for.
+   elemental function other_location(location) result(other)
+      integer, intent(in) :: location
+      integer :: other
+      other = merge(gap_at_extremum, gap_at_nodes, location == gap_at_nodes)
+   end function other_location
+
+   !> Gives settings what a fidelity decides, and leaves the others as they are.
+   pure subroutine set_fidelity(numerics, fidelity)
+      type(numerics_type), intent(inout) :: numerics
+      character(*), intent(in) :: fidelity   !< an unknown one is noted, and changes no number
+      type(numerics_type) :: defaults
+      integer :: i
+      numerics%unknown_fidelity = quoted(fidelity)
+      do i = 1, fidelity_count
+         if (lower_case(fidelity) /= fidelity_name(i)) cycle
+         numerics%unknown_fidelity = ''
+         numerics%element_length = fidelity_length(i)
+         numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity_name(i) == 'fast')
+         numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity_name(i) == 'fast')
+         numerics%in_plane = any(fidelity_name(i) == ['auto', 'fast'])
+         numerics%moments = fidelity_name(i) /= 'fast'
+         numerics%halve_moments = fidelity_name(i) == 'reference'
+      end do
+   end subroutine set_fidelity
+end module dg_numerics

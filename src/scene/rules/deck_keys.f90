@@ -1,0 +1,384 @@
+!> The tables of all groups and keys of a deck that tell of the scene: one place for checking, conversion and documentation. Those
+!> of a study stand in its room.
+!> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
+module dg_deck_keys
+   use dg_kinds, only: wp
+   use dg_deck_schema, only: add_group, group_keys_type, group_rule_type, &
+      key_rule_type, kind_text, kind_integer, kind_logical, rule_place
+   use dg_load_case, only: operation_count, operation_name, operation_alias
+   use dg_text, only: joined
+   use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
+      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+   implicit none
+   private
+   public :: scene_groups, keys_of, key_place, operation_words
+   public :: deepest, strongest, roughest, heaviest, stiffest, round_off
+
+   type(group_rule_type), parameter :: group_rules(12) = [ &
+      group_rule_type('job', meaning='what to run, in which units, where results go'), &
+      group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
+      group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
+      group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
+      group_rule_type('fluid', repeatable=.true., most=1000, &
+         meaning='a fluid inside or outside the string, or both; listed from the top down'), &
+      group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
+      group_rule_type('component', repeatable=.true., required=.true., &
+         meaning='a part of a drillstring; listed from the bit upwards'), &
+      group_rule_type('strength', meaning='design factors, and the slips that the string hangs in'), &
+      group_rule_type('centralizer', repeatable=.true., &
+         meaning='centralisers on a component, which they keep off the wall at places along it'), &
+      group_rule_type('boundary', meaning='supports of the ends of the string'), &
+      group_rule_type('load_case', repeatable=.true., required=.true., &
+         meaning='what is done to the string, at which depth, with which loads'), &
+      group_rule_type('solver', meaning='numbers that steer the solution')]
+
+   ! Bounds [deck units of SI].
+   real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
+   real(wp), parameter :: widest = 5.0e3_wp       ! mm
+   real(wp), parameter :: narrowest = 1.0_wp      ! mm; less is a diameter in metres
+   real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
+   real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
+   real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
+   real(wp), parameter :: highest_pump = 500.0_wp ! MPa; pumps reach 100, more is bar or psi
+   real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; walls stiffer than 1e10 count as that
+   real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
+   real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
+   real(wp), parameter :: round_off = 1.0e-14_wp  ! residuals cannot be smaller
+   real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
+   real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
+   real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
+   real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
+   real(wp), parameter :: most_threads = 1024.0_wp
+   real(wp), parameter :: most_iterations = 1.0e6_wp
+   real(wp), parameter :: most_steps = 1.0e4_wp
+
+   type(key_rule_type), parameter :: job_keys(11) = [ &
+      key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
+      key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
+      key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
+         meaning='models to run; input/README.md tells what rigid and mixed are worth'), &
+      key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
+      key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
+         meaning='acceleration of gravity'), &
+      key_rule_type('job', 'hdf5', kind_logical, default='.true.', meaning='write results.h5'), &
+      key_rule_type('job', 'plots', kind_logical, default='.true.', meaning='pictures, report.html and files for ParaView'), &
+      key_rule_type('job', 'catalogue_file', kind_text, &
+         meaning='catalogue of pipe, path relative to the deck; default: catalogue.csv beside the deck'), &
+      key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
+      key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='hook load that the rig may carry, its block counted in; default: not known'), &
+      key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
+         meaning='cases solved at a time; 0: all cores')]
+
+   type(key_rule_type), parameter :: trajectory_keys(8) = [ &
+      key_rule_type('trajectory', 'survey_file', kind_text, &
+         meaning='table with a header naming md, inc, azi; path relative to the deck'), &
+      key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
+         meaning='units of a survey file whose headings name none; default the deck''s'), &
+      key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
+         meaning='measured depths of the stations'), &
+      key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &
+         meaning='inclinations at the stations'), &
+      key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
+         meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
+      key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
+         meaning='path between stations; a spline wants them every 30 m or so where the hole bends'), &
+      key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical', &
+         meaning='a hole above the first station that the survey leaves out: none unless it begins vertical, or vertical'), &
+      key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='depth down to which tie_on is vertical; from there an arc reaches the first station')]
+
+   type(key_rule_type), parameter :: tortuosity_keys(6) = [ &
+      key_rule_type('tortuosity', 'kind', kind_text, required=.true., choices='sine random', &
+         meaning='how the direction changes: to and fro, or drawn anew each period'), &
+      key_rule_type('tortuosity', 'amplitude', unit=unit_angle, required=.true., low=0.0_wp, open=.true., high=most_tortuous, &
+         meaning='largest change of an angle of the plan'), &
+      key_rule_type('tortuosity', 'period', unit=unit_length, required=.true., low=1.0_wp, high=deepest, &
+         meaning='length of a wave; of random changes, distance from one to the next'), &
+      key_rule_type('tortuosity', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='measured depth where it begins'), &
+      key_rule_type('tortuosity', 'md_bottom', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='measured depth where it ends; default the last station'), &
+      key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
+         meaning='of the random numbers: the same seed gives the same hole')]
+
+   type(key_rule_type), parameter :: hole_keys(10) = [ &
+      key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
+      key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='upper end; default the lower end of the section before'), &
+      key_rule_type('hole', 'md_bottom', unit=unit_length, low=0.0_wp, high=deepest, open=.true., &
+         meaning='lower end; default the upper end of the next section, for the last one the last station'), &
+      key_rule_type('hole', 'diameter', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
+         meaning='inside diameter'), &
+      key_rule_type('hole', 'friction', low=0.0_wp, high=roughest, default='0', &
+         meaning='coefficient of friction, axial and rotary'), &
+      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='mu2 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='mu1 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
+         meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
+      key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section'), &
+      key_rule_type('hole', 'cased', kind_logical, default='.false.', &
+         meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep')]
+
+   type(key_rule_type), parameter :: fluid_keys(6) = [ &
+      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
+      key_rule_type('fluid', 'where', kind_text, default='both', choices='both inside outside', &
+         meaning='which side of the string it fills'), &
+      key_rule_type('fluid', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='measured depth where it begins; it reaches down to the next fluid of its side'), &
+      key_rule_type('fluid', 'tvd_top', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='in place of md_top: true vertical depth where it begins'), &
+      key_rule_type('fluid', 'above_bit', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='in place of md_top: distance from the bit, along the string, where it begins; it moves with the string'), &
+      key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
+         meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit')]
+
+   type(key_rule_type), parameter :: rig_keys(6) = [ &
+      key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
+         meaning='of what hangs on the lines beside the string: travelling block, hook, top drive'), &
+      key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
+         meaning='lines strung to the travelling block; needed by a sheave_efficiency below 1'), &
+      key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
+         meaning='tension behind a sheave that turns over that before it; roller bearings 0.96 to 0.99'), &
+      key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
+         meaning='active: the sheave of the dead line turns like the others'), &
+      key_rule_type('rig', 'max_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='load that the rig may carry, its block counted in: as rig_limit of &job'), &
+      key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
+         meaning='torque that the rig may turn with; default: not known')]
+
+   type(key_rule_type), parameter :: component_keys(31) = [ &
+      key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
+      key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
+      key_rule_type('component', 'kind', kind_text, default='drillpipe', &
+         meaning='drillpipe, collar, stabilizer, bit, ...: a stabilizer touches at its joint_od, else at its od; '// &
+         'a bit may fill its hole'), &
+      key_rule_type('component', 'catalogue', kind_text, &
+         meaning='entry of the catalogue, which gives what is not given here (od too)'), &
+      key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='0 on the last one: to surface'), &
+      key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
+         meaning='outside diameter of the body'), &
+      key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
+      key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &
+         meaning='in air, per length; default from od, id and density'), &
+      key_rule_type('component', 'density', unit=unit_density, low=0.0_wp, open=.true., high=heaviest, default='7850', &
+         meaning='of the material, for buoyancy'), &
+      key_rule_type('component', 'youngs', unit=unit_modulus, low=0.0_wp, open=.true., high=1.0e5_wp, default='206', &
+         meaning='Young''s modulus'), &
+      key_rule_type('component', 'poisson', low=0.0_wp, high=0.5_wp, default='0.3', meaning='Poisson''s ratio'), &
+      key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='of tool joints or blades; touches first and sets the torque radius; 0: none'), &
+      key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
+         meaning='of one tool joint'), &
+      key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
+         meaning='distance between tool joints'), &
+      key_rule_type('component', 'opened_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='of a tool that opens: the diameter that touches and must pass where it is open; 0: it does not open'), &
+      key_rule_type('component', 'opened_below', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='measured depth from which on the whole tool is open; default the lower end of the last cased section'), &
+      key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
+         meaning='yield strength; 0: not given'), &
+      key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
+      key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
+         meaning='wall left: 100, 80 or 70 %, worn outside; strength goes by it, weight and stiffness do not'), &
+      key_rule_type('component', 'connection', kind_text, &
+         choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
+         meaning='of its ends, for joint_torsion; default: not known'), &
+      key_rule_type('component', 'joint_id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='bore of the pin, for joint_torsion; 0: not given, without tool joints id'), &
+      key_rule_type('component', 'joint_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
+      key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
+         meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
+      key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
+         meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
+      key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
+      key_rule_type('component', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its own mu1; default friction'), &
+      key_rule_type('component', 'friction_scale', low=0.0_wp, high=roughest, default='1', &
+         meaning='times the friction of the hole, axial and rotary'), &
+      key_rule_type('component', 'friction_scale_axial', low=0.0_wp, high=roughest, &
+         meaning='times mu2 of the hole; default friction_scale'), &
+      key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
+         meaning='times mu1 of the hole; default friction_scale'), &
+      key_rule_type('component', 'bend', unit=unit_angle, low=0.0_wp, high=sharpest_bend, default='0', &
+         meaning='angle of a bent housing; 0: straight'), &
+      key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
+         meaning='of the bend above the lower end of the component; needed with bend')]
+
+   type(key_rule_type), parameter :: strength_keys(7) = [ &
+      key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
+      key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of tension, in slips too'), &
+      key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of torque, of bodies and connections; make-up torque has none'), &
+      key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of pressure inside over that outside'), &
+      key_rule_type('strength', 'collapse_factor', low=1.0_wp, high=10.0_wp, default='1', &
+         meaning='the same of pressure outside over that inside'), &
+      key_rule_type('strength', 'slip_length', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='length over which slips grip the uppermost pipe; 0: not known, no slips'), &
+      key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
+         meaning='lateral over axial load of slips; 4 with a friction of 0.08 on their backs')]
+   type(key_rule_type), parameter :: centralizer_keys(12) = [ &
+      key_rule_type('centralizer', 'string', kind_text, default='main', meaning='name of the string of the component'), &
+      key_rule_type('centralizer', 'component', kind_text, required=.true., &
+         meaning='name of the component that has them; all of that name in the string'), &
+      key_rule_type('centralizer', 'kind', kind_text, default='rigid', choices='rigid bow', meaning='solid, or a bow spring'), &
+      key_rule_type('centralizer', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
+         meaning='outside diameter; of bows that nothing presses'), &
+      key_rule_type('centralizer', 'spacing', unit=unit_length, required=.true., low=1.0_wp, high=1.0e3_wp, &
+         meaning='distance from one to the next'), &
+      key_rule_type('centralizer', 'first', unit=unit_length, low=0.0_wp, high=deepest, &
+         meaning='of the lowest, above the lower end of the component; default half the spacing'), &
+      key_rule_type('centralizer', 'restoring_force', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='of a bow at 67 % standoff (API 10D)'), &
+      key_rule_type('centralizer', 'rated_hole', unit=unit_diameter, low=narrowest, high=widest, &
+         meaning='diameter of the hole for which restoring_force holds; default od'), &
+      key_rule_type('centralizer', 'running_force', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
+         meaning='drag of one bow in a hole narrower than it (API 10D)'), &
+      key_rule_type('centralizer', 'friction', low=0.0_wp, high=roughest, &
+         meaning='coefficient where it touches, axial and rotary; default that of the component'), &
+      key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
+      key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
+
+   type(key_rule_type), parameter :: boundary_keys(2) = [ &
+      key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
+         meaning='lateral support at the top'), &
+      key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
+         meaning='lateral support at the bit')]
+
+   type(key_rule_type), parameter :: load_case_keys(17) = [ &
+      key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
+      key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
+      key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
+      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=0.0_wp, open=.true., high=deepest, &
+         meaning='measured depth of the bit'), &
+      key_rule_type('load_case', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
+      key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
+      key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, meaning='overrides friction of the hole, both ways'), &
+      key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, meaning='overrides mu2 of the hole'), &
+      key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, meaning='overrides mu1 of the hole'), &
+      key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
+      key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string'), &
+      key_rule_type('load_case', 'pump_pressure', unit=unit_stress, low=0.0_wp, high=highest_pump, default='0', &
+         meaning='added to the pressure inside, from surface to the bit or a closed collar'), &
+      key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='for comparison'), &
+      key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
+      key_rule_type('load_case', 'reference_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
+         meaning='another calculation''s, for comparison'), &
+      key_rule_type('load_case', 'toolface', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
+         meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
+
+   ! Defaults of the solver stand in dg_numerics and are not repeated here.
+   type(key_rule_type), parameter :: solver_keys(22) = [ &
+      key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
+         meaning='longest element 30, 60, 10, 1 m; auto and fast: in_plane; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
+      key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
+         meaning='longest element; default that of fidelity'), &
+      key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
+      key_rule_type('solver', 'in_plane', kind_text, choices='auto never', &
+         meaning='auto: a string that stays in the plane of its hole is solved in it; default that of fidelity'), &
+      key_rule_type('solver', 'friction_range', kind_logical, default='.true.', &
+         meaning='a sliding string that coils is solved from the low side, too, and the range of hook loads told'), &
+      key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
+         meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
+      key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
+         meaning='how the equations are solved'), &
+      key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
+      key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
+                    meaning='of all attempts at a case together'), &
+      key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
+      key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=stiffest, &
+         meaning='rigidity of a free gap: Gkmin, Eq. 7'), &
+      key_rule_type('solver', 'gk_contact', unit=unit_wall, low=0.0_wp, open=.true., high=stiffest, &
+         meaning='rigidity of a wall in elastic contact: Gkc, Eq. 8'), &
+      key_rule_type('solver', 'gk_max', unit=unit_wall, low=0.0_wp, open=.true., high=stiffest, &
+         meaning='rigidity of a rigid wall: Gkmax'), &
+      key_rule_type('solver', 'eps_n0', low=0.0_wp, high=1.0_wp, meaning='threshold of relative compression, Eqs. 7-8'), &
+      key_rule_type('solver', 'eps_nmax', low=0.0_wp, open=.true., high=100.0_wp, &
+         meaning='relative compression at which elastic turns to rigid, Eq. 8'), &
+      key_rule_type('solver', 'r_n0', unit=unit_force, low=0.0_wp, high=touching, meaning='threshold of contact force, Eqs. 7-8'), &
+      key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
+         meaning='a gap moves to an extremum deeper by this part of the clearance'), &
+      key_rule_type('solver', 'step_limit', low=least_step, high=1.0e3_wp, &
+         meaning='largest lateral change of a node in an iteration over its clearance'), &
+      key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
+         meaning='lateral offset seeded in compressed parts over the clearance'), &
+      key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &
+         meaning='soft, rigid, mixed: a turning string climbs the wall, which lessens contact by 1/sqrt(1 + mu1^2)'), &
+      key_rule_type('solver', 'mixed_parts', kind_text, default='rigid', choices='rigid elements', &
+         meaning='mixed: what the string next to the bit is; elements: beams with gaps to 100 m above the assembly'), &
+      key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
+
+contains
+
+   !> The groups of a deck that tell of the scene; studies have groups of their own.
+   subroutine scene_groups(groups)
+      type(group_keys_type), allocatable, intent(out) :: groups(:)
+      integer :: i
+      allocate (groups(0))
+      do i = 1, size(group_rules)
+         call add_group(groups, group_rules(i), keys_of(trim(group_rules(i)%name)))
+      end do
+   end subroutine scene_groups
+
+   !> Rules of the keys of a group of the scene; none for another.
+   pure function keys_of(group) result(rules)
+      character(*), intent(in) :: group
+      type(key_rule_type), allocatable :: rules(:)
+      select case (group)
+      case ('job'); rules = job_keys
+      case ('trajectory'); rules = trajectory_keys
+      case ('hole'); rules = hole_keys
+      case ('fluid'); rules = fluid_keys
+      case ('rig'); rules = rig_keys
+      case ('component'); rules = component_keys
+      case ('tortuosity'); rules = tortuosity_keys
+      case ('strength'); rules = strength_keys
+      case ('centralizer'); rules = centralizer_keys
+      case ('boundary'); rules = boundary_keys
+      case ('load_case'); rules = load_case_keys
+      case ('solver'); rules = solver_keys
+      case default; allocate (rules(0))
+      end select
+   end function keys_of
+
+   !> Place of a key among the rules of its group, 0 where it has none of that name.
+   pure function key_place(group, key) result(place)
+      character(*), intent(in) :: group, key
+      integer :: place
+      select case (group)
+      case ('job'); place = rule_place(job_keys, key)
+      case ('trajectory'); place = rule_place(trajectory_keys, key)
+      case ('hole'); place = rule_place(hole_keys, key)
+      case ('fluid'); place = rule_place(fluid_keys, key)
+      case ('rig'); place = rule_place(rig_keys, key)
+      case ('component'); place = rule_place(component_keys, key)
+      case ('tortuosity'); place = rule_place(tortuosity_keys, key)
+      case ('strength'); place = rule_place(strength_keys, key)
+      case ('centralizer'); place = rule_place(centralizer_keys, key)
+      case ('boundary'); place = rule_place(boundary_keys, key)
+      case ('load_case'); place = rule_place(load_case_keys, key)
+      case ('solver'); place = rule_place(solver_keys, key)
+      case default; place = 0
+      end select
+   end function key_place
+
+   !> Names of all operations with their aliases, blanks between them: too many for a table row.
+   pure function operation_words() result(words)
+      character(:), allocatable :: words
+      integer :: i
+      words = joined(operation_name, ' ')
+      do i = 1, operation_count
+         if (operation_alias(i) /= '') words = words//' '//trim(operation_alias(i))
+      end do
+   end function operation_words
+end module dg_deck_keys

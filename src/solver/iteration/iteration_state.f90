@@ -1,0 +1,293 @@
+!> The state of the iteration to equilibrium (dg_equilibrium), and what is measured where it is.
+module dg_iteration_state
+   use dg_kinds, only: wp
+   use dg_block_matrix, only: block_matrix_type, new_symmetric_matrix
+   use dg_case_result, only: iteration_type
+   use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
+   use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, outcome_exhausted, whole_tangent
+   use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
+   use dg_gap_action, only: load_type
+   use dg_gap_state, only: depth_of, next_state, state_free
+   use dg_gap_survey, only: move_rule_type, relocate_gaps, survey_gaps
+   use dg_gap_table, only: gap_table_type, take_gaps_back
+   use dg_largest, only: largest_of_rows
+   use dg_mesh, only: is_straight_down, mesh_type
+   use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_round_wall, only: smooth_room
+   use dg_stopping, only: stop_type
+   use dg_trajectory, only: trajectory_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
+   implicit none
+   private
+   public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, place_and_survey, go_back
+   public :: judge_gaps, move_gaps, rigid, stiffen_walls
+
+   !> What rho grows by where it is the wall's own [-].
+   real(wp), parameter :: rigid = 1.0e30_wp
+   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
+   !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
+   !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
+   real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
+
+   !> One run of the iteration: what it is asked for, and its state.
+   type :: equilibrium_type
+      type(numerics_type) :: numerics
+      type(load_type) :: loads
+      type(stop_type) :: stop
+      real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
+      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
+      logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
+      real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
+      logical, allocatable :: outside(:)      !< elements that stand outside there (e)
+      integer :: outcome = outcome_exhausted
+      ! state
+      type(contact_problem_type) :: problem
+      type(iteration_type) :: row
+      type(block_matrix_type) :: energy       !< the tangent without friction and torque, where the string is watched
+      real(wp), allocatable :: lump(:, :)     !< what a unit of viscosity adds to its diagonal
+      real(wp) :: viscosity = 0.0_wp          !< in units of F^2/(4 EI) [-]
+      real(wp) :: raised = 1.0_wp             !< what a refusal raises viscosity by
+      real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
+      real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
+      real(wp) :: unbalanced = 0.0_wp         !< the same without pushes
+      ! of a string that is watched
+      real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
+      real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
+      ! of any string
+      real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
+      real(wp) :: old_growth = 1.0_wp
+      real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
+      integer :: rounds = 0, round_start = 0
+      integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
+      real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
+      real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
+      real(wp), allocatable :: room(:)        !< smoothed clearance, where the string is watched (nodes) [m]
+      real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
+      real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
+      real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
+      real(wp), allocatable :: old(:, :), old_force(:)
+      type(gap_table_type) :: kept            !< gaps before the step
+      real(wp), allocatable :: settled(:, :), settled_force(:)   !< where the string was before gaps last moved
+      type(gap_table_type) :: settled_gaps
+   end type equilibrium_type
+
+contains
+
+   !> A run on a mesh.
+   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, watched, unknowns, it)
+      type(mesh_type), intent(in) :: mesh
+      type(load_type), intent(in) :: loads
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: tolerance(2)
+      real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
+      logical, intent(in) :: watched
+      integer, intent(in) :: unknowns        !< of a node
+      type(equilibrium_type), intent(out) :: it
+      real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
+      it%numerics = numerics
+      it%loads = loads
+      it%tolerance = tolerance
+      it%soft = max(pressing, least)/numerics%tuning%soft_penetration
+      it%raised = numerics%tuning%until_definite
+      it%growth = numerics%tuning%growth
+      it%watched = watched
+      call new_contact_problem(mesh, unknowns, it%problem)
+      allocate (it%residual(unknowns, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+                it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
+      allocate (it%outside(mesh%elements), source=.false.)
+      allocate (it%room(0))
+      allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
+      if (watched) call make_room_to_watch(mesh, it)
+   end subroutine new_equilibrium
+
+   !> Room for the energy's tangent and viscosity.
+   pure subroutine make_room_to_watch(mesh, it)
+      type(mesh_type), intent(in) :: mesh
+      type(equilibrium_type), intent(inout) :: it
+      it%watched = .true.
+      it%room = smooth_room(mesh%length, mesh%clearance)
+      it%energy = new_symmetric_matrix(mesh%nodes)
+      allocate (it%lump(6, mesh%nodes), source=0.0_wp)
+   end subroutine make_room_to_watch
+
+   !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
+   !> that are too deep. The tangent is the energy's where the string is watched; where it is not, walls get stiffer here after a
+   !> step.
+   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, stepped, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps     !< some may no longer follow
+      real(wp), contiguous, intent(in) :: state(:, :)
+      logical, intent(in) :: forces_only     !< without the tangent
+      logical, intent(in) :: stepped         !< a step has just been taken
+      type(workspace_type), intent(inout) :: work
+      real(wp) :: force, moment
+      integer :: wanted
+      wanted = merge(energy_tangent, whole_tangent, it%watched)
+      if (forces_only) wanted = forces_alone
+      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
+      if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+         call hold_turn(state, it%held, equations%matrix, it%residual)
+      if (it%rounds > 0) call measure_followers(equations, trajectory, mesh, it%loads, it%numerics%relocation, gaps, state, work, &
+                                                it%problem%followers)
+      if (.not. forces_only) call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .not. it%watched, &
+                                                      equations%matrix)
+      call find_largest(it%residual, equations%forces, force, moment)
+      it%unbalanced = max(force, moment)
+      if (stepped .and. .not. it%watched) call stiffen_walls(it, equations, gaps, it%unbalanced)
+      call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+      call add_place_forces(it%problem%followers, it%residual)
+      call add_pushes(gaps, it%residual, it%problem)
+      call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
+      it%before = max(it%row%residual_force, it%row%residual_moment)
+   end subroutine measure
+
+   !> rho grows after a step in which few gaps changed and that leaves a small residual.
+   pure subroutine stiffen_walls(it, equations, gaps, left)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(in) :: equations
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: left           !< largest residual [N, N.m]
+      associate (tuning => it%numerics%tuning)
+         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. left < tuning%calm*equations%force_scale) &
+            it%growth = it%growth*tuning%growth
+         if (it%growth >= tuning%stiff) it%growth = rigid
+      end associate
+   end subroutine stiffen_walls
+
+   !> Largest force and moment of a right-hand side.
+   pure subroutine find_largest(load, forces, force, moment)
+      real(wp), contiguous, intent(in) :: load(:, :)
+      integer, intent(in) :: forces            !< rows of forces, before those of moments
+      real(wp), intent(out) :: force, moment
+      real(wp) :: largest(size(load, 1))
+      call largest_of_rows(size(load, 1), size(load, 2), load, largest)
+      force = maxval(largest(:forces))
+      moment = maxval(largest(forces + 1:))
+   end subroutine find_largest
+
+   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
+   !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched, and
+   !> it stays the same: if the farthest node were chosen each time, two equally far nodes would alternate. The spring stands in the
+   !> tangent only. What would turn the string, some newtons of torque's work on the ends, is taken off the residual there.
+   pure subroutine hold_turn(state, node, matrix, residual)
+      real(wp), contiguous, intent(in) :: state(:, :)
+      integer, intent(inout) :: node           !< that is held; 0: none yet
+      type(block_matrix_type), intent(inout) :: matrix
+      real(wp), intent(inout) :: residual(:, :)
+      real(wp) :: across(2), stiffness
+      integer :: i
+      if (node == 0) node = maxloc(state(dof_lateral_1, :)**2 + state(dof_lateral_2, :)**2, dim=1)
+      across = [-state(dof_lateral_2, node), state(dof_lateral_1, node)]
+      if (.not. norm2(across) > 0.0_wp) return
+      across = across/norm2(across)
+      associate (block => matrix%diagonal(dof_lateral_1:dof_lateral_2, dof_lateral_1:dof_lateral_2, node), &
+                 force => residual(dof_lateral_1:dof_lateral_2, node))
+         stiffness = abs(block(1, 1)) + abs(block(2, 2))
+         do i = 1, 2
+            block(:, i) = block(:, i) + stiffness*across(i)*across
+         end do
+         force = force - dot_product(across, force)*across
+      end associate
+   end subroutine hold_turn
+
+   !> Viscosity that an equilibrium of this string may need and still count as stable [-].
+   pure function margin_of(it, mesh) result(margin)
+      type(equilibrium_type), intent(in) :: it
+      type(mesh_type), intent(in) :: mesh
+      real(wp) :: margin
+      margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
+   end function margin_of
+
+   !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow
+   !> from the contact forces by statics, with nothing to be held back.
+   pure function energy_slope(equations, load) result(slope)
+      type(equations_type), intent(in) :: equations
+      real(wp), contiguous, intent(in) :: load(:, :)
+      real(wp) :: slope
+      integer :: n, i
+      slope = 0.0_wp
+      associate (v => equations%laterals, b => equations%slopes)
+         do i = v(1), b(2)
+            if (i > v(2) .and. i < b(1)) cycle
+            do n = 1, size(load, 2)
+               slope = slope + equations%step(i, n)*load(i, n)
+            end do
+         end do
+      end associate
+   end function energy_slope
+
+   !> Places the nodes and measures the gaps.
+   pure subroutine place_and_survey(trajectory, mesh, gaps, state, work)
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      real(wp), contiguous, intent(in) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      call place_nodes(mesh, state, work)
+      call survey_gaps(trajectory, mesh, gaps, work)
+   end subroutine place_and_survey
+
+   !> Back to the state before the step.
+   pure subroutine go_back(it, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(in) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      state = it%old
+      work%normal = it%old_force
+      call take_gaps_back(it%kept, gaps)
+      call place_and_survey(trajectory, mesh, gaps, state, work)
+   end subroutine go_back
+
+   !> Which gaps are closed where the string is; row%flips counts those that changed since the step began. A gap closes
+   !> when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho. Both by more than the
+   !> thresholds of Eqs. 7 and 8.
+   pure subroutine judge_gaps(it, trajectory, mesh, relocate, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      logical, intent(in) :: relocate        !< gaps may move
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work   !< placed and surveyed
+      real(wp) :: deep
+      integer :: e, next
+      it%row%moves = 0
+      if (relocate) call move_gaps(it, trajectory, mesh, move_rule_type(most=it%numerics%tuning%gently, closed=it%row%flips == 0), &
+                                   gaps, work)
+      it%row%flips = 0
+      it%flipped = 0.0_wp
+      do e = 1, mesh%elements
+         associate (law => gaps%law(e), force => work%normal(e))
+            deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
+            next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%soft*mesh%length(e))
+            if (next /= it%kept%state(e)) then
+               it%row%flips = it%row%flips + 1
+               it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
+            end if
+            if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
+            gaps%state(e) = next
+            if (next == state_free) force = 0.0_wp
+         end associate
+      end do
+   end subroutine judge_gaps
+
+   !> Moves gaps to where the string is deepest (Eq. 2), by a rule whose threshold is that of the deck.
+   pure subroutine move_gaps(it, trajectory, mesh, rule, gaps, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(move_rule_type), intent(in) :: rule
+      type(gap_table_type), intent(inout) :: gaps
+      type(workspace_type), intent(inout) :: work
+      type(move_rule_type) :: ours
+      it%row%moves = 0
+      ours = rule
+      ours%threshold = it%numerics%relocation
+      if (it%numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, ours, gaps, work, it%row%moves)
+   end subroutine move_gaps
+end module dg_iteration_state

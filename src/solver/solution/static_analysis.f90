@@ -1,0 +1,399 @@
+!> The model of the paper for one load case: from deck data to a result. The only door of this room.
+!>
+!> The strategy, in its order:
+!>   1. A mesh whose elements know the local scale (dg_mesh_for_case); a soft string that locks up is the answer.
+!>   2. A start: the soft string bent into the hole (dg_predictor), against walls that its load presses in visibly.
+!>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
+!>      friction's forces frozen, or the largest residual. In the plane of the hole where the string stays there, else in space.
+!>   4. An equilibrium must be stable, and within the hole.
+!>   5. Where there is none: the attempts of dg_tuning, and the first of them once more with shorter elements.
+module dg_static_analysis
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_assembly, only: load_type
+   use dg_bending_profile, only: bend_profile
+   use dg_bent_start, only: pressing_of_bend
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
+                             way_planar
+   use dg_clock, only: seconds_between
+   use dg_end_supports, only: set_loads
+   use dg_equations, only: choose_unknowns, end_iterations, equations_type, lateral_of, make_room, outcome_converged, &
+                           outcome_exhausted, outcome_outside
+   use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
+   use dg_error, only: error_type
+   use dg_finite_result, only: finish_result
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type, new_mesh
+   use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: model_type
+   use dg_numerics, only: numerics_type, other_location, patience
+   use dg_no_equilibrium, only: list_tried, tell_tried
+   use dg_outside_hole, only: measure_rows, outside_type
+   use dg_plane, only: choose_way, flatten
+   use dg_predictor, only: predict, start_type
+   use dg_profile_rows, only: part_rows
+   use dg_recovery, only: recover_profile
+   use dg_refinement, only: take_over
+   use dg_soft_string_loads, only: soft_totals_type
+   use dg_stability, only: find_stability_margin
+   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
+                              tell_unlike_contact
+   use dg_stopping, only: is_stopped, stop_type
+   use dg_text, only: to_text
+   use dg_tuning, only: attempt_type
+   use dg_unit_kind, only: in_units, unit_length
+   use dg_walls, only: lay_out_gaps, softness, tolerance_at
+   use dg_whirling, only: find_climb
+   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
+   implicit none
+   private
+   public :: solve_static_analysis
+
+   !> Of a string without weight and load, which has no scale of its own [N].
+   real(wp), parameter :: least_scale = 1.0_wp
+   !> Part of the coiling load from which a string may buckle: the margin of stability is told [-].
+   real(wp), parameter :: buckling_share = 0.4_wp
+   !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
+   real(wp), parameter :: largest_excess = 0.5_wp
+   !> Axial strain of the soft string, and its contact force over its weight, beyond which friction counts as holding the string
+   !> [-]: steel yields at a tenth of the strain, and forces that contact makes grow by factors from bend to bend.
+   real(wp), parameter :: most_strain = 0.05_wp, held_by = 10.0_wp
+   !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
+   !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
+   real(wp), parameter :: most_work = 1.0e7_wp
+   !> The result says how far moments may be off when that is more than this part of the largest moment [-].
+   real(wp), parameter :: doubtful = 0.05_wp
+   !> Compression over the coiling load from which a string is taken for coiled [-].
+   real(wp), parameter :: coiled = 1.0_wp
+   !> Digits of a length in a message.
+   integer, parameter :: shown = 2
+
+   !> A load case on a mesh, and where its string is.
+   type :: string_type
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(workspace_type) :: work
+      type(load_type) :: loads
+      type(equations_type) :: equations
+      real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, -]
+      real(wp) :: compressed = 0.0_wp            !< largest compression over the coiling load [-]
+      real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
+      integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
+      integer :: way = 0                         !< of solution, in the plane or in space, and why
+      type(stop_type) :: stop
+   end type string_type
+
+contains
+
+   !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
+   !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium a finer one has one attempt.
+   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      logical, intent(in), optional :: totals_only   !< .true.: no profile, nor moments on shorter elements, which cost time
+      type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
+      type(iteration_type), allocatable :: history(:)
+      type(stop_type) :: stopped
+      integer(int64) :: start, finish
+      character(:), allocatable :: tried
+      integer :: given_up, i
+      logical :: moments, profile
+      real(wp) :: length, asked
+      call system_clock(start)
+      if (present(stop)) stopped = stop
+      profile = .true.
+      if (present(totals_only)) profile = .not. totals_only
+      moments = model%numerics%moments .and. profile
+      allocate (history(0))
+      asked = model%numerics%element_length
+      do i = 1, model%numerics%tuning%most_meshes
+         associate (mesh => model%numerics%tuning%mesh(i))
+            length = mesh%length*asked
+            if (i > 1 .and. .not. length > shortest) cycle
+            call solve_on_mesh(model, case_index, length, [mesh%first, mesh%last], [moments, profile], history, stopped, result)
+            if (i == 1) asked = min(asked, result%element_lengths(2))
+            if (result%status /= result_not_converged) exit
+            call list_tried(model, result%element_lengths(2), &
+                            model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
+            given_up = result%iterations
+            if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_stopped(stopped)) exit
+            history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
+         end associate
+      end do
+      if (result%status == result_not_converged) then
+         call tell_tried(model, tried, work_is_done(model%numerics, result), result)
+      else if (result%status == result_converged .and. size(history) > 0) then
+         call add_message(result, 'converged with elements of at most '// &
+                          trim(in_units(model%units, unit_length, length, shown))//': others found no equilibrium in '// &
+                          to_text(size(history))//' iterations')
+      end if
+      if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
+         call find_range(model, case_index, stopped, result)
+      if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
+      call finish_result(result)
+      call system_clock(finish)
+      result%seconds = seconds_between(start, finish)
+   end subroutine solve_static_analysis
+
+   !> Solves a coiled string once more, from other starts: there are neighbours, and where friction acts along the hole it holds the
+   !> coils where they formed, and so what of a push reaches the bit. The result has the helix that is predicted; a message gives
+   !> the range, and the error of the moments covers it. The first neighbour starts on the low side of the hole. Where that finds
+   !> nothing the second has coils that turn the other way.
+   subroutine find_range(model, case_index, stop, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      type(model_type) :: neighbour
+      type(case_result_type) :: other
+      integer :: i
+      neighbour = model
+      neighbour%numerics%max_iterations = min(model%numerics%max_iterations, model%numerics%tuning%attempt(1)%longest)
+      do i = 1, 2
+         neighbour%numerics%tuning%start_buckled = i == 2
+         neighbour%numerics%tuning%start_mirrored = i == 2
+         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], [.true., .true.], &
+                            [iteration_type ::], stop, other)
+         if (other%status == result_converged .or. is_stopped(stop)) exit
+      end do
+      call tell_range(model%units, other, i == 2, result)
+   end subroutine find_range
+
+   !> Whether a mesh has had the work that it may have, but for its last iteration.
+   pure function work_is_done(numerics, result) result(done)
+      type(numerics_type), intent(in) :: numerics
+      type(case_result_type), intent(in) :: result
+      logical :: done
+      done = real(result%iterations + 1, wp)*result%elements > patience(numerics)*most_work
+   end function work_is_done
+
+   !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
+   subroutine solve_on_mesh(model, case_index, element_length, attempts, wanted, history, stop, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: element_length       !< [m]
+      integer, intent(in) :: attempts(2)           !< the first and the last
+      logical, intent(in) :: wanted(2)             !< moments on elements short enough for them; the profile
+      type(iteration_type), intent(in) :: history(:)
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(out) :: result
+      type(string_type) :: string
+      type(numerics_type) :: numerics
+      type(soft_totals_type) :: totals
+      real(wp) :: margin, strained
+      logical :: found
+      integer :: i, last, outcome, in_plane, most, tried    ! the last: iterations at most, attempts made before
+      associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
+         call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
+                            string%shortened)
+         if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
+            call result_of_lock_up(model, case_index, strained, result)
+            return
+         end if
+         most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))
+         call prepare(model, case_index, string)
+         string%stop = stop
+         equations%iterations = size(history)
+         equations%history(:size(history)) = history
+         tried = maxval([0, history%attempt])
+         numerics = model%numerics
+         found = .false.
+         in_plane = 0
+         if (equations%planar) then
+            numerics%max_iterations = min(most, equations%iterations + numerics%tuning%longest_in_plane)
+            call try_in_plane(model, case_index, numerics, tried + 1, string, found)
+            outcome = outcome_converged
+            if (.not. found) then     ! whatever the reason, space decides, as if nothing had been tried before
+               string%way = way_left
+               in_plane = equations%iterations - size(history)
+               tried = tried + 1
+               call choose_unknowns(equations, planar=.false.)
+            end if
+         end if
+         last = attempts(1) - 1
+         do i = attempts(1), merge(0, min(attempts(2), model%numerics%tuning%most_attempts), found)
+            last = i
+            numerics = model%numerics
+            numerics%max_iterations = min(most, equations%iterations + &
+                                          nint(patience(numerics)*numerics%tuning%attempt(i)%longest))
+            numerics%step_limit = numerics%tuning%attempt(i)%reach*numerics%step_limit
+            if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
+            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - attempts(1), &
+                              string, outcome)
+            if (outcome == outcome_converged .or. equations%iterations >= most) exit
+         end do
+         if (is_stopped(stop)) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
+         margin = missing
+         if (outcome == outcome_converged .and. string%compressed > buckling_share) &
+            call find_stability_margin(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work, &
+                                       margin)
+         if (.not. equations%planar) &
+            call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
+         call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
+         if (profile .and. result%status == result_converged) &
+            call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
+         result%stability_margin = margin
+         result%coiled = string%compressed > coiled
+         result%way = string%way
+         result%shortened = string%shortened
+         result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
+         result%attempts = last - attempts(1) + 1
+         call add_remarks(model%numerics, numerics, in_plane, result)
+         if (.not. (outcome == outcome_converged .and. moments)) return
+         deallocate (string%state)
+         call keep_for_moments(string%work)
+         call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
+      end associate
+   end subroutine solve_on_mesh
+
+   !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
+   !> where no equilibrium was found on such elements.
+   subroutine find_moments(model, mesh, gaps, work, lateral, result)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(in) :: lateral(2)         !< direction of the plane that the string stays in; 0: none
+      type(case_result_type), intent(inout) :: result
+      type(outside_type) :: outside
+      call bend_profile(model, mesh, gaps, work, lateral, result)
+      call measure_rows(mesh, result%profile, outside)
+      if (outside%elements > 0) call add_outside(model%units, outside, result)
+      if (is_missing(result%moment_error)) then
+         call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
+                          'this one was found on short elements, so they are those of elements of up to '// &
+                          trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
+                          '; a smaller element_length makes them better')
+      else if (result%moment_error > doubtful) then
+         call add_message(result, 'moments along the string may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
+                          ' % of the largest one'//trim(merge('                                          ', &
+                                     '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
+      end if
+      if (.not. is_missing(result%moment_error)) call tell_unlike_contact(model%units, result)
+   end subroutine find_moments
+
+   !> Solves the case in the plane of its hole. The string stays there when it finds equilibrium within the hole, and when that is
+   !> equilibrium in space too: with every force out of the plane within the tolerance.
+   subroutine try_in_plane(model, case_index, numerics, number, string, stays)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(numerics_type), intent(in) :: numerics
+      integer, intent(in) :: number        !< of the attempt
+      type(string_type), intent(inout) :: string
+      logical, intent(out) :: stays
+      real(wp) :: residual, limit(2)
+      integer :: outcome
+      call make_attempt(model, case_index, numerics, numerics%tuning%attempt(1), number, string, outcome)
+      call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
+                          residual)
+      stays = outcome == outcome_converged
+      associate (force_scale => string%equations%force_scale)
+         limit = tolerance_at(numerics, string%mesh, string%gaps, string%loads, force_scale)*force_scale
+         if (stays) stays = residual <= limit(2)
+      end associate
+   end subroutine try_in_plane
+
+   !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
+   !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
+   subroutine make_attempt(model, case_index, numerics, attempt, number, string, outcome)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(numerics_type), intent(in) :: numerics
+      type(attempt_type), intent(in) :: attempt
+      integer, intent(in) :: number        !< of the attempt
+      type(string_type), intent(inout) :: string
+      integer, intent(out) :: outcome
+      type(equilibrium_type) :: it
+      type(start_type) :: start
+      real(wp) :: fraction, worst
+      integer :: increment, place, cut
+      call lay_out_gaps(numerics, string%mesh, string%gaps)
+      call choose_unknowns(string%equations, string%equations%planar)       ! of the attempt before no room is left
+      do increment = 1, numerics%load_steps
+         fraction = real(increment, wp)/numerics%load_steps
+         call set_loads(model, model%cases(case_index), fraction, string%loads)
+         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread, &
+                            lateral_of(string%equations))
+         if (increment == 1) then
+            call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
+            string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
+            if (.not. allocated(string%work%shift)) call new_workspace(string%mesh, string%work)
+            call make_room(string%equations, numerics%linear_solver, string%mesh%nodes)
+         end if
+         do cut = 0, numerics%tuning%most_cuts
+            call new_iteration(numerics, string, it)
+            it%growth = attempt%growth
+            it%row%increment = increment
+            it%row%attempt = number
+            it%row%stage = 1 + cut
+            if (increment == numerics%load_steps .and. cut < numerics%tuning%most_cuts) it%cut_from = 2.0_wp*shortest_cut
+            call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
+            outcome = it%outcome
+            if (outcome /= outcome_outside) exit
+            call refine(model, case_index, numerics, it%outside, string)
+         end do
+         if (outcome /= outcome_converged) return
+      end do
+      call look_outside(model, string%mesh, string%work, worst, place)
+      if (worst > largest_excess) outcome = outcome_outside
+   end subroutine make_attempt
+
+   !> A run of the iteration from where the string is.
+   subroutine new_iteration(numerics, string, it)
+      type(numerics_type), intent(in) :: numerics
+      type(string_type), intent(inout) :: string
+      type(equilibrium_type), intent(out) :: it
+      associate (equations => string%equations)
+         if (equations%planar) call flatten(equations%plane, string%state)
+         call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
+                              string%loads, equations%force_scale), string%pressing, &
+                              string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, equations%unknowns, it)
+         it%stop = string%stop
+      end associate
+   end subroutine new_iteration
+
+   !> Cuts the elements that are marked, and lays the string on the finer mesh as it is.
+   subroutine refine(model, case_index, numerics, marked, string)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(numerics_type), intent(in) :: numerics
+      logical, intent(in) :: marked(:)
+      type(string_type), intent(inout) :: string
+      type(mesh_type) :: fine
+      type(gap_table_type) :: gaps
+      type(workspace_type) :: work
+      real(wp), allocatable :: state(:, :)
+      call new_mesh(model, model%cases(case_index), cut_elements(model, string%mesh, marked), fine)
+      call new_workspace(fine, work)
+      call find_climb(model, case_index, fine, string%compressed, work%climb)
+      call lay_out_gaps(numerics, fine, gaps)
+      allocate (state(6, fine%nodes))
+      call take_over(model%trajectory, string%mesh, string%work, string%gaps, string%state, fine, state, gaps, work%normal)
+      string%mesh = fine
+      string%gaps = gaps
+      string%work = work
+      call move_alloc(state, string%state)
+      call make_room(string%equations, numerics%linear_solver, fine%nodes)
+   end subroutine refine
+
+   !> The way of solution, in the plane of the hole or in space, and the iteration's scales.
+   subroutine prepare(model, case_index, string)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(string_type), intent(inout) :: string
+      associate (numerics => model%numerics, equations => string%equations, mesh => string%mesh, &
+                 load_case => model%cases(case_index))
+         call new_start_room(mesh, string%work)
+         call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
+         allocate (string%state(6, mesh%nodes))
+         call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
+                          string%way)
+         call choose_unknowns(equations, planar=string%way == way_planar)
+         allocate (equations%history(numerics%max_iterations + 1))
+         equations%force_scale = max(sum(abs(mesh%weight)*mesh%length) + abs(load_case%wob), least_scale)
+      end associate
+   end subroutine prepare
+end module dg_static_analysis

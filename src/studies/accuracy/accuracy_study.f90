@@ -1,0 +1,231 @@
+!> &study: accuracy against cost. Solves every variant of its cases, one after the other on one core, so that seconds and memory
+!> are those of one solution alone.
+module dg_accuracy_study
+   use dg_kinds, only: wp
+   use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
+   use dg_case_result, only: case_result_type
+   use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
+   use dg_deck_study, only: take_study
+   use dg_error, only: error_type
+   use dg_exit_status, only: note_failure
+   use dg_fault_list, only: fault_list_type
+   use dg_interruption, only: by_signals, is_interrupted
+   use dg_job, only: job_type
+   use dg_line_list, only: add_line, line_list_type
+   use dg_missing, only: missing
+   use dg_model, only: model_type
+   use dg_numerics, only: fidelity_name, numerics_type, set_fidelity, solver_banded
+   use dg_picture_data, only: rows_of_file
+   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_printed_text, only: print_and_keep
+   use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
+   use dg_progress, only: end_progress, progress_type, start_progress
+   use dg_solve_case, only: solve_case
+   use dg_study_keys, only: study_keys, study_rule
+   use dg_study, only: phase_cases, run_type, study_type
+   use dg_study_comparison, only: compare_case, new_record, study_record_type
+   use dg_study_file, only: study_columns, write_study
+   use dg_study_picture, only: study_script
+   use dg_study_plan, only: most_variants, study_plan_type
+   use dg_study_table, only: study_table
+   use dg_study_variant, only: set_variant, study_variants, variant_type
+   use dg_text, only: append_text, quoted, text_list, text_type, to_text
+   implicit none
+   private
+   public :: accuracy_study_type
+
+   type, extends(study_type) :: accuracy_study_type
+      private
+      type(study_plan_type), allocatable :: plan
+   contains
+      procedure :: add_groups
+      procedure :: read => read_plan
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => run_plan
+      procedure :: echo
+      procedure :: name_files
+      procedure :: add_need
+      procedure :: add_pictures
+   end type accuracy_study_type
+
+   character(*), parameter :: file = 'study.csv'
+   !> A solution shorter than this [s] is timed by the median of three.
+   real(wp), parameter :: brief = 0.05_wp
+   !> Columns of the table beneath the picture.
+   character(*), parameter :: shown(17) = [character(24) :: 'model', 'fidelity', 'element_length', 'tolerance', &
+      'wall_stiffness', 'gap_location', 'linear_solver', 'status', 'hookload', 'hookload_error', 'torque_error', &
+      'normal_force_error', 'bending_error', 'iterations', 'seconds', 'cost', 'pareto']
+
+contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(accuracy_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, study_rule, study_keys)
+      end associate
+   end subroutine add_groups
+
+   !> Reads its group.
+   subroutine read_plan(self, deck, job, notes, faults)
+      class(accuracy_study_type), intent(inout) :: self
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      associate (not_needed => notes)
+         call take_study(deck%draft, deck%groups, job%models, self%plan, faults)
+      end associate
+   end subroutine read_plan
+
+   !> Whether the deck has a plan.
+   pure function is_asked(self) result(is)
+      class(accuracy_study_type), intent(in) :: self
+      logical :: is
+      is = allocated(self%plan)
+   end function is_asked
+
+   !> With the load cases.
+   pure function phase(self)
+      class(accuracy_study_type), intent(in) :: self
+      integer :: phase
+      associate (not_needed => self)
+         phase = phase_cases
+      end associate
+   end function phase
+
+   !> How many solutions it takes.
+   subroutine echo(self, job, lines)
+      class(accuracy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(line_list_type), intent(inout) :: lines
+      associate (not_needed => job)
+         if (self%is_asked()) call add_line(lines, 'study       at most '//to_text(nint(most_variants(self%plan)))// &
+                                            ' variants of '//to_text(size(self%plan%cases))//' cases')
+      end associate
+   end subroutine echo
+
+   !> Solves and compares, prints, writes study.csv anew after each case. A variant without solution is marked; that
+   !> is what a study is for, and no failure of the run. After a signal the cases that are whole stay and are printed.
+   subroutine run_plan(self, run, error)
+      class(accuracy_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: failure
+      type(variant_type), allocatable :: variants(:)
+      type(study_record_type), allocatable :: records(:, :)
+      type(text_type), allocatable :: lines(:)
+      type(model_type) :: varied
+      integer :: i, j, whole, done
+      type(progress_type) :: progress
+      call study_variants(self%plan, run%model%numerics, variants)
+      allocate (records(size(variants), size(self%plan%cases)))
+      whole = 0
+      call start_progress(progress, 'study', to_text(size(records))//' solutions', run%job%quiet)
+      cases: do j = 1, size(self%plan%cases)
+         do i = 1, size(variants)
+            varied = run%model
+            call set_variant(variants(i), varied)
+            call solve_and_measure(varied, variants(i)%model, self%plan%cases(j), records(i, j))
+            if (is_interrupted()) exit cases
+            done = (j - 1)*size(variants) + i
+            call progress%show(real(done, wp)/real(size(records), wp), 0.0_wp, &
+                               to_text(done)//' of '//to_text(size(records))//' solutions')
+         end do
+         call compare_case(variants, records(:, j))
+         call write_study(run%job%output_dir//'/'//file, run%job, run%model, self%plan, variants, records, j, failure)
+         if (allocated(failure)) exit cases
+         whole = j
+      end do cases
+      call end_progress(progress)
+      if (whole > 0 .and. .not. allocated(failure)) then
+         allocate (lines, source=study_table(run%job, run%model, self%plan, variants, records(:, :whole)))
+         call print_and_keep(run%printed, lines)
+      end if
+      call note_failure(failure, run%status)
+      if (allocated(error)) return
+   end subroutine run_plan
+
+   !> One solution with its seconds and the memory that it takes on top of what was there.
+   subroutine solve_and_measure(model, number, case_index, record)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number, case_index
+      type(study_record_type), intent(out) :: record
+      type(case_result_type), allocatable :: result
+      type(error_type), allocatable :: error
+      real(wp) :: seconds(3), before, memory
+      logical :: known
+      integer :: run
+      call forget_memory_peak(known)
+      before = memory_now()
+      allocate (result)
+      call solve_case(model, number, case_index, result, error, stop=by_signals())
+      memory = missing
+      if (known) memory = max(0.0_wp, memory_peak() - before)
+      seconds = result%seconds
+      do run = 2, merge(size(seconds), 1, result%seconds < brief)
+         call solve_case(model, number, case_index, result, error, stop=by_signals())
+         seconds(run) = result%seconds
+      end do
+      call new_record(result, sum(seconds) - maxval(seconds) - minval(seconds), memory, record)
+   end subroutine solve_and_measure
+
+   !> One file.
+   subroutine name_files(self, job, names)
+      class(accuracy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
+   end subroutine name_files
+
+   !> Solutions go one by one.
+   subroutine add_need(self, job, model, need)
+      class(accuracy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      type(numerics_type) :: numerics
+      real(wp) :: shortest
+      integer :: i
+      if (.not. self%is_asked()) return
+      need%banded = need%banded .or. any(self%plan%linear_solvers == solver_banded)
+      if (job%merge > 0 .or. job%parts > 0) return
+      shortest = model%numerics%element_length
+      if (size(self%plan%element_lengths) > 0) shortest = minval(self%plan%element_lengths)
+      do i = 1, size(self%plan%fidelities)
+         numerics = model%numerics
+         call set_fidelity(numerics, fidelity_name(self%plan%fidelities(i)))
+         shortest = min(shortest, numerics%element_length)
+      end do
+      do i = 1, size(self%plan%cases)
+         associate (case => model%cases(self%plan%cases(i)))
+            call take_greater(need, elements_in(model, case%string, case%bit_depth, shortest), 1, &
+                              'study, case '//quoted(case%name), finer_text(model, shortest))
+         end associate
+      end do
+   end subroutine add_need
+
+   !> A picture for each case.
+   subroutine add_pictures(self, job, model, list, error)
+      class(accuracy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(inout) :: error
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: name
+      integer :: k
+      if (job%merge > 0) return
+      do k = 1, size(self%plan%cases)
+         associate (load_case => model%cases(self%plan%cases(k)))
+            name = free_name(list, 'study_'//load_case%name)
+            call study_script(name, job, load_case, self%plan, lines)
+            call add_picture(list, job, new_picture(name, 'Error against the finest way to compute it, and what it costs', &
+               self%plan%cases(k), rows_of_file(job, file, study_columns, shown, text_list('case', load_case%name))), lines, error)
+         end associate
+      end do
+   end subroutine add_pictures
+end module dg_accuracy_study

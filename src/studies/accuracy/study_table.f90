@@ -1,0 +1,291 @@
+!> A study on standard output: what each way of solving is wrong by at worst, and what it costs. Every line fits 120 columns.
+module dg_study_table
+   use dg_kinds, only: wp
+   use dg_case_result, only: result_converged
+   use dg_job, only: job_type, model_mcge, model_name
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: model_type
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned, scientific_cell
+   use dg_numerics, only: fidelity_name, gap_location_name, solver_name
+   use dg_study_comparison, only: error_bending, error_count, error_hookload, error_torque, pareto_set, study_record_type
+   use dg_study_plan, only: study_plan_type
+   use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
+   use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: study_table
+
+   integer, parameter :: model_width = 7, mesh_width = 10, gap_width = 10, solver_width = 7
+   integer, parameter :: cell = 9
+   integer, parameter :: narrow = 7, wide = 8
+   real(wp), parameter :: per_cent = 100.0_wp, megabyte = 1024.0_wp**2
+   !> Below this a per cent is shown with an exponent.
+   real(wp), parameter :: least_fixed = 1.0e-3_wp
+   !> Digits of numbers in words.
+   integer, parameter :: digits = 3
+   character(*), parameter :: absent = '-'
+
+   !> All cases of a variant together.
+   type :: total_type
+      integer :: lost = 0                    !< cases without solution
+      real(wp) :: errors(error_count) = missing !< worst of all cases [-]
+      real(wp) :: seconds = 0.0_wp
+      real(wp) :: memory = missing           !< greatest [bytes]
+      integer :: iterations = 0
+      integer :: elements = 0                !< of all cases
+   end type total_type
+
+contains
+
+   !> The lines of a study; records(variants, cases).
+   pure function study_table(job, model, plan, variants, records) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(study_plan_type), intent(in) :: plan
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(in) :: records(:, :)
+      type(text_type), allocatable :: lines(:)
+      type(total_type) :: totals(size(variants))
+      real(wp) :: worst(size(variants)), seconds(size(variants))
+      logical :: worth(size(variants))
+      character(:), allocatable :: rule
+      integer :: i, finest
+      finest = 1
+      do i = 1, size(variants)
+         totals(i) = total_of(records(i, :))
+         seconds(i) = totals(i)%seconds
+         worst(i) = missing
+         if (totals(i)%lost == 0) worst(i) = maxval(totals(i)%errors([error_hookload, error_torque]))
+         if (is_finer(variants(i), variants(finest))) finest = i
+      end do
+      worth = pareto_set(worst, seconds)
+      rule = repeat('-', model_width + mesh_width + gap_width + solver_width + 2*wide + 4*cell + 2*narrow + 2*wide + 2)
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Study of '//to_text(size(records, 2))//' cases; errors: worst of all cases against the finest way ' &
+                       //'in %, iterations and seconds: all cases')
+      call append_text(lines, rule)
+      call append_text(lines, head(job%units))
+      call append_text(lines, rule)
+      do i = 1, size(variants)
+         call append_text(lines, trim(row(job%units, variants(i), totals(i), totals(finest), worth(i), i == finest)))
+      end do
+      call append_text(lines, rule)
+      call append_text(lines, '* nothing here is both more accurate (hook load, torque) and faster: Pareto set   = the finest')
+      call append_lost(lines, model, job, plan, variants, records)
+      call append_fidelities(lines, job%units, variants, totals, finest)
+      call append_orders(lines, variants, records)
+   end function study_table
+
+   !> All cases of one variant.
+   pure function total_of(records) result(total)
+      type(study_record_type), intent(in) :: records(:)
+      type(total_type) :: total
+      integer :: k
+      total%lost = count(records%status /= result_converged)
+      do k = 1, error_count
+         total%errors(k) = maxval(records%errors(k))
+      end do
+      total%seconds = sum(records%seconds)
+      total%memory = maxval(records%memory)
+      total%iterations = sum(records%iterations)
+      total%elements = sum(records%elements)
+   end function total_of
+
+   pure function head(units) result(text)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = left_aligned('Model', model_width)//left_aligned('Mesh', mesh_width)//right_aligned('Toler.', wide)// &
+         right_aligned(trim(merge('kN/m2   ', 'klbf/ft2', units%name /= 'field')), wide)//' '// &
+         left_aligned('Gaps', gap_width - 1)//left_aligned('Solver', solver_width)// &
+         right_aligned('Hook load', cell)//right_aligned('Torque', cell)// &
+         right_aligned('Contact', cell)//right_aligned('Moment', cell)//right_aligned('Iterat.', wide)// &
+         right_aligned('Seconds', wide)//right_aligned('Cost', narrow)//right_aligned('MB', narrow)
+   end function head
+
+   pure function row(units, variant, total, finest, worth, is_finest) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(variant_type), intent(in) :: variant
+      type(total_type), intent(in) :: total, finest
+      logical, intent(in) :: worth, is_finest
+      character(:), allocatable :: text
+      integer :: k
+      text = left_aligned(trim(model_name(variant%model)), model_width)//left_aligned(mesh_of(units, variant), mesh_width)
+      if (variant%model == model_mcge) then
+         text = text//scientific_cell(variant%numerics%tolerance, wide)// &
+            scientific_cell(wall_of(variant)/units%wall_stiffness, wide)//' '// &
+            left_aligned(trim(gap_location_name(variant%numerics%gap_location)), gap_width - 1)// &
+            left_aligned(trim(solver_name(variant%numerics%linear_solver)), solver_width)
+      else
+         text = text//right_aligned(absent, wide)//right_aligned(absent, wide)//' '//left_aligned(absent, gap_width - 1)// &
+            left_aligned(absent, solver_width)
+      end if
+      do k = error_hookload, error_bending
+         text = text//error_cell(total%errors(k))
+      end do
+      text = text//right_aligned(to_text(total%iterations), wide)//fixed_cell(total%seconds, wide, 4)
+      if (finest%seconds > 0.0_wp) then
+         text = text//fixed_cell(total%seconds/finest%seconds, narrow, 4)
+      else
+         text = text//right_aligned(absent, narrow)
+      end if
+      if (is_missing(total%memory)) then
+         text = text//right_aligned(absent, narrow)
+      else
+         text = text//fixed_cell(total%memory/megabyte, narrow, 2)
+      end if
+      text = text//' '
+      if (worth) text = text//'*'
+      if (is_finest) text = text//'='
+      if (total%lost > 0) text = text//'!'
+   end function row
+
+   !> How the elements of a variant are chosen: a fidelity or a length.
+   pure function mesh_of(units, variant) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(variant_type), intent(in) :: variant
+      character(:), allocatable :: text
+      if (variant%fidelity > 0) then
+         text = trim(fidelity_name(variant%fidelity))
+      else
+         text = trim(in_units(units, unit_length, variant%numerics%element_length, digits))
+      end if
+   end function mesh_of
+
+   !> A share as per cent.
+   pure function error_cell(share) result(text)
+      real(wp), intent(in) :: share
+      character(cell) :: text
+      if (is_missing(share)) then
+         text = right_aligned(absent, cell)
+      else if (per_cent*share >= least_fixed .or. .not. share > 0.0_wp) then
+         text = fixed_cell(per_cent*share, cell, 4)
+      else
+         text = scientific_cell(per_cent*share, cell)
+      end if
+   end function error_cell
+
+   !> What found no solution.
+   pure subroutine append_lost(lines, model, job, plan, variants, records)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(model_type), intent(in) :: model
+      type(job_type), intent(in) :: job
+      type(study_plan_type), intent(in) :: plan
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(in) :: records(:, :)
+      integer :: i, j
+      do i = 1, size(variants)
+         do j = 1, size(records, 2)
+            if (records(i, j)%status == result_converged) cycle
+            call append_text(lines, '! no solution: '//model%cases(plan%cases(j))%name//', '// &
+                             trim(model_name(variants(i)%model))//', '//mesh_of(job%units, variants(i))// &
+                             '; left out of the errors above')
+         end do
+      end do
+   end subroutine append_lost
+
+   !> Each fidelity against the finest: what a user who asks for nothing else gets, at what price.
+   pure subroutine append_fidelities(lines, units, variants, totals, finest)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(variant_type), intent(in) :: variants(:)
+      type(total_type), intent(in) :: totals(:)
+      integer, intent(in) :: finest
+      character(:), allocatable :: words
+      integer :: i
+      do i = 1, size(variants)
+         if (variants(i)%fidelity == 0 .or. i == finest .or. totals(i)%lost > 0 .or. totals(finest)%lost > 0) cycle
+         ! with all of a fidelity's tolerances, walls ... in the table, those of the finest say enough in words
+         if (count(variants%fidelity == variants(i)%fidelity) > 1 .and. .not. same_settings(variants(i), variants(finest))) cycle
+         words = 'Fidelity '//trim(fidelity_name(variants(i)%fidelity))//': hook load within '// &
+            to_text(per_cent*totals(i)%errors(error_hookload), digits)//' %'
+         if (.not. is_missing(totals(i)%errors(error_torque))) &
+            words = words//', torque within '//to_text(per_cent*totals(i)%errors(error_torque), digits)//' %'
+         words = words//' of '//mesh_of(units, variants(finest))
+         if (totals(finest)%seconds > 0.0_wp .and. totals(i)%seconds > 0.0_wp) words = words//', '// &
+            to_text(totals(finest)%seconds/totals(i)%seconds, digits)//' times as fast'
+         call append_text(lines, words)
+      end do
+   end subroutine append_fidelities
+
+   !> Observed orders of convergence, one line a family of variants that differ in element length alone.
+   pure subroutine append_orders(lines, variants, records)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(in) :: records(:, :)
+      character(:), allocatable :: text
+      real(wp) :: orders(size(records, 2))
+      logical :: first, headed
+      integer :: i, j, k
+      headed = .false.
+      do i = 1, size(variants)
+         first = variants(i)%fidelity == 0
+         do j = 1, i - 1
+            if (same_but_mesh(variants(i), variants(j))) first = .false.
+         end do
+         if (.not. first .or. all(is_missing(all_orders(records(i, :))))) cycle
+         if (.not. headed) then
+            call append_text(lines, '')
+            call append_text(lines, 'Order of convergence with element length: median of the cases (least to greatest)')
+            call append_text(lines, left_aligned('', model_width + gap_width + solver_width)//right_aligned('Hook load', 2*cell)// &
+                             right_aligned('Torque', 2*cell)//right_aligned('Contact', 2*cell)//right_aligned('Moment', 2*cell))
+            headed = .true.
+         end if
+         text = left_aligned(trim(model_name(variants(i)%model)), model_width)
+         if (variants(i)%model == model_mcge) then
+            text = text//left_aligned(trim(gap_location_name(variants(i)%numerics%gap_location)), gap_width)// &
+               left_aligned(trim(solver_name(variants(i)%numerics%linear_solver)), solver_width)
+         else
+            text = text//repeat(' ', gap_width + solver_width)
+         end if
+         do k = error_hookload, error_bending
+            orders = [(records(i, j)%orders(k), j=1, size(records, 2))]
+            text = text//right_aligned(range_text(pack(orders, .not. is_missing(orders))), 2*cell)
+         end do
+         call append_text(lines, text)
+      end do
+   end subroutine append_orders
+
+   !> Orders of all quantities and cases of a variant.
+   pure function all_orders(records) result(orders)
+      type(study_record_type), intent(in) :: records(:)
+      real(wp) :: orders(error_count*size(records))
+      integer :: j
+      do j = 1, size(records)
+         orders(error_count*(j - 1) + 1:error_count*j) = records(j)%orders
+      end do
+   end function all_orders
+
+   !> Median, least and greatest of some numbers; '-' where there are none.
+   pure function range_text(numbers) result(text)
+      real(wp), intent(in) :: numbers(:)
+      character(:), allocatable :: text
+      real(wp) :: sorted(size(numbers)), value
+      integer :: i, j, n
+      n = size(numbers)
+      text = absent
+      if (n == 0) return
+      sorted = numbers
+      do i = 2, n
+         value = sorted(i)
+         j = i
+         do while (j > 1)
+            if (sorted(j - 1) <= value) exit
+            sorted(j) = sorted(j - 1)
+            j = j - 1
+         end do
+         sorted(j) = value
+      end do
+      text = order_text(0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1)))
+      if (n > 1) text = text//' ('//order_text(sorted(1))//' to '//order_text(sorted(n))//')'
+   end function range_text
+
+   pure function order_text(order) result(text)
+      real(wp), intent(in) :: order
+      character(:), allocatable :: text
+      integer, parameter :: width = 6
+      text = trim(adjustl(fixed_cell(order, width, 1)))
+   end function order_text
+end module dg_study_table

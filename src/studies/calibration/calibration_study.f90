@@ -1,0 +1,245 @@
+!> &calibrate: friction from measurements, and what the gauge shows beyond string and block.
+module dg_calibration_study
+   use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
+      predicts
+   use dg_calibration_echo, only: add_calibrations
+   use dg_calibration_file, only: datum_columns, write_calibrations
+   use dg_calibration_picture, only: calibration_script
+   use dg_calibration_result, only: calibration_result_type
+   use dg_calibration_table, only: calibration_table
+   use dg_case_memory, only: need_type
+   use dg_case_result, only: result_not_converged
+   use dg_deck_calibrate, only: take_calibrations
+   use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
+   use dg_diagnostic, only: tell
+   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_exit_status, only: graver
+   use dg_factor_columns, only: begin_factors, factor_file
+   use dg_fault_list, only: fault_list_type
+   use dg_fit_calibration, only: fit_calibration
+   use dg_friction_estimate, only: friction_estimate_type
+   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_job, only: job_type, model_name
+   use dg_learnt_friction, only: learn_friction
+   use dg_least_squares, only: fit_done
+   use dg_line_list, only: line_list_type
+   use dg_model, only: model_type
+   use dg_picture_data, only: rows_of_file
+   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_printed_text, only: print_and_keep
+   use dg_run_outcome, only: add_part, note_lost
+   use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
+   use dg_study, only: phase_after, phase_first, run_type, study_type
+   use dg_text, only: append_text, is_separator_free, quoted, text_list, text_type, to_text
+   implicit none
+   private
+   public :: calibration_study_type
+
+   type, extends(study_type) :: calibration_study_type
+      private
+      type(calibration_type), allocatable :: calibrations(:)
+      integer :: estimates = 0     !< of the run that are there before those of the first calibration
+   contains
+      procedure :: add_groups
+      procedure :: read => read_calibrations
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => run_calibrations
+      procedure :: echo
+      procedure :: name_files
+      procedure :: add_need
+      procedure :: add_pictures
+   end type calibration_study_type
+
+   !> Columns of the table beneath the picture.
+   character(*), parameter :: shown(11) = [character(24) :: 'case', 'operation', 'bit_depth', 'measured_hookload', &
+      'before_hookload', 'after_hookload', 'measured_torque', 'before_torque', 'after_torque', 'before_error', 'after_error']
+
+contains
+
+   !> Its group, which strings that are held share.
+   subroutine add_groups(self, groups)
+      class(calibration_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, calibrate_rule, calibrate_keys)
+      end associate
+   end subroutine add_groups
+
+   !> Reads its groups, and announces what they will find of friction.
+   subroutine read_calibrations(self, deck, job, notes, faults)
+      class(calibration_study_type), intent(inout) :: self
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(friction_estimate_type), allocatable :: longer(:)
+      integer :: i
+      associate (not_needed => job, nor => notes)
+         call take_calibrations(deck%draft, deck%groups, self%calibrations, faults)
+      end associate
+      self%estimates = size(deck%estimates)
+      allocate (longer(self%estimates + size(self%calibrations)))
+      longer(:self%estimates) = deck%estimates
+      do i = 1, size(self%calibrations)
+         associate (estimate => longer(self%estimates + i), calibration => self%calibrations(i))
+            estimate%name = calibration%name
+            estimate%applied = calibration%apply
+            estimate%axial = calibration%parameter /= calibrate_friction_rotary
+            estimate%rotary = calibration%parameter /= calibrate_friction_axial
+         end associate
+      end do
+      call move_alloc(longer, deck%estimates)
+   end subroutine read_calibrations
+
+   !> Whether the deck has a calibration.
+   pure function is_asked(self) result(is)
+      class(calibration_study_type), intent(in) :: self
+      logical :: is
+      is = size(self%calibrations) > 0
+   end function is_asked
+
+   !> Before all else where what they find is applied.
+   pure function phase(self)
+      class(calibration_study_type), intent(in) :: self
+      integer :: phase
+      phase = merge(phase_first, phase_after, any(self%calibrations%apply))
+   end function phase
+
+   !> A line a calibration.
+   subroutine echo(self, job, lines)
+      class(calibration_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(line_list_type), intent(inout) :: lines
+      associate (not_needed => job)
+         call add_calibrations(lines, self%calibrations)
+      end associate
+   end subroutine echo
+
+   !> Each calibration with each of its models. Friction that is to be applied goes into the model of the run. An error tells that
+   !> a file could not be written, or that there is nothing to apply. A run that is a part of others, or joins them, does what is
+   !> applied alone, and neither prints nor writes it.
+   subroutine run_calibrations(self, run, error)
+      class(calibration_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(calibration_result_type), allocatable :: results(:)
+      integer, allocatable :: owner(:)     !< number of the calibration of each result
+      type(text_type), allocatable :: lines(:)
+      type(error_type), allocatable :: failure
+      integer :: i, j, n, lost
+      logical :: divided, applied
+      divided = run%job%parts > 0 .or. run%job%merge > 0
+      n = 0
+      do i = 1, size(self%calibrations)
+         n = n + size(self%calibrations(i)%models)
+      end do
+      allocate (results(n), owner(n))
+      n = 0
+      do i = 1, size(self%calibrations)
+         associate (calibration => self%calibrations(i))
+            if (divided .and. .not. calibration%apply) cycle
+            lost = 0
+            do j = 1, size(calibration%models)
+               call fit_calibration(run%job, run%given, calibration, j, results(n + 1))
+               if (is_interrupted()) exit
+               n = n + 1
+               owner(n) = i
+               associate (result => results(n))
+                  if (result%fit%status /= fit_done) then
+                     lost = lost + 1
+                     call note_lost(run%printed%outcome, 'calibration '//calibration%name, result%model, &
+                                    result_not_converged, result%message)
+                     call tell('calibration '//quoted(calibration%name)//', model '//trim(model_name(result%model))// &
+                               ': no fit; '//result%message)
+                  else
+                     if (calibration%apply) then
+                        call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%holes)
+                        call apply_offset(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%rig, applied)
+                     end if
+                     call hand_on(calibration, result, size(run%model%holes), run%estimates(self%estimates + i))
+                  end if
+                  if (calibration%apply .and. result%fit%status /= fit_done .and. .not. allocated(error)) &
+                     call raise(error, status_not_converged, 'calibration '//quoted(calibration%name)// &
+                                ' has found no friction to apply, so what is to use it was not run')
+                  if (divided) cycle
+                  allocate (lines, source=calibration_table(run%job%units, run%given, calibration, result))
+                  call print_and_keep(run%printed, lines)
+                  deallocate (lines)
+               end associate
+            end do
+            call add_part(run%printed%outcome, 'calibration '//calibration%name, size(calibration%models), 0, lost)
+            if (lost > 0) run%status = graver(run%status, status_not_converged)
+         end associate
+      end do
+      if (.not. divided) then
+         call begin_factors(run%factors, run%job%units)
+         call write_calibrations(run%job, run%given, self%calibrations, owner(:n), results(:n), run%factors, failure)
+         if (allocated(failure)) call move_alloc(failure, error)
+      end if
+      if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
+         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done')
+   end subroutine run_calibrations
+
+   !> Tells others what a calibration has found out about friction.
+   subroutine hand_on(calibration, result, sections, estimate)
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: sections          !< of the hole
+      type(friction_estimate_type), intent(inout) :: estimate
+      if (allocated(estimate%deviations)) deallocate (estimate%deviations, estimate%correlation)
+      allocate (estimate%deviations(sections), estimate%correlation(sections, sections))
+      estimate%found = .true.
+      call learn_friction(calibration, result, estimate%deviations, estimate%correlation, estimate%known)
+   end subroutine hand_on
+
+   !> Files of factors, of data, of predictions.
+   subroutine name_files(self, job, names)
+      class(calibration_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      if (job%merge > 0 .or. .not. self%is_asked()) return
+      call append_text(names, factor_file)
+      call append_text(names, 'calibration_data.csv')
+      if (any(predicts(self%calibrations))) call append_text(names, 'calibration_prediction.csv')
+   end subroutine name_files
+
+   !> Least squares work by LAPACK.
+   subroutine add_need(self, job, model, need)
+      class(calibration_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      associate (not_needed => job, nor => model)
+         need%fits = need%fits .or. self%is_asked()
+      end associate
+   end subroutine add_need
+
+   !> A picture for each calibration and model.
+   subroutine add_pictures(self, job, model, list, error)
+      class(calibration_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(inout) :: error
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: name
+      integer :: i, k
+      if (job%merge > 0) return      ! a run that joins parts has not calibrated
+      do i = 1, size(self%calibrations)
+         associate (calibration => self%calibrations(i))
+            do k = 1, size(calibration%models)
+               name = to_text(i)             ! where its name is none for a file
+               if (is_separator_free(calibration%name)) name = calibration%name
+               name = free_name(list, 'calibration_'//name//'_'//trim(model_name(calibration%models(k))))
+               call calibration_script(name, job%units, model, self%calibrations, i, k, lines)
+               call add_picture(list, job, new_picture(name, 'Friction found from measurements, and the error before and after', &
+                  0, rows_of_file(job, 'calibration_data.csv', datum_columns, shown, &
+                               text_list('calibration', calibration%name, 'model', trim(model_name(calibration%models(k)))))), &
+                                lines, error)
+            end do
+         end associate
+      end do
+   end subroutine add_pictures
+end module dg_calibration_study

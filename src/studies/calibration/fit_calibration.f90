@@ -1,0 +1,128 @@
+!> The fit of one calibration with one model.
+module dg_fit_calibration
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_calibration, only: ahead_of, calibration_type, factors_of_deck, hookload_datum, predicts, solutions_a_step, &
+      torque_datum, variance_kinds
+   use dg_calibration_result, only: calibration_result_type, judge_fit
+   use dg_clock, only: seconds_between
+   use dg_fit_by_kinds, only: fit_by_kinds
+   use dg_fit_statistics, only: as_normal
+   use dg_job, only: job_type, model_name
+   use dg_least_squares, only: fit_done, fit_without_values, unknowns_type
+   use dg_load_case, only: optional_real
+   use dg_model, only: model_type
+   use dg_prediction, only: predict
+   use dg_progress, only: progress_type, show_time, start_progress
+   use dg_string_function, only: new_string_function, string_function_type
+   use dg_text, only: quoted, to_text
+   implicit none
+   private
+   public :: fit_calibration
+
+   !> Bounds of a friction factor, as those of the deck [-].
+   real(wp), parameter :: least_friction = 0.0_wp, greatest_friction = 2.0_wp
+   !> A friction factor that is a large one [-].
+   real(wp), parameter :: friction_scale = 1.0_wp
+   !> Steps that a fit usually takes, at most.
+   integer, parameter :: usual_steps = 10
+
+contains
+
+   !> Fits one calibration with one model, and predicts what it is to predict.
+   subroutine fit_calibration(job, model, calibration, place, result)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      integer, intent(in) :: place             !< of the model in the calibration's
+      type(calibration_result_type), intent(out) :: result
+      type(string_function_type) :: function
+      real(wp), dimension(size(calibration%unknowns)) :: lower, upper, scale
+      real(wp), dimension(size(calibration%data)) :: measured, deviation, depth
+      logical :: is_hookload(size(calibration%data))
+      integer, dimension(size(calibration%data)) :: kinds, of_case, group
+      integer, allocatable :: of_kind(:)   !< of every measured value
+      integer(int64) :: start, finish
+      type(progress_type) :: progress
+      integer :: expected
+      call system_clock(start)
+      call new_string_function(function, model, calibration, calibration%models(place), job%threads)
+      result%model = calibration%models(place)
+      result%message = ''
+      result%start = factors_of_deck(calibration, model%holes, model%cases)
+      allocate (result%before(size(calibration%data)))
+      expected = usual_steps*solutions_a_step(calibration)
+      call start_progress(progress, 'calibration '//quoted(calibration%name)//', model '//trim(model_name(result%model)), &
+                          'about '//to_text(expected)//' solutions', job%quiet)
+      call function%as_given(result%before)
+      call show_time(progress, real(function%solutions, wp)/real(expected, wp))
+      measured = calibration%data%measured
+      deviation = calibration%data%deviation
+      is_hookload = calibration%data%kind == hookload_datum
+      lower = least_friction
+      upper = greatest_friction
+      scale = friction_scale
+      where (calibration%unknowns%is_offset)
+         scale = maxval(measured, mask=is_hookload)     ! a gauge that shows nothing but its offset
+         lower = -scale
+         upper = scale
+      end where
+      ! a string that does not reach its depth with the friction it has does so with less
+      kinds = variance_kinds(calibration)
+      call fit_by_kinds(function, unknowns_type(result%start, .not. calibration%unknowns%is_offset, lower, upper, scale), &
+                        measured, kinds, deviation, result%fit, result%halvings)
+      of_kind = calibration%data%kind       ! a section would be copied to be passed
+      of_case = calibration%cases(calibration%data%case)
+      depth = model%cases(of_case)%bit_depth
+      ! hook loads of an operation, and torques
+      group = 2*model%cases(of_case)%operation + of_kind
+      call judge_fit(result, measured, deviation, kinds, of_kind, depth, group)
+      if (result%statistics%freedom > 0) result%statistics%scatter = norm2((result%fit%values - measured)/ &
+         calibration%data%deviation)/sqrt(real(result%statistics%freedom, wp))
+      if (result%fit%status == fit_done .and. predicts(calibration)) &
+         call look_ahead(model, calibration, job%threads, scale, result)
+      if (result%fit%status == fit_without_values) then
+         associate (datum => calibration%data(result%fit%lost))
+            result%message = 'load case '//quoted(model%cases(calibration%cases(datum%case))%name)//' has no solution: '// &
+                             function%message//'; leave it out, or begin with other factors in the deck'
+         end associate
+      else if (result%fit%status /= fit_done) then
+         result%message = 'the sum of squares still falls after all its iterations; separate less'
+      end if
+      result%solutions = result%solutions + function%solutions
+      call system_clock(finish)
+      result%seconds = seconds_between(start, finish)
+   end subroutine fit_calibration
+
+   !> Predicts the load cases that the calibration names for that, by what it has found.
+   subroutine look_ahead(model, calibration, threads, scale, result)
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      integer, intent(in) :: threads
+      real(wp), intent(in) :: scale(:)         !< of the unknowns
+      type(calibration_result_type), intent(inout) :: result
+      type(calibration_type) :: ahead
+      type(string_function_type) :: function
+      type(optional_real) :: known
+      real(wp), allocatable :: deviation(:), freedom(:)
+      integer :: kind
+      ahead = ahead_of(calibration, model%cases)
+      call new_string_function(function, model, ahead, result%model, threads)
+      allocate (deviation(size(ahead%data)), freedom(size(ahead%data)))
+      do kind = hookload_datum, torque_datum
+         known = calibration%hookload_deviation
+         if (kind /= hookload_datum) known = calibration%torque_deviation
+         where (ahead%data%kind == kind)
+            deviation = result%deviations(kind)
+            freedom = result%freedoms(kind)
+         end where
+         if (.not. known%present) cycle
+         where (ahead%data%kind == kind)
+            deviation = known%value
+            freedom = real(as_normal, wp)
+         end where
+      end do
+      call predict(function, result%fit, result%statistics, scale, deviation, freedom, result%prediction)
+      result%solutions = result%solutions + function%solutions
+   end subroutine look_ahead
+end module dg_fit_calibration

@@ -1,0 +1,245 @@
+!> A range of bit depths in a group of a deck: which string, in which operations, by which models.
+module dg_deck_range
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, places_of, real_of, reals_of, text_of, texts_of
+   use dg_deck_check, only: check_case
+   use dg_deck_draft, only: draft_case_type, draft_type
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_job, only: model_name
+   use dg_load_case, only: given, moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
+      operation_trip_out, rotates
+   use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
+   use dg_text, only: is_separator_free, quoted, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
+   implicit none
+   private
+   public :: take_range
+
+   !> Distance of depths where a deck says nothing [m].
+   real(wp), parameter :: usual_step = 30.0_wp
+   !> Most points of a sweep: more is a slip in bit_depth_step.
+   integer, parameter :: most_points = 1000000
+   !> Digits of a depth in a message.
+   integer, parameter :: depth_digits = 7
+
+contains
+
+   !> String, operations and depths of a group: a &sweep, or another that has its keys. Its depths are not allocated where there
+   !> is a fault.
+   subroutine take_range(draft, group, number, models, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, intent(in) :: number                !< of the sweep in the deck
+      integer, intent(in) :: models(:)
+      type(sweep_type), intent(out) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      type(draft_case_type) :: probe
+      type(text_type), allocatable :: texts(:)
+      real(wp), allocatable :: numbers(:)
+      real(wp) :: first, last, step, points
+      character(:), allocatable :: key
+      integer :: i, m, before
+      before = faults%count
+      allocate (texts(0), numbers(0))   ! the compiler's flow analysis takes them for undefined otherwise
+      sweep%name = text_of(group, 'name', to_text(number))
+      if (.not. is_separator_free(sweep%name)) call fault('name', 'name = '//quoted(sweep%name)// &
+         ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+      sweep%string = text_of(group, 'string', 'main')
+      sweep%operations = [operation_trip_out, operation_trip_in, operation_rotate_off_bottom]
+      if (is_given(group, 'operations')) then
+         texts = texts_of(group, 'operations')
+         sweep%operations = [integer ::]
+         do i = 1, size(texts)
+            m = operation_from_name(texts(i)%text)
+            if (m > 0 .and. .not. any(sweep%operations == m)) sweep%operations = [sweep%operations, m]  ! named twice: runs once
+         end do
+      end if
+      sweep%models = models
+      if (is_given(group, 'model')) sweep%models = places_of(group, 'model', model_name)
+      call take_loads(draft, group, sweep, faults)
+      key = 'frictions'
+      if (group%name /= 'sweep') key = 'friction'      ! one of them
+      numbers = reals_of(group, key)
+      allocate (sweep%frictions(max(size(numbers), 1)))
+      do i = 1, size(numbers)
+         if (any(abs(numbers(:i - 1) - numbers(i)) <= 0.0_wp)) &
+            call fault('frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one')
+         sweep%frictions(i) = given(numbers(i))
+      end do
+      if (group%name == 'sweep') call take_pairs(draft, group, sweep, faults)
+      call set_default_end(draft, group, last)
+      first = real_of(group, 'bit_depth_from', 0.0_wp)
+      step = real_of(group, 'bit_depth_step', usual_step)
+      probe%group = group%name
+      probe%depth_key = 'bit_depth_to'
+      probe%what = 'sweep'
+      probe%line = group%line
+      probe%line_depth = line_of(group, 'bit_depth_to')
+      probe%line_string = line_of(group, 'string')
+      probe%sound = .true.
+      probe%load_case%name = sweep%name
+      probe%load_case%string = sweep%string
+      probe%load_case%bit_depth = last
+      if (last > 0.0_wp .and. is_sound_or_absent('bit_depth_to') .and. is_sound(group, 'string')) &
+         call check_case(draft, probe, faults)
+      last = probe%load_case%bit_depth
+      if (faults%count > before .or. .not. (last > 0.0_wp .and. step > 0.0_wp)) return
+      if (.not. (is_sound(group, 'bit_depth_from') .and. is_sound(group, 'bit_depth_step'))) return
+      if (first > last) then
+         call fault('bit_depth_from', 'bit_depth_from = '//shown(first)//' lies below bit_depth_to = '//shown(last))
+         return
+      end if
+      points = ((last - first)/step + 1.0_wp)*size(sweep%operations)*size(sweep%frictions)*size(sweep%models)
+      if (points > real(most_points, wp)) then
+         call fault('bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 7)// &
+                    ' points; at most '//to_text(most_points)//' can be solved in one sweep')
+         return
+      end if
+      sweep%depths = regular_depths(first, last, step)
+      call take_measured(draft, sweep)
+
+   contains
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
+      end subroutine fault
+
+      pure function is_sound_or_absent(key) result(yes)
+         character(*), intent(in) :: key
+         logical :: yes
+         yes = is_sound(group, key) .or. .not. is_given(group, key)
+      end function is_sound_or_absent
+
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth
+         character(:), allocatable :: text
+         text = trim(in_units(draft%units, unit_length, depth, depth_digits))
+      end function shown
+   end subroutine take_range
+
+   !> Loads and speeds, one of all operations or one of each; reaming needs both speeds.
+   subroutine take_loads(draft, group, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(sweep_type), intent(inout) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      integer :: o
+      call take('wob', sweep%wob)
+      call take('tob', sweep%tob)
+      call take('rpm', sweep%angular_speed)
+      call take('trip_speed', sweep%trip_speed)
+      do o = 1, size(sweep%operations)
+         if (.not. (rotates(sweep%operations(o)) .and. moves_axially(sweep%operations(o)))) cycle
+         call need_speed('rpm', at_operation(sweep%angular_speed, o))
+         call need_speed('trip_speed', at_operation(sweep%trip_speed, o))
+         exit
+      end do
+   contains
+      subroutine take(key, loads)
+         character(*), intent(in) :: key
+         real(wp), allocatable, intent(out) :: loads(:)
+         loads = reals_of(group, key)
+         if (any(size(loads) == [0, 1, size(sweep%operations)]) .or. .not. is_sound(group, 'operations')) return
+         call fault(key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
+                    ' operations; give one, or one for each')
+      end subroutine take
+
+      subroutine need_speed(key, value)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp .or. .not. is_sound(group, key)) return
+         call fault(key, 'reaming needs '//key//' > 0')
+      end subroutine need_speed
+
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
+      end subroutine fault
+   end subroutine take_loads
+
+   !> Pairs of friction in cased and open hole.
+   subroutine take_pairs(draft, group, sweep, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      type(sweep_type), intent(inout) :: sweep
+      type(fault_list_type), intent(inout) :: faults
+      real(wp), allocatable :: cased(:), open(:)
+      character(:), allocatable :: key
+      integer :: i, j
+      allocate (cased(0), open(0))
+      if (.not. (is_given(group, 'frictions_cased') .or. is_given(group, 'frictions_open'))) return
+      ! A number that is none is told already.
+      if (is_given(group, 'frictions_cased') .neqv. is_sound(group, 'frictions_cased')) return
+      if (is_given(group, 'frictions_open') .neqv. is_sound(group, 'frictions_open')) return
+      cased = reals_of(group, 'frictions_cased')
+      open = reals_of(group, 'frictions_open')
+      key = 'frictions_cased'
+      if (.not. is_given(group, key)) key = 'frictions_open'
+      if (is_given(group, 'frictions')) call fault('frictions_cased and frictions_open stand in place of frictions; keep one way')
+      if (size(cased) /= size(open)) call fault('frictions_cased has '//to_text(size(cased))//' values, frictions_open has '// &
+                                                to_text(size(open))//'; they go in pairs')
+      if (.not. (any(draft%holes%section%cased) .and. any(.not. draft%holes%section%cased))) &
+         call fault('pairs of friction need a hole section with cased = .true., and one without')
+      if (size(cased) /= size(open) .or. size(cased) == 0) return
+      do i = 1, size(cased)
+         do j = 1, i - 1
+            if (max(abs(cased(i) - cased(j)), abs(open(i) - open(j))) <= 0.0_wp) &
+               call fault('the pair '//to_text(cased(i))//', '//to_text(open(i))//' stands there twice; keep one')
+         end do
+      end do
+      sweep%frictions_cased = cased
+      deallocate (sweep%frictions)
+      allocate (sweep%frictions(size(open)))
+      sweep%frictions = given(open)
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
+      end subroutine fault
+   end subroutine take_pairs
+
+   !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.
+   subroutine set_default_end(draft, group, last)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      real(wp), intent(out) :: last
+      last = real_of(group, 'bit_depth_to', 0.0_wp)
+      if (is_given(group, 'bit_depth_to')) return
+      if (.not. draft%has_stations .or. size(draft%holes) == 0) return
+      if (.not. all(draft%holes%sound)) return
+      last = min(draft%stations%md(size(draft%stations%md)), draft%holes(size(draft%holes))%section%md_bottom)
+   end subroutine set_default_end
+
+   !> Measurements that load cases of the deck tell of this string in these operations. Their depths join the sweep's, so
+   !> that each can be laid beside a calculated value.
+   subroutine take_measured(draft, sweep)
+      type(draft_type), intent(in) :: draft
+      type(sweep_type), intent(inout) :: sweep
+      type(measured_type), allocatable :: found(:)
+      real(wp) :: depths(size(draft%cases))
+      integer :: i, n, o
+      allocate (found(size(draft%cases)))
+      n = 0
+      do i = 1, size(draft%cases)
+         associate (case => draft%cases(i)%load_case)
+            if (.not. draft%cases(i)%sound) cycle
+            if (case%string /= sweep%string .or. .not. any(sweep%operations == case%operation)) cycle
+            if (.not. (case%measured_hookload%present .or. case%measured_torque%present)) cycle
+            if (case%bit_depth < sweep%depths(1) .or. case%bit_depth > sweep%depths(size(sweep%depths))) cycle
+            o = findloc(sweep%operations, case%operation, dim=1)
+            if (abs(case%wob - at_operation(sweep%wob, o)) > 0.0_wp .or. &
+                abs(case%tob - at_operation(sweep%tob, o)) > 0.0_wp) cycle   ! another load
+            n = n + 1
+            found(n)%name = case%name
+            found(n)%operation = case%operation
+            found(n)%bit_depth = case%bit_depth
+            found(n)%hookload = case%measured_hookload
+            found(n)%torque = case%measured_torque
+            depths(n) = case%bit_depth
+         end associate
+      end do
+      sweep%measured = found(:n)
+      sweep%depths = with_depths(sweep%depths, depths(:n))
+   end subroutine take_measured
+end module dg_deck_range

@@ -1,0 +1,398 @@
+!> A study of numbered points: solved in parts where asked for, from where an interrupted run stopped. A sweep and a Monte Carlo
+!> extend it.
+module dg_ensemble_study
+   use, intrinsic :: iso_fortran_env, only: int64
+   use dg_kinds, only: wp
+   use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
+   use dg_case_result, only: result_not_converged
+   use dg_clock, only: seconds_between
+   use dg_diagnostic, only: tell
+   use dg_ensemble_record, only: close_record, ensemble_title, ensemble_type, failed_text, open_record, taken_text, take_parts, &
+      write_record
+   use dg_ensemble_watch, only: ensemble_watch_type
+   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_exit_status, only: graver, note_ending, note_failure
+   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_job, only: job_type
+   use dg_model, only: model_type
+   use dg_printed_text, only: print_and_keep, print_line
+   use dg_progress, only: end_progress, progress_type, start_progress
+   use dg_result_name, only: failed_file, record_file
+   use dg_study, only: phase_points, run_type, study_type
+   use dg_sweep, only: sweep_type
+   use dg_sweep_result, only: is_solved
+   use dg_sweep_work, only: in_part
+   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_threads, only: thread_count
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: ensemble_study_type, prepare_ensembles, range_text_type
+
+   type, abstract, extends(study_type) :: ensemble_study_type
+      type(ensemble_type), allocatable :: ensembles(:)    !< as many as the deck has groups
+   contains
+      procedure(count_interface), deferred :: range_count
+      procedure(texts_interface), deferred :: texts
+      procedure(range_interface), deferred :: range
+      procedure(points_interface), deferred :: points_of
+      procedure(settings_interface), deferred :: settings
+      procedure(solve_interface), deferred :: solve
+      procedure(finish_interface), deferred :: report
+      procedure(place_interface), deferred :: place
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => run_ensembles
+      procedure :: name_files
+      procedure :: name_records
+      procedure :: add_need
+      procedure :: prepare => prepare_ensembles
+      procedure :: finish => close_records
+   end type ensemble_study_type
+
+   !> What it is called.
+   type :: range_text_type
+      character(:), allocatable :: what            !< sweep or uncertainty, in messages and names of files
+      character(:), allocatable :: points          !< its points, and those that are solved
+      character(:), allocatable :: points_solved
+      character(:), allocatable :: left_out        !< what becomes of those that did not converge; '': nothing
+      character(:), allocatable :: fewer           !< what makes them less
+   end type range_text_type
+
+   abstract interface
+      !> How many the deck has.
+      pure function count_interface(self) result(number)
+         import :: ensemble_study_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         integer :: number
+      end function count_interface
+
+      !> What it is called.
+      function texts_interface(self) result(texts)
+         import :: ensemble_study_type, range_text_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         type(range_text_type) :: texts
+      end function texts_interface
+
+      !> The range of depths of one.
+      function range_interface(self, number) result(range)
+         import :: ensemble_study_type, sweep_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         integer, intent(in) :: number
+         type(sweep_type) :: range
+      end function range_interface
+
+      !> Its points.
+      pure function points_interface(self, number) result(points)
+         import :: ensemble_study_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         integer, intent(in) :: number
+         integer :: points
+      end function points_interface
+
+      !> All that its results depend on.
+      function settings_interface(self, number, model) result(lines)
+         import :: ensemble_study_type, model_type, text_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         integer, intent(in) :: number
+         type(model_type), intent(in) :: model
+         type(text_type), allocatable :: lines(:)
+      end function settings_interface
+
+      !> Solves the points that are left.
+      subroutine solve_interface(self, number, run, watch)
+         import :: ensemble_study_type, run_type, ensemble_watch_type
+         implicit none
+         class(ensemble_study_type), intent(inout) :: self
+         integer, intent(in) :: number
+         type(run_type), intent(in) :: run
+         class(ensemble_watch_type), intent(inout) :: watch
+      end subroutine solve_interface
+
+      !> What follows from the points: the file is written, lines for the terminal come back.
+      subroutine finish_interface(self, number, run, lines, error)
+         import :: ensemble_study_type, run_type, text_type, error_type
+         implicit none
+         class(ensemble_study_type), intent(inout) :: self
+         integer, intent(in) :: number
+         type(run_type), intent(inout) :: run
+         type(text_type), allocatable, intent(out) :: lines(:)
+         type(error_type), allocatable, intent(out) :: error
+      end subroutine finish_interface
+
+      !> A point in words.
+      function place_interface(self, number, point, units) result(text)
+         import :: ensemble_study_type, unit_system_type
+         implicit none
+         class(ensemble_study_type), intent(in) :: self
+         integer, intent(in) :: number, point
+         type(unit_system_type), intent(in) :: units
+         character(:), allocatable :: text
+      end function place_interface
+   end interface
+
+   !> What a point keeps, with its line in a record [bytes].
+   real(wp), parameter :: bytes_of_point = 250.0_wp
+
+contains
+
+   !> Whether the deck has one.
+   pure function is_asked(self) result(is)
+      class(ensemble_study_type), intent(in) :: self
+      logical :: is
+      is = self%range_count() > 0
+   end function is_asked
+
+   !> At last.
+   pure function phase(self)
+      class(ensemble_study_type), intent(in) :: self
+      integer :: phase
+      associate (not_needed => self)
+         phase = phase_points
+      end associate
+   end function phase
+
+   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined, with their
+   !> faults. An error (bad input) where a record does not fit the deck.
+   subroutine prepare_ensembles(self, run, error)
+      class(ensemble_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(range_text_type) :: texts
+      type(sweep_type) :: range
+      integer :: i
+      texts = self%texts()
+      if (allocated(self%ensembles)) deallocate (self%ensembles)
+      allocate (self%ensembles(self%range_count()))
+      do i = 1, size(self%ensembles)
+         associate (ensemble => self%ensembles(i))
+            range = self%range(i)
+            ensemble%what = texts%what
+            ensemble%number = i
+            ensemble%name = range%name
+            allocate (ensemble%settings, source=self%settings(i, run%model))
+            allocate (ensemble%points(self%points_of(i)))
+            if (run%job%merge > 0) then
+               call take_parts(run%job, ensemble, run%part_faults)
+            else
+               call open_record(run%job, ensemble, error)
+            end if
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine prepare_ensembles
+
+   !> One after the other.
+   subroutine run_ensembles(self, run, error)
+      class(ensemble_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: failure
+      integer :: i
+      do i = 1, size(self%ensembles)
+         if (is_interrupted()) then
+            call note_ending(ensemble_title(self%ensembles(i)), run%status)
+            exit
+         end if
+         call run_one(self, i, run, failure)
+         run%written = run%written .and. .not. allocated(failure)
+         call note_failure(failure, run%status)
+         if (any(self%ensembles(i)%points%status == result_not_converged)) &
+            run%status = graver(run%status, status_not_converged)
+      end do
+      do i = 1, size(self%ensembles)
+         run%points_lost = run%points_lost .or. any(self%ensembles(i)%points%status == result_not_converged)
+      end do
+      if (allocated(error)) return
+   end subroutine run_ensembles
+
+   !> Solves what is left of one, writes and prints it.
+   subroutine run_one(self, number, run, error)
+      class(ensemble_study_type), intent(inout) :: self
+      integer, intent(in) :: number
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: lines(:)
+      type(range_text_type) :: texts
+      integer :: resumed
+      real(wp) :: seconds
+      texts = self%texts()
+      associate (job => run%job)
+         resumed = count(is_solved(self%ensembles(number)%points))
+         seconds = 0.0_wp
+         if (job%merge == 0) call solve_rest(self, number, run, seconds)
+         if (any(self%ensembles(number)%points%status == result_not_converged)) call tell_lost(self, number, texts, job%units)
+         if (.not. is_interrupted()) call tell_unless_empty(failed_text(self%ensembles(number), max(job%parts, job%merge)))
+         if (job%merge == 0 .and. (is_interrupted() .or. job%parts > 0)) then
+            call keep_for_later(self%ensembles(number), texts, job, error)
+            return
+         end if
+         call self%report(number, run, lines, error)
+         if (allocated(error)) return
+         associate (points => self%ensembles(number)%points)
+            if (any(points%earlier)) call append_text(lines, to_text(count(points%earlier))//' of '//to_text(size(points))//' '// &
+               texts%points//' were found with other settings of the solver, by a run before --again')
+            call print_and_keep(run%printed, lines)
+            if (job%merge > 0) then
+               call print_line(to_text(size(points))//' '//texts%points//', joined from '//to_text(job%merge)//' parts')
+            else
+               call print_line(to_text(size(points) - resumed)//' '//texts%points_solved//' in '//to_text(seconds, 3)//' s')
+            end if
+         end associate
+      end associate
+   end subroutine run_one
+
+   !> Writes the record of what is not finished, or of a part.
+   subroutine keep_for_later(ensemble, texts, job, error)
+      type(ensemble_type), intent(inout) :: ensemble
+      type(range_text_type), intent(in) :: texts
+      type(job_type), intent(in) :: job
+      type(error_type), allocatable, intent(out) :: error
+      call write_record(ensemble, error)
+      if (allocated(error)) return
+      if (is_interrupted()) then
+         call raise(error, status_failure, ensemble_title(ensemble)//': ended by '//interruption_name()//' with '// &
+                    solved_of_all(ensemble)//' '//texts%points_solved//'; the same command goes on from there ('// &
+                    ensemble%path//')')
+      else
+         call print_line(capital(ensemble%what)//' '//ensemble%name//', part '//to_text(job%part)//' of '// &
+                         to_text(job%parts)//': '//solved_of_all(ensemble)//' '//texts%points//', in '//ensemble%path)
+      end if
+   end subroutine keep_for_later
+
+   !> Solves the points that have no result yet, with their progress on the terminal.
+   subroutine solve_rest(self, number, run, seconds)
+      class(ensemble_study_type), intent(inout) :: self
+      integer, intent(in) :: number
+      type(run_type), intent(in) :: run
+      real(wp), intent(out) :: seconds
+      type(progress_type) :: progress
+      integer(int64) :: start, finish
+      integer :: i, left
+      call tell_unless_empty(taken_text(self%ensembles(number), run%job%again))
+      call system_clock(start)
+      associate (points => self%ensembles(number)%points)
+         left = count(.not. is_solved(points) .and. in_part([(i, i=1, size(points))], run%job%part, max(run%job%parts, 1)))
+      end associate
+      call start_progress(progress, ensemble_title(self%ensembles(number)), to_text(left)//' solutions', run%job%quiet)
+      call self%solve(number, run, progress)
+      call end_progress(progress)
+      if (allocated(self%ensembles(number)%failure)) call tell(self%ensembles(number)%failure%message)
+      call system_clock(finish)
+      seconds = seconds_between(start, finish)
+   end subroutine solve_rest
+
+   !> Records of what is finished: they stay where points of any of the run did not converge. What cannot be written is told, and
+   !> raises the exit status.
+   subroutine close_records(self, run)
+      class(ensemble_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable :: error
+      integer :: i
+      if (.not. run%written .or. max(run%job%parts, run%job%merge) > 0) return
+      do i = 1, size(self%ensembles)
+         call close_record(self%ensembles(i), run%points_lost, error)
+         call note_failure(error, run%status)
+      end do
+   end subroutine close_records
+
+   !> Tells how many points have no solution, and of the first what it is and why it has none, so that it can be looked into.
+   subroutine tell_lost(self, number, texts, units)
+      class(ensemble_study_type), intent(in) :: self
+      integer, intent(in) :: number
+      type(range_text_type), intent(in) :: texts
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      integer :: first
+      associate (points => self%ensembles(number)%points)
+         do first = 1, size(points)
+            if (points(first)%status == result_not_converged) exit
+         end do
+         text = ensemble_title(self%ensembles(number))//': '//to_text(count(points%status == result_not_converged))//' of '// &
+                to_text(count(is_solved(points)))//' '//texts%points//' did not converge'//texts%left_out//'; the first: '// &
+                self%place(number, first, units)
+         if (allocated(points(first)%message)) text = text//': '//points(first)%message
+      end associate
+      call tell(text)
+   end subroutine tell_lost
+
+   !> A file each.
+   subroutine name_files(self, job, names)
+      class(ensemble_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      type(range_text_type) :: texts
+      type(sweep_type) :: range
+      integer :: i
+      texts = self%texts()
+      associate (not_needed => job)
+         do i = 1, self%range_count()
+            range = self%range(i)
+            call append_text(names, texts%what//'_'//range%name//'.csv')
+         end do
+      end associate
+   end subroutine name_files
+
+   !> A record each, and of an undivided run one of points that did not converge.
+   subroutine name_records(self, job, names)
+      class(ensemble_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      type(range_text_type) :: texts
+      type(sweep_type) :: range
+      integer :: i
+      if (job%merge > 0) return
+      texts = self%texts()
+      do i = 1, self%range_count()
+         range = self%range(i)
+         call append_text(names, record_file(texts%what, range%name, job%part, job%parts))
+         if (job%parts == 0) call append_text(names, failed_file(texts%what, range%name))
+      end do
+   end subroutine name_records
+
+   !> Memory at the greatest depth, and of all points.
+   subroutine add_need(self, job, model, need)
+      class(ensemble_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      type(range_text_type) :: texts
+      type(sweep_type) :: range
+      real(wp) :: elements
+      integer :: i
+      texts = self%texts()
+      do i = 1, self%range_count()
+         range = self%range(i)
+         elements = 0.0_wp
+         if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
+         need%kept = need%kept + bytes_of_point*self%points_of(i)
+         call take_greater(need, elements, thread_count(job%threads, self%points_of(i)), texts%what//' '//quoted(range%name)// &
+                           ', '//to_text(self%points_of(i))//' solutions', texts%fewer//', '// &
+                           finer_text(model, model%numerics%element_length))
+      end do
+   end subroutine add_need
+
+   subroutine tell_unless_empty(text)
+      character(*), intent(in) :: text
+      if (text /= '') call tell(text)
+   end subroutine tell_unless_empty
+
+   !> How many points have their result: 3 of 5.
+   pure function solved_of_all(ensemble) result(text)
+      type(ensemble_type), intent(in) :: ensemble
+      character(:), allocatable :: text
+      text = to_text(count(is_solved(ensemble%points)))//' of '//to_text(size(ensemble%points))
+   end function solved_of_all
+
+   !> A word as a sentence begins with it.
+   pure function capital(word) result(text)
+      character(*), intent(in) :: word
+      character(len(word)) :: text
+      text = achar(iachar(word(1:1)) - iachar('a') + iachar('A'))//word(2:)
+   end function capital
+end module dg_ensemble_study

@@ -1,0 +1,166 @@
+!> What every study is: many load cases, or one again and again, for one question of a deck. It reads its groups, tells what it
+!> understood, runs, and adds its files and pictures. Studies do not know each other; what one leaves for others is in the run.
+module dg_study
+   use dg_case_memory, only: need_type
+   use dg_case_result, only: case_result_type
+   use dg_csv_table, only: csv_table_type
+   use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: group_keys_type
+   use dg_error, only: error_type
+   use dg_fault_list, only: fault_list_type
+   use dg_friction_estimate, only: friction_estimate_type
+   use dg_job, only: job_type
+   use dg_line_list, only: line_list_type
+   use dg_model, only: model_type
+   use dg_part_faults, only: part_faults_type
+   use dg_picture_list, only: picture_list_type
+   use dg_printed_text, only: printed_text_type
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: study_type, run_type
+   public :: phase_first, phase_cases, phase_after, phase_points
+
+   ! When a study runs, in this order.
+   integer, parameter :: phase_first = 1     !< before the load cases, whose friction it changes
+   integer, parameter :: phase_cases = 2     !< with the load cases, whose results it has
+   integer, parameter :: phase_after = 3     !< after them
+   integer, parameter :: phase_points = 4    !< at last: it has numbered points, of which a divided run solves some
+
+   !> What the studies of one run share.
+   type :: run_type
+      type(job_type) :: job
+      type(model_type) :: given                     !< as the deck has it
+      type(model_type) :: model                     !< with friction that a study has found and applied
+      type(case_result_type), allocatable :: results(:)         !< of the load cases
+      type(friction_estimate_type), allocatable :: estimates(:) !< in the order of the deck
+      type(csv_table_type) :: factors               !< rows of calibration.csv so far
+      type(printed_text_type) :: printed            !< what the page takes as it was printed, and what became of solutions
+      type(part_faults_type) :: part_faults         !< of parts that are to be joined
+      logical :: written = .true.                   !< of points all files are
+      logical :: points_lost = .false.              !< points did not converge
+      integer :: status = 0                         !< exit status so far
+   end type run_type
+
+   type, abstract :: study_type
+   contains
+      procedure(read_interface), deferred :: read
+      procedure(asked_interface), deferred :: is_asked
+      procedure(phase_interface), deferred :: phase
+      procedure(run_interface), deferred :: run
+      procedure :: add_groups => no_groups
+      procedure :: echo => echo_nothing
+      procedure :: name_files => no_files
+      procedure :: name_records => no_files
+      procedure :: add_need => need_nothing
+      procedure :: prepare => prepare_nothing
+      procedure :: finish => finish_nothing
+      procedure :: add_pictures => no_pictures
+   end type study_type
+
+   abstract interface
+      !> Reads its groups of an open deck. Notes tell what is legal but hardly meant.
+      subroutine read_interface(self, deck, job, notes, faults)
+         import :: study_type, deck_type, job_type, text_type, fault_list_type
+         implicit none
+         class(study_type), intent(inout) :: self
+         type(deck_type), intent(inout) :: deck
+         type(job_type), intent(in) :: job
+         type(text_type), allocatable, intent(inout) :: notes(:)
+         type(fault_list_type), intent(inout) :: faults
+      end subroutine read_interface
+
+      !> Whether the deck asks for it.
+      pure function asked_interface(self) result(is)
+         import :: study_type
+         implicit none
+         class(study_type), intent(in) :: self
+         logical :: is
+      end function asked_interface
+
+      !> When it runs.
+      pure function phase_interface(self) result(phase)
+         import :: study_type
+         implicit none
+         class(study_type), intent(in) :: self
+         integer :: phase
+      end function phase_interface
+
+      !> Solves, prints and writes. Failures are told and raise the status of the run; `error` keeps what is to come from being run.
+      subroutine run_interface(self, run, error)
+         import :: study_type, run_type, error_type
+         implicit none
+         class(study_type), intent(inout) :: self
+         type(run_type), intent(inout) :: run
+         type(error_type), allocatable, intent(out) :: error
+      end subroutine run_interface
+   end interface
+
+contains
+
+   !> Groups of a deck that it has, with their keys.
+   subroutine no_groups(self, groups)
+      class(study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (none => self, changes => groups)
+      end associate
+   end subroutine no_groups
+
+   !> Lines that tell what it understood of the deck.
+   subroutine echo_nothing(self, job, lines)
+      class(study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(line_list_type), intent(inout) :: lines
+      associate (none => self, of_these => job, changes => lines)
+      end associate
+   end subroutine echo_nothing
+
+   !> Names of files that a run of the job will write: results, or records of unfinished work.
+   subroutine no_files(self, job, names)
+      class(study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      associate (none => self, of_these => job, changes => names)
+      end associate
+   end subroutine no_files
+
+   !> Memory that it takes.
+   subroutine need_nothing(self, job, model, need)
+      class(study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      associate (none => self, of_these => job, changes => model, nor => need)
+      end associate
+   end subroutine need_nothing
+
+   !> Looks for what keeps it from being run, before results of an earlier run are removed: an error, or faults of parts in the run.
+   subroutine prepare_nothing(self, run, error)
+      class(study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      associate (none => self, of_these => run)
+         if (allocated(error)) deallocate (error)
+      end associate
+   end subroutine prepare_nothing
+
+   !> Ends what it keeps of unfinished work, after all studies have run and written their files.
+   subroutine finish_nothing(self, run)
+      class(study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      associate (none => self, changes => run)
+      end associate
+   end subroutine finish_nothing
+
+   !> Adds its pictures. Where there is an error already, nothing is done.
+   subroutine no_pictures(self, job, model, list, error)
+      class(study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(inout) :: error
+      associate (none => self, of_these => job, changes => model, nor => list)
+         if (allocated(error)) return
+      end associate
+   end subroutine no_pictures
+end module dg_study

@@ -1,0 +1,59 @@
+!> What groups of a deck that fit measurements have in common: their load cases and models.
+module dg_measured_cases
+   use dg_checked_group, only: checked_group_type, is_given, line_of, places_of, texts_of
+   use dg_deck_draft, only: draft_type, find_case
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_job, only: model_name, model_soft
+   use dg_text, only: quoted, text_type, to_text
+   implicit none
+   private
+   public :: take_measured_cases, take_models
+
+contains
+
+   !> Models, each once; the soft string where none is named.
+   subroutine take_models(group, models)
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: models(:)
+      models = places_of(group, 'model', model_name)
+      if (size(models) == 0) models = [model_soft]
+   end subroutine take_models
+
+   !> Numbers of the load cases named; all with measurements where none is, less those that are left out.
+   subroutine take_measured_cases(draft, group, cases, faults, left_out)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: group
+      integer, allocatable, intent(out) :: cases(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer, intent(in), optional :: left_out(:)
+      type(text_type), allocatable :: wanted(:)
+      logical :: measured(size(draft%cases))
+      integer :: i, k, found
+      allocate (wanted, source=texts_of(group, 'cases'))
+      do k = 1, size(measured)
+         measured(k) = draft%cases(k)%load_case%measured_hookload%present .or. draft%cases(k)%load_case%measured_torque%present
+      end do
+      allocate (cases(0))
+      if (.not. is_given(group, 'cases')) then
+         if (present(left_out)) measured(left_out) = .false.
+         cases = pack([(k, k=1, size(measured))], measured)
+         if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
+      end if
+      do i = 1, size(wanted)
+         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         if (found == 0) cycle
+         if (.not. measured(found)) then
+            if (.not. draft%cases(found)%sound) cycle
+            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
+                       ') has neither measured_hookload nor measured_torque; give one or leave it out')
+         else if (.not. any(cases == found)) then
+            cases = [cases, found]
+         end if
+      end do
+   contains
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
+      end subroutine fault
+   end subroutine take_measured_cases
+end module dg_measured_cases

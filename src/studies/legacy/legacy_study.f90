@@ -1,0 +1,165 @@
+!> &legacy: lays other programs' results beside ours.
+module dg_legacy_study
+   use dg_csv_table, only: begin_table, csv_table_type, write_table
+   use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
+   use dg_deck_legacy, only: take_legacy
+   use dg_error, only: error_type
+   use dg_exit_status, only: note_failure
+   use dg_fault_list, only: fault_list_type
+   use dg_job, only: job_type
+   use dg_legacy_comparison, only: comparison_type, compare_with_legacy
+   use dg_legacy_picture, only: legacy_script
+   use dg_legacy_report, only: legacy_report
+   use dg_legacy_rows, only: add_legacy_rows, legacy_columns
+   use dg_legacy_table, only: legacy_table_type
+   use dg_model, only: model_type
+   use dg_picture_data, only: rows_of_file
+   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_printed_text, only: print_and_keep
+   use dg_legacy_keys, only: legacy_keys, legacy_rule
+   use dg_study, only: phase_cases, run_type, study_type
+   use dg_text, only: append_text, text_list, text_type
+   implicit none
+   private
+   public :: legacy_study_type
+
+   type, extends(study_type) :: legacy_study_type
+      private
+      type(legacy_table_type), allocatable :: tables(:)
+   contains
+      procedure :: add_groups
+      procedure :: read => read_tables
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => compare_tables
+      procedure :: name_files
+      procedure :: add_pictures
+   end type legacy_study_type
+
+   !> Columns of the table beneath the picture.
+   character(*), parameter :: shown(12) = [character(24) :: 'model', 'md', 'hole', 'axial', 'legacy_axial', &
+      'axial_difference', 'torque', 'legacy_torque', 'torque_difference', 'side_force', 'legacy_side_force', &
+      'side_force_difference']
+
+contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(legacy_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, legacy_rule, legacy_keys)
+      end associate
+   end subroutine add_groups
+
+   !> Reads its groups, with the files that they name.
+   subroutine read_tables(self, deck, job, notes, faults)
+      class(legacy_study_type), intent(inout) :: self
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i
+      associate (not_needed => job)
+         call take_legacy(deck%draft, deck%groups, self%tables, faults)
+      end associate
+      do i = 1, size(self%tables)
+         call append_text(deck%inputs, self%tables(i)%file)
+         if (self%tables(i)%skipped /= '') &
+            call append_text(notes, 'legacy '//self%tables(i)%file//': '//self%tables(i)%skipped)
+      end do
+   end subroutine read_tables
+
+   !> Whether the deck has a table.
+   pure function is_asked(self) result(is)
+      class(legacy_study_type), intent(in) :: self
+      logical :: is
+      is = size(self%tables) > 0
+   end function is_asked
+
+   !> With the load cases.
+   pure function phase(self)
+      class(legacy_study_type), intent(in) :: self
+      integer :: phase
+      associate (not_needed => self)
+         phase = phase_cases
+      end associate
+   end function phase
+
+   !> Each table beside all results of its case.
+   subroutine compare_tables(self, run, error)
+      class(legacy_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: failure
+      integer :: i
+      do i = 1, size(self%tables)
+         call compare_one(self%tables(i), run, failure)
+         call note_failure(failure, run%status)
+      end do
+      if (allocated(error)) return
+   end subroutine compare_tables
+
+   !> One table beside all results of its case: printed, written to legacy_<label>.csv.
+   subroutine compare_one(table, run, error)
+      type(legacy_table_type), intent(in) :: table
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(comparison_type) :: comparison
+      type(csv_table_type) :: rows
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      call begin_table(rows, legacy_columns, run%job%units)
+      associate (results => run%results, case => run%model%cases(table%case_index))
+         do i = 1, size(results)
+            if (results(i)%case_index /= table%case_index .or. .not. allocated(results(i)%profile%md)) cycle
+            call compare_with_legacy(table, results(i)%profile, run%model%trajectory, comparison)
+            lines = legacy_report(run%job%units, table, case%name, results(i)%model, results(i)%status, comparison, &
+                                  results(i)%model == run%job%models(1))
+            call print_and_keep(run%printed, lines)
+            call add_legacy_rows(rows, case%name, results(i)%model, comparison)
+         end do
+      end associate
+      call write_table(rows, run%job%output_dir//'/'//file_of(table), error)
+   end subroutine compare_one
+
+   !> One file a table.
+   subroutine name_files(self, job, names)
+      class(legacy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      integer :: i
+      if (job%merge > 0) return
+      do i = 1, size(self%tables)
+         call append_text(names, file_of(self%tables(i)))
+      end do
+   end subroutine name_files
+
+   !> A picture for each table.
+   subroutine add_pictures(self, job, model, list, error)
+      class(legacy_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(inout) :: list
+      type(error_type), allocatable, intent(inout) :: error
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: name
+      integer :: i
+      if (job%merge > 0) return
+      do i = 1, size(self%tables)
+         associate (table => self%tables(i))
+            name = free_name(list, 'legacy_'//table%label)
+            call legacy_script(name, job, table, model%cases(table%case_index)%name, model%holes, lines)
+            call add_picture(list, job, new_picture(name, 'Our results and those of '//table%label, table%case_index, &
+                                           rows_of_file(job, file_of(table), legacy_columns, shown, text_list())), lines, error)
+         end associate
+      end do
+   end subroutine add_pictures
+
+   pure function file_of(table) result(name)
+      type(legacy_table_type), intent(in) :: table
+      character(:), allocatable :: name
+      name = 'legacy_'//table%label//'.csv'
+   end function file_of
+end module dg_legacy_study

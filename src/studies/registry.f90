@@ -1,0 +1,108 @@
+!> All studies that a deck may ask for: the one place that knows them. A new one is a room of its own and a line here.
+module dg_registry
+   use dg_accuracy_study, only: accuracy_study_type
+   use dg_calibration_study, only: calibration_study_type
+   use dg_deck_keys, only: scene_groups
+   use dg_deck_schema, only: group_keys_type
+   use dg_friction_estimate, only: friction_estimate_type
+   use dg_job, only: job_type
+   use dg_legacy_study, only: legacy_study_type
+   use dg_steering_study, only: steering_study_type
+   use dg_sticking_study, only: sticking_study_type
+   use dg_line_list, only: line_list_type, take_lines
+   use dg_study, only: phase_cases, phase_points, study_type
+   use dg_sweep_study, only: sweep_study_type
+   use dg_text, only: append_text, text_type
+   use dg_uncertainty_study, only: uncertainty_study_type
+   implicit none
+   private
+   public :: studies_type, register_studies, deck_groups, name_studies, echo_studies, have_points
+
+   !> One study, of whatever type.
+   type :: study_item_type
+      class(study_type), allocatable :: study
+   end type study_item_type
+
+   type :: studies_type
+      type(study_item_type), allocatable :: items(:)
+      type(friction_estimate_type), allocatable :: estimates(:)   !< that they will find, in the order of the deck
+   end type studies_type
+
+contains
+
+   !> The studies in the order in which they are read, told and drawn, and run within their phase. One that goes on from what
+   !> another finds out about friction comes after it.
+   subroutine register_studies(studies)
+      type(studies_type), intent(out) :: studies
+      allocate (studies%items(7))
+      allocate (sweep_study_type :: studies%items(1)%study)
+      allocate (calibration_study_type :: studies%items(2)%study)
+      allocate (sticking_study_type :: studies%items(3)%study)
+      allocate (uncertainty_study_type :: studies%items(4)%study)
+      allocate (accuracy_study_type :: studies%items(5)%study)
+      allocate (steering_study_type :: studies%items(6)%study)
+      allocate (legacy_study_type :: studies%items(7)%study)
+   end subroutine register_studies
+
+   !> Groups that a deck may have, with their keys: those of the scene, then those of all studies.
+   subroutine deck_groups(groups)
+      type(group_keys_type), allocatable, intent(out) :: groups(:)
+      type(studies_type) :: studies
+      integer :: i
+      call scene_groups(groups)
+      call register_studies(studies)
+      do i = 1, size(studies%items)
+         call studies%items(i)%study%add_groups(groups)
+      end do
+   end subroutine deck_groups
+
+   !> Enters the files that studies write into the job, for the part of it that is at hand.
+   subroutine name_studies(studies, job)
+      type(studies_type), intent(in) :: studies
+      type(job_type), intent(inout) :: job
+      type(text_type), allocatable :: names(:), records(:), files(:)
+      integer :: i, k
+      allocate (names(0), records(0), files(0))
+      do i = 1, size(studies%items)
+         call studies%items(i)%study%name_files(job, names)
+         call studies%items(i)%study%name_records(job, records)
+      end do
+      do i = 1, size(names)      ! some write rows of one file
+         if (any([(files(k)%text == names(i)%text, k=1, size(files))])) cycle
+         call append_text(files, names(i)%text)
+      end do
+      job%study_files = files
+      job%study_records = records
+   end subroutine name_studies
+
+   !> What studies tell of a deck: those that run with the load cases at last.
+   subroutine echo_studies(studies, job, before, after)
+      type(studies_type), intent(in) :: studies
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(out) :: before(:), after(:)
+      type(line_list_type) :: first, last
+      integer :: i
+      do i = 1, size(studies%items)
+         associate (study => studies%items(i)%study)
+            if (study%phase() == phase_cases) then
+               call study%echo(job, last)
+            else
+               call study%echo(job, first)
+            end if
+         end associate
+      end do
+      call take_lines(first, before)
+      call take_lines(last, after)
+   end subroutine echo_studies
+
+   !> Whether any has numbered points, of which parts can be solved.
+   function have_points(studies) result(have)
+      type(studies_type), intent(in) :: studies
+      logical :: have
+      integer :: i
+      have = .false.
+      do i = 1, size(studies%items)
+         if (studies%items(i)%study%phase() == phase_points) have = have .or. studies%items(i)%study%is_asked()
+      end do
+   end function have_points
+end module dg_registry

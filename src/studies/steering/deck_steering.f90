@@ -1,0 +1,44 @@
+!> The group &steering of a deck: the load cases whose assemblies are asked where they drill to.
+module dg_deck_steering
+   use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, is_sound, line_of, real_of, reals_of
+   use dg_deck_draft, only: draft_type, take_cases
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_load_case, only: given
+   use dg_steering, only: steering_type
+   use dg_text, only: quoted, to_text
+   implicit none
+   private
+   public :: take_steering
+
+contains
+
+   !> What the deck asks; not allocated where it asks nothing. All load cases where none is named.
+   subroutine take_steering(draft, groups, steering, faults)
+      type(draft_type), intent(in) :: draft
+      type(checked_group_type), intent(in) :: groups(:)
+      type(steering_type), allocatable, intent(out) :: steering
+      type(fault_list_type), intent(inout) :: faults
+      integer :: i, k
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'steering') cycle
+         allocate (steering)
+         call take_cases(draft, groups(i), steering%cases, faults)
+         allocate (steering%toolfaces, source=reals_of(groups(i), 'toolfaces'))
+         steering%length = real_of(groups(i), 'length', steering%length)
+         if (is_sound(groups(i), 'side_cutting')) steering%side_cutting = given(real_of(groups(i), 'side_cutting', 0.0_wp))
+         if (.not. draft%boundary%bit_centred) call add_fault(faults, draft%path, groups(i)%line, &
+            'group &steering: the bit is free; its side force needs bit_lateral = ''centred'' in &boundary')
+         if (.not. steering%side_cutting%present) return
+         do k = 1, size(steering%cases)
+            associate (case => draft%cases(steering%cases(k)))
+               if (.not. case%sound .or. case%load_case%wob > 0.0_wp) cycle
+               call add_fault(faults, draft%path, line_of(groups(i), 'side_cutting'), 'group &steering: side_cutting goes by '// &
+                  'weight on bit, and load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
+                  ') has none; needs wob > 0 or no side_cutting')
+            end associate
+         end do
+         return
+      end do
+   end subroutine take_steering
+end module dg_deck_steering

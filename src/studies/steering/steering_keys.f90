@@ -1,0 +1,22 @@
+!> The group &steering of a deck and its keys.
+module dg_steering_keys
+   use dg_kinds, only: wp
+   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text
+   use dg_unit_kind, only: unit_angle, unit_length
+   implicit none
+   private
+   public :: steering_rule, steering_keys
+
+   type(group_rule_type), parameter :: steering_rule = &
+      group_rule_type('steering', &
+                      meaning='where assemblies drill to: bit side force, tilt, build and turn rate')
+
+   type(key_rule_type), parameter :: steering_keys(4) = [ &
+      key_rule_type('steering', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
+      key_rule_type('steering', 'toolfaces', unit=unit_angle, array=.true., low=-360.0_wp, high=360.0_wp, &
+         meaning='each case at each of them; default the toolface of the case'), &
+      key_rule_type('steering', 'length', unit=unit_length, low=10.0_wp, high=1.0e3_wp, default='150', &
+         meaning='of the string above the bit that is solved'), &
+      key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
+         meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone')]
+end module dg_steering_keys

@@ -1,0 +1,193 @@
+!> &steering: where assemblies drill to, each load case at each toolface.
+module dg_steering_study
+   use dg_kinds, only: wp
+   use dg_case_result, only: result_not_converged
+   use dg_deck_draft, only: deck_type
+   use dg_deck_schema, only: add_group, group_keys_type
+   use dg_deck_steering, only: take_steering
+   use dg_diagnostic, only: tell
+   use dg_equilibrium_curvature, only: find_equilibrium_curvature
+   use dg_error, only: error_type, status_not_converged
+   use dg_exit_status, only: graver, note_failure
+   use dg_fault_list, only: fault_list_type
+   use dg_interruption, only: is_interrupted
+   use dg_job, only: job_type
+   use dg_line_list, only: add_line, line_list_type
+   use dg_missing, only: is_missing
+   use dg_printed_text, only: print_and_keep
+   use dg_run_outcome, only: add_part, note_lost
+   use dg_steering, only: steering_type
+   use dg_steering_file, only: write_steering
+   use dg_steering_result, only: steering_result_type
+   use dg_steering_table, only: steering_table
+   use dg_steering_keys, only: steering_keys, steering_rule
+   use dg_study, only: phase_cases, run_type, study_type
+   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_threads, only: thread_count
+   implicit none
+   private
+   public :: steering_study_type
+
+   type, extends(study_type) :: steering_study_type
+      private
+      type(steering_type), allocatable :: steering
+   contains
+      procedure :: add_groups
+      procedure :: read => read_steering
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => run_steering
+      procedure :: echo
+      procedure :: name_files
+   end type steering_study_type
+
+   character(*), parameter :: file = 'steering.csv'
+
+contains
+
+   !> Its group.
+   subroutine add_groups(self, groups)
+      class(steering_study_type), intent(in) :: self
+      type(group_keys_type), allocatable, intent(inout) :: groups(:)
+      associate (not_needed => self)
+         call add_group(groups, steering_rule, steering_keys)
+      end associate
+   end subroutine add_groups
+
+   !> Reads its group.
+   subroutine read_steering(self, deck, job, notes, faults)
+      class(steering_study_type), intent(inout) :: self
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      associate (not_needed => job, nor => notes)
+         call take_steering(deck%draft, deck%groups, self%steering, faults)
+      end associate
+   end subroutine read_steering
+
+   !> Whether the deck asks for it.
+   pure function is_asked(self) result(is)
+      class(steering_study_type), intent(in) :: self
+      logical :: is
+      is = allocated(self%steering)
+   end function is_asked
+
+   !> With the load cases.
+   pure function phase(self)
+      class(steering_study_type), intent(in) :: self
+      integer :: phase
+      associate (not_needed => self)
+         phase = phase_cases
+      end associate
+   end function phase
+
+   !> How many cases and toolfaces.
+   subroutine echo(self, job, lines)
+      class(steering_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(line_list_type), intent(inout) :: lines
+      associate (not_needed => job)
+         if (self%is_asked()) call add_line(lines, 'steering    '//to_text(size(self%steering%cases))//' cases, '// &
+            to_text(max(size(self%steering%toolfaces), 1))//' toolfaces')
+      end associate
+   end subroutine echo
+
+   !> Solves, writes steering.csv, prints.
+   subroutine run_steering(self, run, error)
+      class(steering_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: failure
+      type(steering_result_type), allocatable :: results(:)
+      type(text_type), allocatable :: lines(:)
+      integer :: lost
+      if (is_interrupted()) return
+      allocate (results(0))   ! the compiler's flow analysis takes it for undefined otherwise
+      call solve_all(self%steering, run, results)
+      if (is_interrupted()) return
+      call once_each(results)
+      call tell_lost(run, results, lost)
+      call add_part(run%printed%outcome, 'steering', size(results), 0, lost)
+      call write_steering(run%job%output_dir//'/'//file, run%job, run%model, results, failure)
+      if (.not. allocated(failure)) then
+         allocate (lines, source=steering_table(run%job, run%model, results))
+         call print_and_keep(run%printed, lines)
+      end if
+      call note_failure(failure, run%status)
+      if (lost > 0) run%status = graver(run%status, status_not_converged)
+      if (allocated(error)) return
+   end subroutine run_steering
+
+   !> Every case at every toolface, on all cores.
+   subroutine solve_all(steering, run, results)
+      type(steering_type), intent(in) :: steering
+      type(run_type), intent(in) :: run
+      type(steering_result_type), allocatable, intent(out) :: results(:)
+      integer :: k, row, each
+      each = max(size(steering%toolfaces), 1)
+      allocate (results(each*size(steering%cases)))
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(run%job%threads, size(results))) default(shared) &
+      !$omp private(row, k)
+      do row = 1, size(results)
+         k = steering%cases((row - 1)/each + 1)
+         call find_equilibrium_curvature(run%model, k, toolface_of(k, modulo(row - 1, each) + 1), steering%length, &
+                                         steering%side_cutting, results(row))
+      end do
+      !$omp end parallel do
+   contains
+      pure function toolface_of(case_index, number) result(toolface)
+         integer, intent(in) :: case_index, number
+         real(wp) :: toolface
+         toolface = run%model%cases(case_index)%toolface
+         if (size(steering%toolfaces) > 0) toolface = steering%toolfaces(number)
+      end function toolface_of
+   end subroutine solve_all
+
+   !> Tells what has no curvature, and of what is known roughly.
+   subroutine tell_lost(run, results, lost)
+      type(run_type), intent(inout) :: run
+      type(steering_result_type), intent(in) :: results(:)
+      integer, intent(out) :: lost
+      integer :: i
+      lost = 0
+      do i = 1, size(results)
+         if (results(i)%found .and. len(results(i)%message) == 0) cycle
+         if (.not. results(i)%found) then
+            lost = lost + 1
+            call note_lost(run%printed%outcome, 'steering', 0, result_not_converged, results(i)%message, &
+                           run%model%cases(results(i)%case_index))
+         end if
+         call tell('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
+                   trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
+      end do
+   end subroutine tell_lost
+
+   !> One file.
+   subroutine name_files(self, job, names)
+      class(steering_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
+   end subroutine name_files
+
+   !> A case that no toolface changes has one row.
+   subroutine once_each(results)
+      type(steering_result_type), allocatable, intent(inout) :: results(:)
+      logical :: kept(size(results))
+      type(steering_result_type), allocatable :: fewer(:)
+      integer :: i, n
+      kept = .true.
+      do i = 2, size(results)
+         kept(i) = .not. (is_missing(results(i)%toolface) .and. results(i)%case_index == results(i - 1)%case_index)
+      end do
+      allocate (fewer(count(kept)))
+      n = 0
+      do i = 1, size(results)
+         if (.not. kept(i)) cycle
+         n = n + 1
+         fewer(n) = results(i)
+      end do
+      call move_alloc(fewer, results)
+   end subroutine once_each
+end module dg_steering_study

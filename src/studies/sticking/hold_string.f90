@@ -1,0 +1,174 @@
+!> What holds a string: resistance at a known depth, and the free point from stretch.
+module dg_hold_string
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_error, only: error_type
+   use dg_fit_statistics, only: find_statistics, statistics_type
+   use dg_interruption, only: by_signals
+   use dg_least_squares, only: fit_done, fit_least_squares, fit_type
+   use dg_missing, only: is_missing, missing
+   use dg_model, only: model_type, string_index
+   use dg_progress, only: progress_type, show_time
+   use dg_rig, only: indicator_factor, string_load
+   use dg_solve_case, only: solve_case
+   use dg_sticking, only: find_resistance, sticking_type
+   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type
+   use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
+   use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
+   implicit none
+   private
+   public :: resistance, free_point, usual_solutions
+
+   !> Pulls and torques are looked for within this many measured hook loads and torques [-].
+   real(wp), parameter :: widest = 10.0_wp
+   !> Deviation where none is known, over the measured value [-]: one datum for one unknown is met, whatever it weighs.
+   real(wp), parameter :: any_deviation = 1.0e-3_wp
+   !> A free point is found to this part of the bit's depth [-], far finer than stretch can be measured.
+   real(wp), parameter :: depth_share = 1.0e-6_wp
+   integer, parameter :: most_trials = 60
+   !> Solutions that a resistance and a free point usually take, and trials of a free point.
+   integer, parameter :: usual_solutions(2) = [6, 20], usual_trials = 3
+   !> Least depth of a free point over that of the bit [-]: some string must be left.
+   real(wp), parameter :: shallowest = 1.0e-3_wp
+
+contains
+
+   !> Resistance at a known depth: pull and torque above it that give what was measured, less those of a free string.
+   subroutine resistance(model, sticking, result, progress)
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(inout) :: result
+      type(progress_type), intent(inout) :: progress
+      type(stuck_function_type) :: function
+      type(case_result_type) :: free
+      type(error_type), allocatable :: error
+      type(fit_type) :: fit
+      type(statistics_type) :: statistics
+      real(wp), allocatable :: start(:), measured(:), deviation(:), lower(:)
+      result%depth = sticking%depth
+      call solve_case(model, result%model, result%case_index, free, error, stop=by_signals())
+      call show_time(progress, 1.0_wp/real(usual_solutions(find_resistance)*size(sticking%models)*size(sticking%cases), wp))
+      if (free%status /= result_converged) then
+         result%message = 'the free string has none: '//free%message
+         return
+      end if
+      result%free_hookload = free%hookload
+      result%tension_below = value_at(free%profile%md, free%profile%axial, sticking%depth)
+      result%torque_below = value_at(free%profile%md, free%profile%torque, sticking%depth)
+      call new_stuck_function(function, model, result%case_index, sticking%depth, result%model)
+      associate (case => model%cases(result%case_index))
+         measured = [string_load(model%rig, case%operation, case%measured_hookload%value)]
+         start = [result%tension_below + measured(1) - free%hookload]
+         lower = [-widest*measured(1)]
+         if (case%measured_torque%present) then
+            measured = [measured, case%measured_torque%value]
+            start = [start, max(result%torque_below + measured(2) - free%torque, 0.0_wp)]
+            lower = [lower, 0.0_wp]
+         else
+            function%model%cases(1)%tob = result%torque_below
+         end if
+      end associate
+      deviation = any_deviation*max(measured, tiny(1.0_wp)/any_deviation)
+      if (size(measured) > 1) deviation(2) = max(deviation(2), any_deviation)      ! a torque of nothing
+      if (sticking%hookload_deviation%present) deviation(1) = sticking%hookload_deviation%value &
+         /indicator_factor(model%rig, model%cases(result%case_index)%operation)
+      if (size(measured) > 1 .and. sticking%torque_deviation%present) deviation(2) = sticking%torque_deviation%value
+      call fit_least_squares(function, start, lower, widest*max(measured, 1.0_wp), max(measured, 1.0_wp), measured, deviation, fit)
+      if (fit%status /= fit_done) then
+         result%message = 'the held string has none: '//function%message
+         return
+      end if
+      result%status = sticking_found
+      result%tension_above = fit%unknowns(1)
+      if (size(measured) > 1) result%torque_above = fit%unknowns(2)
+      if (any(fit%at_bound)) result%status = sticking_at_bound
+      if (.not. sticking%hookload_deviation%present) return
+      call find_statistics(fit%jacobian, (fit%values - measured)/deviation, .not. (fit%at_bound .or. fit%unfelt), &
+                           spread(0, 1, size(measured)), statistics)
+      result%half_width = statistics%half_width(1)
+   end subroutine resistance
+
+   !> Free point: the depth at which the held string stretches as measured from the first pull to the second, friction acting in
+   !> both. By regula falsi (Illinois), between a point near surface and the bit.
+   subroutine free_point(model, sticking, result, progress)
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(inout) :: result
+      type(progress_type), intent(inout) :: progress
+      real(wp) :: low, high, at_low, at_high, depth, found
+      integer :: trial, side
+      associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
+         result%depth_without_friction = free_point_without_friction( &
+            model%strings(string_index(model%strings, first%string)), first%bit_depth, &
+            string_load(model%rig, second%operation, second%measured_hookload%value) - &
+            string_load(model%rig, first%operation, first%measured_hookload%value), sticking%stretch)
+         low = shallowest*first%bit_depth
+         high = first%bit_depth
+      end associate
+      side = 0
+      call excess(model, sticking, result, high, at_high)
+      call show_time(progress, 1.0_wp/real(usual_trials*size(sticking%models), wp))
+      if (is_missing(at_high)) return
+      if (at_high < 0.0_wp) then
+         result%status = sticking_below_bit
+         return
+      end if
+      at_low = -sticking%stretch
+      do trial = 1, most_trials
+         depth = low + (high - low)*at_low/(at_low - at_high)
+         call excess(model, sticking, result, depth, found)
+         if (is_missing(found)) return
+         if (found < 0.0_wp) then
+            if (side == -1) at_high = 0.5_wp*at_high
+            if (depth - low < depth_share*high .and. trial > 1) exit
+            low = depth
+            at_low = found
+            side = -1
+         else
+            if (side == 1) at_low = 0.5_wp*at_low
+            if (high - depth < depth_share*high) exit
+            high = depth
+            at_high = found
+            side = 1
+         end if
+         if (abs(found) <= depth_share*sticking%stretch) exit
+      end do
+      result%depth = depth
+      result%status = sticking_found
+   end subroutine free_point
+
+   !> Stretch of the string held at a depth between the two pulls, less the measured one [m]; missing where there is no
+   !> solution. Notes the pull at that depth in the second state.
+   subroutine excess(model, sticking, result, depth, found)
+      type(model_type), intent(in) :: model
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(inout) :: result
+      real(wp), intent(in) :: depth
+      real(wp), intent(out) :: found
+      type(stuck_function_type) :: function
+      type(case_result_type) :: held(2)
+      type(fit_type) :: fit
+      real(wp) :: measured(1)
+      integer :: i
+      found = missing
+      do i = 1, 2
+         call new_stuck_function(function, model, sticking%cases(i), depth, result%model)
+         associate (case => model%cases(sticking%cases(i)))
+            measured = string_load(model%rig, case%operation, case%measured_hookload%value)
+         end associate
+         call fit_least_squares(function, measured, -widest*measured, widest*measured, measured, measured, &
+                                any_deviation*measured, fit)
+         if (fit%status == fit_done) call solve_held(function, fit%unknowns, held(i), totals_only=.false.)
+         if (fit%status /= fit_done .or. held(i)%status /= result_converged) then
+            result%message = 'the string held there has none: '//function%message
+            return
+         end if
+      end do
+      result%tension_above = fit%unknowns(1)
+      associate (case => function%model%cases(1))
+         found = stretch_between(held(1)%profile, held(2)%profile, &
+                                 function%model%strings(string_index(function%model%strings, case%string)), case%bit_depth) &
+                 - sticking%stretch
+      end associate
+   end subroutine excess
+end module dg_hold_string

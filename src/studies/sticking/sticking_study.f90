@@ -1,0 +1,173 @@
+!> &calibrate of strings that are held: resistances at a known depth, free points from stretch.
+module dg_sticking_study
+   use dg_kinds, only: wp
+   use dg_case_memory, only: need_type
+   use dg_case_result, only: result_not_converged
+   use dg_csv_table, only: write_table
+   use dg_deck_draft, only: deck_type
+   use dg_deck_sticking, only: take_stickings
+   use dg_diagnostic, only: tell
+   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_exit_status, only: graver
+   use dg_factor_columns, only: begin_factors, factor_file
+   use dg_fault_list, only: fault_list_type
+   use dg_hold_string, only: free_point, resistance, usual_solutions
+   use dg_interruption, only: interruption_name, is_interrupted
+   use dg_job, only: job_type, model_name
+   use dg_line_list, only: line_list_type
+   use dg_model, only: model_type
+   use dg_printed_text, only: print_and_keep
+   use dg_progress, only: progress_type, show_time, start_progress
+   use dg_run_outcome, only: add_part, note_lost
+   use dg_sticking, only: find_free_point, sticking_type
+   use dg_sticking_echo, only: echo_stickings => add_stickings
+   use dg_sticking_result, only: sticking_no_solution, sticking_result_type
+   use dg_sticking_rows, only: add_stickings
+   use dg_sticking_table, only: sticking_table
+   use dg_study, only: phase_after, phase_first, run_type, study_type
+   use dg_text, only: append_text, quoted, text_type, to_text
+   implicit none
+   private
+   public :: sticking_study_type
+
+   type, extends(study_type) :: sticking_study_type
+      private
+      type(sticking_type), allocatable :: stickings(:)
+      logical :: first = .false.    !< friction is changed before the load cases: strings are held with that
+   contains
+      procedure :: read => read_stickings
+      procedure :: is_asked
+      procedure :: phase
+      procedure :: run => run_stickings
+      procedure :: echo
+      procedure :: name_files
+      procedure :: add_need
+   end type sticking_study_type
+
+contains
+
+   !> Reads its groups.
+   subroutine read_stickings(self, deck, job, notes, faults)
+      class(sticking_study_type), intent(inout) :: self
+      type(deck_type), intent(inout) :: deck
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      associate (not_needed => job, nor => notes)
+         call take_stickings(deck%draft, deck%groups, self%stickings, faults)
+      end associate
+      self%first = any(deck%estimates%applied)
+   end subroutine read_stickings
+
+   !> Whether the deck has a string that is held.
+   pure function is_asked(self) result(is)
+      class(sticking_study_type), intent(in) :: self
+      logical :: is
+      is = size(self%stickings) > 0
+   end function is_asked
+
+   !> With the calibrations.
+   pure function phase(self)
+      class(sticking_study_type), intent(in) :: self
+      integer :: phase
+      phase = merge(phase_first, phase_after, self%first)
+   end function phase
+
+   !> A line a string.
+   subroutine echo(self, job, lines)
+      class(sticking_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(line_list_type), intent(inout) :: lines
+      call echo_stickings(lines, self%stickings, job%units)
+   end subroutine echo
+
+   !> Each with each of its models; their rows are put at the end of calibration.csv. A run that is a part of others, or joins
+   !> them, leaves them out.
+   subroutine run_stickings(self, run, error)
+      class(sticking_study_type), intent(inout) :: self
+      type(run_type), intent(inout) :: run
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, done
+      if (run%job%parts > 0 .or. run%job%merge > 0) return
+      done = 0
+      do i = 1, size(self%stickings)
+         call run_one(self%stickings(i), run)
+         if (is_interrupted()) exit
+         done = i
+      end do
+      call begin_factors(run%factors, run%job%units)
+      call write_table(run%factors, run%job%output_dir//'/'//factor_file, error)
+      if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
+         interruption_name()//' with '//to_text(done)//' held strings of '//to_text(size(self%stickings))//' done')
+   end subroutine run_stickings
+
+   !> One of the deck: solved, printed, put to the rows of calibration.csv.
+   subroutine run_one(sticking, run)
+      type(sticking_type), intent(in) :: sticking
+      type(run_type), intent(inout) :: run
+      type(sticking_result_type) :: results(size(sticking%models)*size(sticking%cases))
+      type(text_type), allocatable :: lines(:)
+      type(progress_type) :: progress
+      integer :: j, k, n, many
+      n = 0
+      many = size(results)
+      if (sticking%kind == find_free_point) many = size(sticking%models)
+      call start_progress(progress, 'calibration '//quoted(sticking%name), &
+                          'about '//to_text(many*usual_solutions(sticking%kind))//' solutions', run%job%quiet)
+      do j = 1, size(sticking%models)
+         do k = 1, size(sticking%cases)
+            if (sticking%kind == find_free_point .and. k == 1) cycle     ! both pulls make one result
+            n = n + 1
+            results(n)%model = sticking%models(j)
+            results(n)%case_index = sticking%cases(k)
+            results(n)%message = ''
+            if (sticking%kind == find_free_point) then
+               call free_point(run%model, sticking, results(n), progress)
+            else
+               call resistance(run%model, sticking, results(n), progress)
+            end if
+            if (is_interrupted()) return
+            call show_time(progress, real(n, wp)/real(many, wp))
+            if (results(n)%status == sticking_no_solution) call tell_lost(sticking, results(n), run)
+         end do
+      end do
+      call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
+      allocate (lines, source=sticking_table(run%job%units, run%model, sticking, results(:n)))
+      call print_and_keep(run%printed, lines)
+      call begin_factors(run%factors, run%job%units)
+      call add_stickings(run%model, sticking, results(:n), run%factors)
+   end subroutine run_one
+
+   !> Tells of a string without a solution.
+   subroutine tell_lost(sticking, result, run)
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: result
+      type(run_type), intent(inout) :: run
+      associate (case => run%model%cases(result%case_index))
+         call note_lost(run%printed%outcome, 'calibration '//sticking%name, result%model, result_not_converged, &
+                        result%message, case)
+         call tell('calibration '//quoted(sticking%name)//', case '//quoted(case%name)//', model '// &
+                   trim(model_name(result%model))//': no solution; '//result%message)
+      end associate
+      run%status = graver(run%status, status_not_converged)
+   end subroutine tell_lost
+
+   !> Its rows stand in the file of the factors.
+   subroutine name_files(self, job, names)
+      class(sticking_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(text_type), allocatable, intent(inout) :: names(:)
+      if (self%is_asked() .and. job%merge == 0) call append_text(names, factor_file)
+   end subroutine name_files
+
+   !> Least squares work by LAPACK.
+   subroutine add_need(self, job, model, need)
+      class(sticking_study_type), intent(in) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(need_type), intent(inout) :: need
+      associate (not_needed => job, nor => model)
+         need%fits = need%fits .or. self%is_asked()
+      end associate
+   end subroutine add_need
+end module dg_sticking_study

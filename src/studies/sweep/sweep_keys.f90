@@ -1,0 +1,50 @@
+!> The group &sweep of a deck and its keys.
+module dg_sweep_keys
+   use dg_kinds, only: wp
+   use dg_deck_keys, only: deepest, strongest, roughest
+   use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text
+   use dg_unit_kind, only: unit_force, unit_length, unit_moment, unit_rotation, unit_speed
+   implicit none
+   private
+   public :: sweep_rule, sweep_keys
+
+   type(group_rule_type), parameter :: sweep_rule = &
+      group_rule_type('sweep', repeatable=.true., own_cases=.true., &
+                      meaning='hook load and torque against depth')
+
+   type(key_rule_type), parameter :: sweep_keys(18) = [ &
+      key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
+      key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
+         meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
+      key_rule_type('sweep', 'bit_depth_from', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
+         meaning='first measured depth of the bit; at surface itself there is nothing to solve'), &
+      key_rule_type('sweep', 'bit_depth_to', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
+         meaning='last one; default the end of survey or hole'), &
+      key_rule_type('sweep', 'bit_depth_step', unit=unit_length, low=0.0_wp, open=.true., high=deepest, default='30', &
+         meaning='from one to the next; the last one is always solved'), &
+      key_rule_type('sweep', 'frictions', array=.true., low=0.0_wp, high=roughest, &
+         meaning='coefficients, axial and rotary, all along the hole; default those of the hole sections'), &
+      key_rule_type('sweep', 'string', kind_text, default='main', meaning='name of the drillstring'), &
+      key_rule_type('sweep', 'wob', unit=unit_force, array=.true., low=-strongest, high=strongest, default='0', &
+         meaning='weight on bit, one of all operations or one of each; > 0 pushes the bit, < 0 pulls it'), &
+      key_rule_type('sweep', 'tob', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, default='0', &
+         meaning='torque on bit, one of all operations or one of each'), &
+      key_rule_type('sweep', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
+         meaning='one or several; default the models of &job'), &
+      key_rule_type('sweep', 'rpm', unit=unit_rotation, array=.true., low=0.0_wp, high=1.0e4_wp, default='0', &
+         meaning='rotation speed, for ream and backream; one or one of each operation'), &
+      key_rule_type('sweep', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
+         meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
+      key_rule_type('sweep', 'measured_depths', unit=unit_length, array=.true., low=0.0_wp, open=.true., high=deepest, &
+         meaning='bit depths of measurements, to be laid beside; those of load cases come by themselves'), &
+      key_rule_type('sweep', 'measured_operations', kind_text, array=.true., choices='*', &
+         meaning='operation of each, or one of all'), &
+      key_rule_type('sweep', 'measured_hookloads', unit=unit_force, array=.true., low=0.0_wp, high=strongest, &
+         meaning='measured hook load of each; 0: none'), &
+      key_rule_type('sweep', 'measured_torques', unit=unit_moment, array=.true., low=0.0_wp, high=strongest, &
+         meaning='measured torque of each; 0: none'), &
+      key_rule_type('sweep', 'frictions_cased', array=.true., low=0.0_wp, high=roughest, &
+         meaning='in place of frictions: coefficients in cased hole sections, one for each of frictions_open'), &
+      key_rule_type('sweep', 'frictions_open', array=.true., low=0.0_wp, high=roughest, &
+         meaning='coefficients in the other hole sections')]
+end module dg_sweep_keys

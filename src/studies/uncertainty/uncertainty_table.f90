@@ -1,0 +1,172 @@
+!> A Monte Carlo in print: P10, P50, P90 of hook load and torque against bit depth, with what was measured beside. Every line
+!> fits 120 columns.
+module dg_uncertainty_table
+   use dg_comparison, only: known
+   use dg_job, only: model_name
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_label, optional_real
+   use dg_missing, only: is_missing
+   use dg_number_text, only: fixed_cell, right_aligned
+   use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
+   use dg_sweep, only: point_number, point_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_uncertainty, only: uncertainty_type
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: uncertainty_table, deviations_text
+
+   integer, parameter :: depth_width = 10, cell_width = 10
+   !> Rows of a table: a page shows the shape of a curve, the file has every depth.
+   integer, parameter :: most_rows = 25
+   integer, parameter :: digits = 4, depth_digits = 7
+
+contains
+
+   !> Lines of the table of a Monte Carlo: quantiles by depth, for each model and operation.
+   pure function uncertainty_table(units, uncertainty, statistics, indicated) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
+      logical, intent(in) :: indicated                           !< hook loads as the rig shows them
+      type(text_type), allocatable :: lines(:)
+      integer :: m, o
+      allocate (lines(0))
+      call append_text(lines, '')
+      call append_text(lines, 'Uncertainty '//uncertainty%range%name//': '//to_text(uncertainty%samples)//' samples, seed '// &
+                       to_text(uncertainty%seed)//'; standard deviations:')
+      call append_text(lines, '  '//deviations_text(units, uncertainty))
+      do m = 1, size(uncertainty%range%models)
+         do o = 1, size(uncertainty%range%operations)
+            call append_curve(lines, units, uncertainty, statistics, point_type(m, o, 1, 1), indicated)
+         end do
+      end do
+   end function uncertainty_table
+
+   !> What varies, by how much.
+   pure function deviations_text(units, uncertainty) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      character(:), allocatable :: text
+      text = ''
+      call add_friction()
+      call add('mud density', uncertainty%density_deviation/units%density)
+      call add('inclination', uncertainty%inclination_deviation/units%angle)
+      call add('azimuth', uncertainty%azimuth_deviation/units%angle)
+      call add('hook load gauge', uncertainty%hookload_deviation/units%force)
+      call add('torque gauge', uncertainty%torque_deviation/units%moment)
+      text = text(len(', ') + 1:)
+   contains
+      !> One deviation, or one a hole section; how much varies together.
+      pure subroutine add_friction()
+         integer :: i
+         if (uncertainty%estimate > 0 .and. .not. allocated(uncertainty%friction_deviations)) text = text// &
+            ', friction as calibrated'
+         if (.not. allocated(uncertainty%friction_deviations)) return
+         associate (each => uncertainty%friction_deviations)
+            if (.not. any(each > 0.0_wp)) return
+            text = text//', friction '//to_text(each(1), digits)
+            do i = 2, size(each)
+               if (any(abs(each - each(1)) > 0.0_wp)) text = text//' and '//to_text(each(i), digits)
+            end do
+            if (uncertainty%estimate > 0) then
+               text = text//' as calibrated'
+            else if (size(each) > 1 .and. is_missing(uncertainty%friction_correlation)) then
+               text = text//' (correlations as given)'
+            else if (size(each) > 1) then
+               text = text//' (correlation '//to_text(uncertainty%friction_correlation, digits)//')'
+            end if
+         end associate
+      end subroutine add_friction
+
+      pure subroutine add(name, value)
+         character(*), intent(in) :: name
+         real(wp), intent(in) :: value
+         if (value > 0.0_wp) text = text//', '//name//' '//to_text(value, digits)
+      end subroutine add
+   end function deviations_text
+
+   !> One operation by one model.
+   pure subroutine append_curve(lines, units, uncertainty, statistics, curve, indicated)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(point_statistics_type), intent(in) :: statistics(:)
+      type(point_type), intent(in) :: curve
+      logical, intent(in) :: indicated
+      character(:), allocatable :: head, rule
+      type(point_type) :: point
+      type(optional_real) :: measured
+      integer :: i, k, n, rows, first, last
+      call append_text(lines, '')
+      call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
+                       trim(model_name(uncertainty%range%models(curve%model)))//': '// &
+                       trim(merge('hook load as the rig shows it', 'hook load                    ', indicated))//', '// &
+                       trim(units%force_label)// &
+                       ', and torque, '//unit_label(units, unit_moment)//', under which 10, 50 and 90 % of the samples lie')
+      head = right_aligned('Bit depth', depth_width)//right_aligned('P10', cell_width)//right_aligned('P50', cell_width)// &
+             right_aligned('P90', cell_width)//right_aligned('Measured', cell_width)//right_aligned('P10', cell_width)// &
+             right_aligned('P50', cell_width)//right_aligned('P90', cell_width)//right_aligned('Samples', cell_width)
+      rule = repeat('-', len(head))
+      call append_text(lines, rule)
+      call append_text(lines, head)
+      call append_text(lines, rule)
+      n = size(uncertainty%range%depths)
+      rows = min(n, most_rows)
+      point = curve
+      do i = 1, rows
+         point%depth = ceiling(real(i, wp)*real(n, wp)/real(rows, wp))
+         measured = optional_real()
+         do k = 1, size(uncertainty%range%measured)
+            associate (told => uncertainty%range%measured(k))
+               if (told%operation == uncertainty%range%operations(curve%operation) .and. &
+                   abs(told%bit_depth - uncertainty%range%depths(point%depth)) <= 0.0_wp) measured = told%hookload
+            end associate
+         end do
+         associate (found => statistics(point_number(uncertainty%range, point)))
+            call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
+                             cells(loads_of(found), units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
+                             cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width)// &
+                             trim(merge('!', ' ', found%not_converged > 0)))
+         end associate
+      end do
+      call append_text(lines, rule)
+      if (rows < n) call append_text(lines, to_text(rows)//' of '//to_text(n)//' depths; the file has them all')
+      point%depth = 1
+      first = point_number(uncertainty%range, point)
+      point%depth = n
+      last = point_number(uncertainty%range, point)
+      associate (curve_points => statistics(first:last))
+         if (any(curve_points%not_converged > 0)) call append_text(lines, &
+            '! samples without solution are left out: '//most(curve_points%not_converged)//'; the numbers are those of the others')
+         if (any(curve_points%locked_up > 0)) call append_text(lines, &
+            'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others; - : among them')
+      end associate
+   contains
+      pure function loads_of(found) result(loads)
+         type(point_statistics_type), intent(in) :: found
+         type(distribution_type) :: loads
+         loads = found%hookload
+         if (indicated) loads = found%weight_indicator
+      end function loads_of
+
+      !> How many samples at the depth that has most of them.
+      pure function most(counts) result(text)
+         integer, intent(in) :: counts(:)
+         character(:), allocatable :: text
+         text = to_text(maxval(counts))//' of '//to_text(uncertainty%samples)//' with the bit at '// &
+                trim(in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits))
+      end function most
+   end subroutine append_curve
+
+   pure function cells(distribution, unit, decimals) result(text)
+      type(distribution_type), intent(in) :: distribution
+      real(wp), intent(in) :: unit
+      integer, intent(in) :: decimals
+      character(3*cell_width) :: text
+      text = fixed_cell(known(distribution%quantiles(p10)), unit, cell_width, decimals)// &
+             fixed_cell(known(distribution%quantiles(p50)), unit, cell_width, decimals)// &
+             fixed_cell(known(distribution%quantiles(p90)), unit, cell_width, decimals)
+   end function cells
+end module dg_uncertainty_table

@@ -1,0 +1,35 @@
+!> What the program says on standard error.
+module dg_diagnostic
+   use, intrinsic :: iso_fortran_env, only: error_unit
+   use dg_printable, only: printable
+   use dg_text, only: text_type
+   use dg_version, only: program_name
+   implicit none
+   private
+   public :: tell, tell_lines
+
+contains
+
+   !> A line of its own, with the program's name before it; a message may have more lines.
+   subroutine tell(message)
+      character(*), intent(in) :: message
+      call put(program_name//': '//printable(message, new_line('a')))
+   end subroutine tell
+
+   !> Lines as they are.
+   subroutine tell_lines(lines)
+      type(text_type), intent(in) :: lines(:)
+      integer :: i
+      do i = 1, size(lines)
+         call put(lines(i)%text)
+      end do
+   end subroutine tell_lines
+
+   !> Nobody may be there to read it: the exit status tells, too.
+   subroutine put(line)
+      character(*), intent(in) :: line
+      integer :: status
+      write (error_unit, '(a)', iostat=status) line
+      if (status /= 0) return
+   end subroutine put
+end module dg_diagnostic
