@@ -234,7 +234,7 @@ contains
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
          call add_remarks(model%numerics, numerics, in_plane, result)
-         if (.not. (outcome == outcome_converged .and. moments)) return
+         if (.not. (result%status == result_converged .and. moments)) return
          deallocate (string%state)
          call keep_for_moments(string%work)
          call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
