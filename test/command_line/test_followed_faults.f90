@@ -78,6 +78,9 @@ contains
 
    !> Components and centralisers.
    subroutine test_string()
+      call follow("length = 100.0", "length = 0.0009", "length of 'collars' is 0.0009 m, shorter than the shortest contact, "// &
+                  "1 mm. Give 0.001 m or more", "0.0009", "0.001")
+      call follow("joint_od = 168.3", "joint_od = 168.3, joint_length = 0.0009", "1 mm. Give 0.001 m or more", "0.0009", "0.001")
       call follow("id = 108.6", "id = 108.6, friction = 0.1, friction_scale = 0.5", "give one of the two", &
                   ", friction_scale = 0.5", '')
       call follow("joint_od = 168.3", "joint_od = 168.3, length = 700.0", "leave out the length of its last component", &
