@@ -18,7 +18,7 @@ contains
       type(case_result_type), intent(inout) :: result
       if (.not. is_finite(result)) then
          result%status = result_not_converged
-         result%message = 'forces grew beyond all numbers: check friction, doglegs, loads and their units'
+         result%message = 'Forces grew beyond all numbers: nothing is known of this case'
       end if
       if (.not. has_numbers(result%status)) call clear_numbers(result)
    end subroutine finish_result

@@ -32,6 +32,8 @@ contains
       use dg_test_path_runs, only: path_runs_suite
       use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
+      use dg_test_followed_advice, only: followed_advice_suite
+      use dg_test_followed_faults, only: followed_faults_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
@@ -42,6 +44,8 @@ contains
       call suite%addTest(bounds_suite())
       call suite%addTest(odd_decks_suite())
       call suite%addTest(program_suite())
+      call suite%addTest(followed_faults_suite())
+      call suite%addTest(followed_advice_suite())
       call suite%addTest(output_folder_suite())
       call suite%addTest(standard_output_suite())
       call suite%addTest(legacy_runs_suite())

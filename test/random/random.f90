@@ -258,7 +258,7 @@ contains
    pure function same_places(a, b) result(same)
       type(case_result_type), intent(in) :: a, b
       logical :: same
-      same = index(a%message//b%message, 'converged with gaps') == 0
+      same = index(a%message//b%message, 'Converged only with') == 0
    end function same_places
 
    !> Whether two solutions came to rest by different ways, their gaps perhaps at other places.

@@ -136,7 +136,7 @@ contains
       mesh%wall(3:4) = 1.0e8_wp
       call measure_outside(model%trajectory, mesh, work, outside)
       call outside_message(si_units(), outside, text)
-      call assertGreaterThan(index(text, 'set wall_stiffness to 1e8 kN/m2'), 0, message=text)
+      call assertGreaterThan(index(text, 'Set wall_stiffness to 1e8 kN/m2'), 0, message=text)
       mesh%eps_nmax(3:4) = 0.6_wp
       call measure_outside(model%trajectory, mesh, work, outside)
       call assertEqual(0, outside%elements)

@@ -483,7 +483,7 @@ contains
       model%cases(1)%wob = 4.0e5_wp
       call solve_soft_string(model, 1, result, error)
       call find_along_string(model, result, along)
-      at = index(result%message, 'compression is ')
+      at = index(result%message, 'Compression is ')
       call assertTrue(at > 0, message='warned: '//result%message)
       if (at == 0) return
       rest = result%message(at + len('compression is '):)

@@ -35,6 +35,7 @@ contains
       call suite%addTest(TestMethod('tight_bit', test_tight_bit))
       call suite%addTest(TestMethod('tilted_blade', test_tilted_blade))
       call suite%addTest(TestMethod('joints_one_by_one', test_joints_one_by_one))
+      call suite%addTest(TestMethod('short_joints', test_short_joints))
    end function lone_contacts_suite
 
    !> A short assembly turns through enlarged parts of a bend of 16 deg/30 m. Once a contact of 3 kN stood at one end of its element
@@ -251,14 +252,7 @@ contains
       real(wp) :: area
       integer :: n
       allocate (deck(0))
-      call append_text(deck, "&trajectory md = 0.0, 300.0, 600.0, 1000.0, inc = 0.0, 0.0, 50.0, 50.0, azi = 4*30.0 /")
-      call append_text(deck, "&hole diameter = 215.9, friction = 0.3 /")
-      call append_text(deck, "&fluid density = 1200.0 /")
-      call append_text(deck, "&component name = 'bit', kind = 'bit', length = 0.25, od = 165.1, id = 60.0 /")
-      call append_text(deck, "&component name = 'collar', kind = 'collar', length = 18.0, od = 165.1, id = 71.4 /")
-      call append_text(deck, "&component name = 'pipe', od = 127.0, id = 108.6, mass = 31.9, joint_od = 168.3 /")
-      call append_text(deck, "&load_case name = 'c', operation = 'trip_out', bit_depth = 1000.0 /")
-      call append_text(deck, "&solver tool_joints = 'discrete' /")
+      call start_jointed(deck, '')
       call solve_deck(deck, 0.0_wp, .true., result)
       associate (p => result%profile)
          n = size(p%md)
@@ -267,6 +261,42 @@ contains
       call note('area under the side force over the sum of contact, less one', area/result%normal_force - 1.0_wp)
       call assertRelativelyEqual(result%normal_force, area, 1.0e-6_wp, message='area under the side force')
    end subroutine test_joints_one_by_one
+
+   !> Joints of 1 and 20 mm touch at one point, as those of half a metre do. Once joints below 30 mm were lost: contact stood at 7
+   !> places of 36.
+   subroutine test_short_joints()
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: usual, short
+      integer :: i
+      character(*), parameter :: length(2) = [character(22) :: ', joint_length = 0.02', ', joint_length = 0.001']
+      allocate (deck(0))
+      call start_jointed(deck, '')
+      call solve_deck(deck, 0.0_wp, .false., usual)
+      do i = 1, size(length)
+         deallocate (deck)
+         allocate (deck(0))
+         call start_jointed(deck, trim(length(i)))
+         call solve_deck(deck, 0.0_wp, .false., short)
+         call assertEqual(size(usual%contacts), size(short%contacts), message='contacts'//length(i))
+         call assertRelativelyEqual(usual%normal_force, short%normal_force, 1.0e-3_wp, message='sum of contact'//length(i))
+         call assertRelativelyEqual(maxval(usual%profile%bending), maxval(short%profile%bending), 5.0e-3_wp, &
+                                    message='moment'//length(i))
+      end do
+   end subroutine test_short_joints
+
+   !> Drill pipe whose joints touch one by one, `more` of which is given.
+   subroutine start_jointed(deck, more)
+      type(text_type), allocatable, intent(inout) :: deck(:)
+      character(*), intent(in) :: more
+      call append_text(deck, "&trajectory md = 0.0, 300.0, 600.0, 1000.0, inc = 0.0, 0.0, 50.0, 50.0, azi = 4*30.0 /")
+      call append_text(deck, "&hole diameter = 215.9, friction = 0.3 /")
+      call append_text(deck, "&fluid density = 1200.0 /")
+      call append_text(deck, "&component name = 'bit', kind = 'bit', length = 0.25, od = 165.1, id = 60.0 /")
+      call append_text(deck, "&component name = 'collar', kind = 'collar', length = 18.0, od = 165.1, id = 71.4 /")
+      call append_text(deck, "&component name = 'pipe', od = 127.0, id = 108.6, mass = 31.9, joint_od = 168.3"//more//" /")
+      call append_text(deck, "&load_case name = 'c', operation = 'trip_out', bit_depth = 1000.0 /")
+      call append_text(deck, "&solver tool_joints = 'discrete' /")
+   end subroutine start_jointed
 
    !> Moments of a deck at the default settings are found, and are those of elements so long.
    subroutine compare_moments(deck, length)

@@ -88,7 +88,7 @@ contains
       call solve_at_changes(part, case_index, pack(changes, matters(changes, uppermost(part, case_index))), above)
       result%status = above%status
       if (above%message /= '') then
-         if (result%message /= '') result%message = result%message//'; '
+         if (result%message /= '') result%message = result%message//'. '
          result%message = result%message//above%message
       end if
       result%hookload = above%hookload

@@ -126,9 +126,8 @@ contains
          result%message = warning
          if (totals%runaway) then
             result%status = result_locked_up
-            result%message = 'friction grows without bound in the bend above '// &
-               trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))// &
-               '; lower the friction or the curvature'
+            result%message = 'Locked up: friction grows without bound in the bend above '// &
+               trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))
          end if
       end associate
       allocate (result%history(0))

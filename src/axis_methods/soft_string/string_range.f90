@@ -40,11 +40,11 @@ contains
          worst = share
          worst_md = md(i)
       end do
-      if (worst > 1.0_wp) warning = 'outside the range of this model: compression is '//to_text(worst, shown)// &
-         ' times the helical buckling load at '//trim(in_units(model%units, unit_length, worst_md, shown))// &
-         '; contact there is underrated, use mcge'
+      if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
+         trim(in_units(model%units, unit_length, worst_md, shown))// &
+         ', outside the range of this model. Contact there is too low. Use model mcge'
       if (is_pushed(axial(1), axial)) then
-         if (warning /= '') warning = warning//'; '
+         if (warning /= '') warning = warning//'. '
          warning = warning//push_needed
       end if
    end subroutine range_warning

@@ -141,15 +141,16 @@ contains
       text = trim(in_units(units, unit_diameter, outside%excess*outside%clearance, shown))//outside_place// &
              trim(in_units(units, unit_length, outside%md, shown_depth))//', of '// &
              trim(in_units(units, unit_diameter, outside%clearance, shown))//' clearance'
-      if (outside%elements > 1) text = text//', and in '//to_text(outside%elements)//' elements by more than a fifth of it'
+      if (outside%elements > 1) text = text//'. '//to_text(outside%elements)// &
+         ' elements stand outside by more than a fifth of theirs'
       if (outside%gives_way) then
-         text = 'the wall gives way: the string stands '//text
-         if (outside%wall < default_wall) text = text//'; set wall_stiffness to '// &
+         text = 'The wall gives way: the string stands '//text
+         if (outside%wall < default_wall) text = text//'. Set wall_stiffness to '// &
             trim(in_units(units, unit_wall, default_wall, shown))//', the default, which is as good as rigid'
       else
-         text = 'between its contact points the string stands '//text//': contact there may be off'
-         if (outside%length > short) text = text//'; an element_length of '// &
-            trim(in_units(units, unit_length, advised*outside%length, shown))//' brings most such strings inside'
+         text = 'Between its contact points the string stands '//text//'. Contact there may be off'
+         if (outside%length > short) text = text//'. An element_length of '// &
+            trim(in_units(units, unit_length, advised*outside%length, shown))//' brings most strings inside'
       end if
    end subroutine outside_message
 end module dg_outside_hole

@@ -249,6 +249,9 @@ contains
       ! no component and no section of the hole is lost, however short
       gap = min(merge_share*element_length, longest_merge, 0.5_wp*minval(tops - [0.0_wp, tops(:size(tops) - 1)], &
                 mask=tops > [0.0_wp, tops(:size(tops) - 1)]), 0.5_wp*minval(model%holes%md_bottom - model%holes%md_top))
+      ! half a joint stands at the lower end of its component
+      if (model%numerics%discrete_joints) gap = min(gap, 0.25_wp*minval(effective_joint_length(model%strings(n)%components), &
+                                                                        mask=has_joints(model%strings(n)%components)))
       allocate (kept(size(breaks) + 2))
       kept(1) = top
       n = 1

@@ -157,7 +157,7 @@ module dg_deck_keys
       key_rule_type('component', 'catalogue', kind_text, &
          meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='0 on the last one: to surface'), &
+         meaning='1 mm or more; 0 on the last one: to surface'), &
       key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='outside diameter of the body'), &
       key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
@@ -171,7 +171,7 @@ module dg_deck_keys
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='of tool joints or blades; touches first and sets the torque radius; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
-         meaning='of one tool joint'), &
+         meaning='of one tool joint, 1 mm or more; 0: 0.5 m'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
          meaning='distance between tool joints'), &
       key_rule_type('component', 'opened_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &

@@ -1,8 +1,9 @@
 !> Hole sections: each goes down, and together they reach from surface on without a gap.
 module dg_hole_check
+   use dg_component, only: shortest_contact
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_model_fault, only: depth_words, model_faults_type, note_fault
+   use dg_model_fault, only: depth_words, diameter_words, length_digits, model_faults_type, note_fault
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -10,18 +11,25 @@ module dg_hole_check
 
    !> Part of a depth that is only round-off of a conversion or of a survey table [-].
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
+   !> Part of the shortest section that is only round-off of two depths [-].
+   real(wp), parameter :: part_of_millimetre = 1.0e-3_wp
 
 contains
 
-   !> A section ends below its beginning.
+   !> A section ends below its beginning, by the shortest contact at least.
    subroutine check_section(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
-      if (hole%md_bottom > hole%md_top) return
-      call note_fault(found, 'hole', place, 'md_bottom', 'md_bottom = '//depth_words(units, hole%md_bottom)// &
-                      ' is not below md_top = '//depth_words(units, hole%md_top))
+      if (.not. hole%md_bottom > hole%md_top) then
+         call note_fault(found, 'hole', place, 'md_bottom', 'md_bottom = '//depth_words(units, hole%md_bottom)// &
+                         ' is not below md_top = '//depth_words(units, hole%md_top))
+      else if (hole%md_bottom - hole%md_top < (1.0_wp - part_of_millimetre)*shortest_contact) then
+         call note_fault(found, 'hole', place, 'md_bottom', 'the section from '//depth_words(units, hole%md_top)//' to '// &
+                         depth_words(units, hole%md_bottom)//' is shorter than the shortest contact, '// &
+                         diameter_words(units, shortest_contact, length_digits))
+      end if
    end subroutine check_section
 
    !> Sections from the top down begin at surface and abut. Ends that are off by round-off are made one.

@@ -1,16 +1,19 @@
 !> Drillstrings: what goes together within a component, and of components one above the other.
 module dg_string_check
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: closed_diameter, component_type, opens
+   use dg_component, only: closed_diameter, component_type, opens, shortest_contact
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_model_fault, only: diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
+   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
    use dg_text, only: quoted, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: check_component, check_in_string, check_centralizer
+
+   !> Part of a length that is only round-off of a conversion [-].
+   real(wp), parameter :: round_off = 1.0e-4_wp
 
 contains
 
@@ -21,6 +24,8 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
       associate (part => component)
+         call check_shortest('length', part%length)
+         call check_shortest('joint_length', part%joint_length)
          if (part%length > 0.0_wp .and. part%bend_position > part%length) call fault('bend_position', 'bend_position = '// &
             long(part%bend_position)//' is greater than length = '//long(part%length))
          if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
@@ -39,6 +44,18 @@ contains
          character(*), intent(in) :: key, message
          call note_fault(found, 'component', place, key, message)
       end subroutine fault
+
+      subroutine check_shortest(key, length)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: length      !< [m]
+         character(:), allocatable :: name
+         if (.not. (length > 0.0_wp .and. length < (1.0_wp - round_off)*shortest_contact)) return
+         name = ''
+         if (allocated(component%name)) name = ' of '//quoted(component%name)
+         call fault(key, key//name//' is '//depth_words(units, length)//', shorter than the shortest contact, '// &
+                    diameter_words(units, shortest_contact, length_digits)//'. Give '// &
+                    trim(in_units(units, unit_length, shortest_contact, length_digits))//' or more')
+      end subroutine check_shortest
 
       function wide(diameter) result(text)
          real(wp), intent(in) :: diameter

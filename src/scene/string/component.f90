@@ -11,7 +11,7 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, is_bit, room_of, &
-             room_of_held_bit
+             room_of_held_bit, shortest_contact
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -21,6 +21,8 @@ module dg_component
    real(wp), parameter :: most_tilt = 0.1_wp
    !> A tool whose upper end stands higher than its depth of opening by less than this is open: round-off of depths [m].
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
+   !> Shortest component, tool joint or hole section [m]: each has its contact and its nodes.
+   real(wp), parameter :: shortest_contact = 1.0e-3_wp
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 

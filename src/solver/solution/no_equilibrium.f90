@@ -77,11 +77,11 @@ contains
       if (result%status /= result_not_converged) return
       result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
       if (worked_out) then
-         result%message = result%message//'. The search ended at the most work for '//to_text(result%elements)// &
-            ' elements: a larger element_length leaves room for more iterations'
+         result%message = result%message//'. The search ended at the most work that '//to_text(result%elements)// &
+            ' elements may have'
       else if (model%numerics%max_iterations < usual%max_iterations) then
-         result%message = result%message//'. max_iterations = '//to_text(model%numerics%max_iterations)// &
-            ' is less than its default, '//to_text(usual%max_iterations)//', which leaves room for all attempts'
+         result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
+            ', its default, which leaves room for all attempts'
       end if
    end subroutine tell_tried
 end module dg_no_equilibrium

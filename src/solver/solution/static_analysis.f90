@@ -126,8 +126,8 @@ contains
       if (result%status == result_not_converged) then
          call tell_tried(model, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
-         call add_message(result, 'converged with elements of at most '// &
-                          trim(in_units(model%units, unit_length, length, shown))//': others found no equilibrium in '// &
+         call add_message(result, 'Converged with elements of at most '// &
+                          trim(in_units(model%units, unit_length, length, shown))//'. Others found no equilibrium in '// &
                           to_text(size(history))//' iterations')
       end if
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
@@ -241,8 +241,8 @@ contains
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
-         call add_remarks(model%numerics, numerics, in_plane, result)
-         if (.not. (outcome == outcome_converged .and. moments)) return
+         call add_remarks(model%units, mesh, model%numerics, numerics, in_plane, result)
+         if (.not. (result%status == result_converged .and. moments)) return
          deallocate (string%state)
          call keep_for_moments(string%work)
          call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
@@ -263,14 +263,13 @@ contains
       call measure_rows(mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
-         call add_message(result, 'moments and stresses along the string may be off by tens of per cent: no equilibrium near '// &
-                          'this one was found on short elements, so they are those of elements of up to '// &
+         call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
                           trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
-                          '; a smaller element_length makes them better')
+                          ', as short elements found no equilibrium near this one. How far they are off is not known')
       else if (result%moment_error > doubtful) then
-         call add_message(result, 'moments along the string may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
-                          ' % of the largest one'//trim(merge('                                          ', &
-                                     '; fidelity = ''reference'' makes them better', model%numerics%halve_moments)))
+         call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
+                          ' % of the largest')
+         if (.not. model%numerics%halve_moments) call add_message(result, "Set fidelity = 'reference' to halve elements")
       end if
       if (.not. is_missing(result%moment_error)) call tell_unlike_contact(model%units, result)
    end subroutine find_moments

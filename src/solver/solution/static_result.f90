@@ -12,7 +12,7 @@ module dg_static_result
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_no_equilibrium, only: add_place
-   use dg_numerics, only: gap_at_nodes, numerics_type
+   use dg_numerics, only: gap_location_name, numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_profile_rows, only: lay_rows
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
@@ -31,8 +31,9 @@ module dg_static_result
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
-   character(*), parameter :: touched = 'side force and tilt of the bit, and bending moments between contacts, may be off by a '// &
-      'tenth; shorter elements narrow that down'
+   character(*), parameter :: touched = 'allow 10 % on side force and tilt of the bit, and on bending moments between contacts'
+   !> Length of the elements that are advised over that of the longest [-], and the shortest that are [m].
+   real(wp), parameter :: advised = 0.1_wp, shortest_advised = 0.5_wp
    !> Forces out of balance over the weight from which on a result is none [-]. Sound results have 1e-12 to 1e-6, at any wall.
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
    !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
@@ -79,22 +80,22 @@ contains
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
-         result%message = 'no equilibrium found within the hole: the string lies outside by '// &
+         result%message = 'No equilibrium found within the hole: the string lies outside by '// &
             to_text(worst, shown_clearances)//' clearances between two contact points, at '
          call add_place(model, case_index, mesh%md(place), result%message)
       case (outcome_exhausted)
          result%status = result_not_converged
          if (last%residual_force < in_balance*equations%force_scale) then
-            result%message = 'no stable equilibrium found: the string is in balance, but the least push would move it away'
+            result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
          else
-            result%message = 'no equilibrium found: at the end '// &
+            result%message = 'No equilibrium found: at the end '// &
                trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
             call add_place(model, case_index, equations%unbalanced_md, result%message)
          end if
          if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
       case default
          result%status = result_not_converged
-         result%message = 'no unique equilibrium: check supports and loads. The string can move freely, most at '
+         result%message = 'No unique equilibrium: the string can move freely, most at '
          call add_place(model, case_index, equations%unbalanced_md, result%message)
       end select
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
@@ -103,9 +104,8 @@ contains
       ! a part of a string may be pushed by what is above it
       if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
-      if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-         call add_message(result, 'gaps that were moved to where the string lies deepest found no better equilibrium '// &
-                          'there and stand where they stood before: '//touched)
+      if (outcome == outcome_converged .and. equations%gaps_taken_back) call add_message(result, 'Contact points could not be '// &
+         'moved to where the string lies deepest: '//touched//shorter_elements(model%units, mesh))
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
          if (outside%elements > 0) call add_outside(model%units, outside, result)
@@ -139,12 +139,10 @@ contains
       real(wp) :: friction, length
       friction = maxval(mesh%rotary, mask=work%climb < 1.0_wp)
       length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'the string whirls: over '//trim(in_units(units, unit_length, length, shown))// &
-                       ', where it is compressed in a vertical '// &
-                       'hole or near its buckling load, friction does not hold it on one side of the hole and is left out of '// &
-                       'its balance across, without inertia; the hook load is firm, contact force and friction torque there '// &
-                       'may be less by up to '// &
-                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' %')
+      call add_message(result, 'The string whirls: over '//trim(in_units(units, unit_length, length, shown))// &
+                       ' it does not stay on one side of the hole. Sideways friction and inertia are ignored there. The hook '// &
+                       'load is not affected, contact force and friction torque there may be up to '// &
+                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' % less')
    end subroutine tell_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
@@ -155,6 +153,7 @@ contains
       real(wp), intent(in) :: normal(:)         !< contact forces; below 0: the wall pulls [N]
       logical, intent(in) :: whirls
       type(case_result_type), intent(inout) :: result
+      type(numerics_type) :: usual
       real(wp) :: pulling, part
       pulling = -sum(normal, normal < 0.0_wp)
       part = result%equilibrium_force/force_scale
@@ -162,11 +161,12 @@ contains
       if (.not. (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale)) return
       result%status = result_not_converged
       if (part > most_out_of_balance) then
-         result%message = 'forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
-                          ' out of balance: residuals add up; give a smaller tolerance, or a smaller gk_contact and gk_max'
+         result%message = 'Forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
+                          ' out of balance, '//to_text(100.0_wp*part, shown_clearances)//' % of weight and bit load'
       else
-         result%message = 'walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
-                          ' in all: gaps open where they pull with more than r_n0; give a smaller one'
+         result%message = 'Walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
+                          ' in all, as gaps open from r_n0 on. Set r_n0 to '// &
+                          trim(in_units(units, unit_force, usual%r_n0, shown))//', its default'
       end if
    end subroutine judge_balance
 
@@ -174,7 +174,7 @@ contains
    pure subroutine add_message(result, text)
       type(case_result_type), intent(inout) :: result
       character(*), intent(in) :: text
-      if (result%message /= '') result%message = result%message//'; '
+      if (result%message /= '') result%message = result%message//'. '
       result%message = result%message//text
    end subroutine add_message
 
@@ -187,8 +187,8 @@ contains
       character(:), allocatable :: text
       real(wp) :: largest, moment, other_moment
       if (other%status /= result_converged) then
-         call add_message(result, 'a coiled string may lie in more than one way: two other starts found no equilibrium in '// &
-                          'their iterations, so the range of hook load and moments is not known')
+         call add_message(result, 'A coiled string may stop in more than one way. Two other starts found no equilibrium, so '// &
+                          'the range of hook load and moments is unknown')
          return
       end if
       text = ''
@@ -205,7 +205,7 @@ contains
             text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
          end if
       end if
-      if (text /= '') call add_message(result, 'a coiled string may lie in more than one way: from another start, '// &
+      if (text /= '') call add_message(result, 'A coiled string may stop in more than one way. From another start, '// &
                                        trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
                                                   mirrored))//text)
    end subroutine tell_range
@@ -219,28 +219,40 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'contact force is '//trim(in_units(units, unit_force, found%by_analysis, shown))//' on the '// &
-                          'long elements, which give hook load and torque, and '// &
-                          trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones, which give moments and '// &
-                          'side forces: one of them is off by '//to_text(100.0_wp*share, shown_clearances)// &
-                          ' %, most of it from '// &
+         call add_message(result, 'Contact force is '//trim(in_units(units, unit_force, found%by_analysis, shown))// &
+                          ' on long elements (hook load, torque) and '// &
+                          trim(in_units(units, unit_force, found%by_beam, shown))//' on short ones (moments, side forces). '// &
+                          'Allow '//to_text(100.0_wp*share, shown_clearances)//' % on contact force, most of it from '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' to '// &
                           trim(in_units(units, unit_length, found%md(2), shown_depth)))
       end associate
    end subroutine tell_unlike_contact
 
    !> What a result tells of how it was found.
-   subroutine add_remarks(asked, numerics, in_plane, result)
+   subroutine add_remarks(units, mesh, asked, numerics, in_plane, result)
+      type(unit_system_type), intent(in) :: units
+      type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: asked, numerics     !< settings of the deck, and of the last attempt
       integer, intent(in) :: in_plane                        !< iterations in the plane of the hole that found nothing
       type(case_result_type), intent(inout) :: result
-      if (result%status == result_converged .and. result%way == way_left) call add_message(result, 'solved in space: '// &
+      if (result%status == result_converged .and. result%way == way_left) call add_message(result, 'Solved in space, as '// &
          to_text(in_plane)//' iterations in the plane of the hole found no equilibrium that lasts')
       if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) &
-         call add_message(result, 'converged with gaps '//trim(merge('at the nodes         ', 'at their extremum x0 ', &
-                          numerics%gap_location == gap_at_nodes))//', as with those at the place asked for no equilibrium was '// &
-                          'found: hook load, torque and contact force may be off by a percent, '//touched)
+         call add_message(result, "Converged only with gap_location = '"// &
+                          trim(gap_location_name(numerics%gap_location))// &
+                          "'. Allow 1 % on hook load, torque and contact force, and "//touched// &
+                          shorter_elements(units, mesh))
    end subroutine add_remarks
+
+   !> The advice of shorter elements, as the next sentence; '' where they would be very short.
+   pure function shorter_elements(units, mesh) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(mesh_type), intent(in) :: mesh
+      character(:), allocatable :: text
+      text = ''
+      if (advised*maxval(mesh%length) > shortest_advised) text = '. An element_length of '// &
+         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))//' removes this from most strings'
+   end function shorter_elements
 
    !> Adds what is said of a string that stands outside its hole.
    pure subroutine add_outside(units, outside, result)
@@ -281,23 +293,22 @@ contains
       result%normal_force = totals%normal_force
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
-         result%message = 'friction holds the string: the force that moves it, '// &
-                          trim(in_units(model%units, unit_force, axial(1), shown))//' at surface, would stretch it by '// &
-                          to_text(100.0_wp*strained, shown)//' %, which no pipe bears; '// &
-                          'forces are those of the soft string'
+         result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, axial(1), shown))// &
+                          ' at surface would move it and stretch it by '//to_text(100.0_wp*strained, shown)// &
+                          ' %, which no pipe bears. Forces are those of the soft string'
          return
       end if
-      result%message = 'friction of the coiled string grows without bound above '// &
-                       trim(in_units(model%units, unit_length, totals%runaway_md, shown))//'; '
+      result%message = 'Locked up: friction of the coiled string grows without bound above '// &
+                       trim(in_units(model%units, unit_length, totals%runaway_md, shown))//'. '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
-         result%message = result%message//'no push at the top brings more than '// &
+         result%message = result%message//'No push at surface brings more than '// &
                           trim(in_units(model%units, unit_force, most, shown))// &
                           ' to the bit, and without a push '// &
                           trim(in_units(model%units, unit_force, &
                                         most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown))
       else
-         result%message = result%message//'no push at the top brings the string down to this depth'
+         result%message = result%message//'No push at surface brings the string down to this depth'
       end if
    end subroutine result_of_lock_up
 

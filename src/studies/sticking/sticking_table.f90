@@ -80,7 +80,7 @@ contains
       call append_text(lines, 'Resists > 0: the point holds the string down, < 0: up. +-: 95 % of the gauge alone, '// &
                        'friction being as in the deck.')
       if (any(results%status == sticking_at_bound)) call append_text(lines, &
-         '! less torque was measured than friction above the point takes: lower the friction around the hole')
+         '! less torque was measured than friction above the point takes. Lower the friction around the hole')
    contains
       function force(value, width) result(cell)
          real(wp), intent(in) :: value

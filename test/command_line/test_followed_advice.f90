@@ -1,0 +1,162 @@
+!> Advice of messages about a solved case: it is followed, and the message is gone. Decks are wells that had the message, with as few
+!> stations as keep it.
+module dg_test_followed_advice
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: content, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
+   implicit none
+   private
+   public :: followed_advice_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function followed_advice_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('followed_advice')
+      call suite%addTest(TestMethod('short_elements', test_short_elements))
+      call suite%addTest(TestMethod('settings', test_settings))
+      call suite%addTest(TestMethod('model_of_a_buckled_string', test_model))
+      call suite%addTest(TestMethod('friction_above_a_stuck_point', test_sticking))
+      call suite%addTest(TestMethod('arguments', test_arguments))
+   end function followed_advice_suite
+
+   !> A deck has the message `expected` in its results; with `fault` changed to `remedy` it converges without it.
+   subroutine follow(text, expected, fault, remedy, status)
+      character(*), intent(in) :: text, expected, fault, remedy
+      integer, intent(in) :: status           !< of the first run
+      type(run_type) :: run
+      character(:), allocatable :: summary
+      run = run_deck_text(text)
+      summary = content(results_path//'/summary.csv')
+      call assertEqual(status, run%status, message=run%diagnostics)
+      call assertTrue(index(summary, expected) > 0, message='wanted: '//expected//'; got: '//summary)
+      run = run_deck_text(replaced(text, fault, remedy))
+      summary = content(results_path//'/summary.csv')
+      call assertEqual(0, run%status, message='followed: '//expected//'; got: '//run%diagnostics)
+      call assertEqual(0, index(summary, expected), message='followed: '//summary)
+   end subroutine follow
+
+   !> Shorter elements where the string is outside its hole, or has contact at the wrong place; halved ones where moments are rough.
+   subroutine test_short_elements()
+      character(*), parameter :: job = "&job models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline
+      character(*), parameter :: solver = "&solver /"//newline
+      call follow(job//reamed_well()//solver, 'An element_length of 4.6 m brings most strings inside', '&solver', &
+                  '&solver element_length = 4.6', 0)
+      call follow(job//large_hole()//solver, 'An element_length of 1.5 m removes this from most strings', '&solver', &
+                  '&solver element_length = 1.5', 0)
+      call follow(job//rods()//solver, "of the largest. Set fidelity = 'reference'", '&solver', "&solver fidelity = 'reference'", 0)
+   end subroutine test_short_elements
+
+   !> Settings that a deck has made too coarse.
+   subroutine test_settings()
+      character(*), parameter :: open = 'element_length = 10.0, r_n0 = 1'
+      character(:), allocatable :: deck
+      deck = replaced(good_deck(), "'soft'", "'mcge', profiles = .false.")
+      call follow(replaced(deck, 'element_length = 10.0', open), 'Set r_n0 to 1e-6 kN, its default', 'r_n0 = 1', 'r_n0 = 1e-6', 3)
+      call follow(replaced(deck, 'element_length = 10.0', 'max_iterations = 1'), 'Set max_iterations to 1300, its default', &
+                  'max_iterations = 1', 'max_iterations = 1300', 3)
+      call follow(replaced(deck, 'diameter = 215.9', 'diameter = 215.9, wall_stiffness = 1'), &
+                  'Set wall_stiffness to 1e8 kN/m2, the default', 'wall_stiffness = 1', 'wall_stiffness = 1e8', 0)
+   end subroutine test_settings
+
+   !> A soft string does not know what a coil presses.
+   subroutine test_model()
+      call follow(replaced(good_deck(), 'wob = 20.0', 'wob = 220.0'), 'outside the range of this model. Contact there is too '// &
+                  'low. Use model mcge', "'soft'", "'mcge'", 0)
+   end subroutine test_model
+
+   !> Less torque than friction above the point takes.
+   subroutine test_sticking()
+      character(*), parameter :: advice = '! less torque was measured than friction above the point takes. Lower the friction'
+      character(:), allocatable :: deck
+      type(run_type) :: run
+      deck = replaced(good_deck(), "name = 's', operation = 'sliding', bit_depth = 800.0", &
+                      "name = 's', operation = 'rotate_off_bottom', bit_depth = 800.0, measured_hookload = 250, "// &
+                      "measured_torque = 0.5")//"&calibrate parameter = 'sticking', cases = 's', sticking_depth = 780 /"//newline
+      run = run_deck_text(deck)
+      call assertTrue(index(run%output, advice) > 0, message=run%output//run%diagnostics)
+      run = run_deck_text(replaced(deck, 'diameter = 215.9, friction = 0.3', 'diameter = 215.9, friction = 0.02'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, advice), message=run%output)
+   end subroutine test_sticking
+
+   !> Arguments of the program.
+   subroutine test_arguments()
+      call obey('--threads many', 'give 0 (all cores) to 9999', '--threads 0')
+      call obey('--part 5/4', 'give i/n with i from 1 to n, as in --part 2/4', '--part 2/4')
+      call obey('--merge x', 'give 1 to 9999, as in --merge 4', '--merge 4')
+      call obey('other.nml', '; give one', '')
+      call obey('--chekc', "did you mean '--check'?", '--check')
+   contains
+      subroutine obey(option, expected, remedy)
+         character(*), intent(in) :: option, expected, remedy
+         character(*), parameter :: sweep = "&sweep operations = 'up', bit_depth_to = 900, bit_depth_step = 300 /"//newline
+         type(run_type) :: run
+         run = run_deck_text(good_deck()//sweep, '--check '//option)
+         call assertEqual(2, run%status, message=option)
+         call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+         run = run_program(scratch//'/deck.nml --check '//remedy)
+         call assertEqual(0, run%status, message=remedy//': '//run%diagnostics)
+         call assertEqual(0, index(run%diagnostics, expected), message=run%diagnostics)
+      end subroutine obey
+   end subroutine test_arguments
+
+   !> An opened reamer above a hole that was not opened.
+   pure function reamed_well() result(text)
+      character(:), allocatable :: text
+      text = "&trajectory md = 0, 780, 810, 840, 1277.04, inc = 0.08, 12.32, 11.77, 12.21, 11.91"//newline// &
+             "  azi = 305.06, 100.96, 93, 95.99, 106.77 /"//newline// &
+             "&hole md_bottom = 828.4, diameter = 220.5, friction = 0.24, cased = .true. /"//newline// &
+             "&hole md_bottom = 1218.6, diameter = 241.3, friction = 0.37 /"//newline// &
+             "&hole diameter = 215.9, friction = 0.37 /"//newline// &
+             "&component kind = 'bit', length = 0.3, od = 165.1, id = 71.4, mass = 136.63, joint_od = 215.9 /"//newline// &
+             "&component length = 4.4, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
+             "&component kind = 'stabilizer', length = 1.5, od = 165.1, id = 71.4, mass = 136.63, joint_od = 213 /"//newline// &
+             "&component length = 53.2, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
+             "&component kind = 'stabilizer', length = 1.2, od = 190.1, id = 71.4, mass = 177.61, joint_od = 213"//newline// &
+             "  opened_od = 240.9 /"//newline// &
+             "&component length = 18, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
+             "&component kind = 'stabilizer', length = 1.5, od = 165.1, id = 71.4, mass = 136.63, joint_od = 213 /"//newline// &
+             "&component length = 23.649, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
+             "&component length = 168.154, od = 127, id = 76.2, mass = 73.4, joint_od = 165.1 /"//newline// &
+             "&component od = 127, id = 108.6, mass = 31.9, joint_od = 168.3 /"//newline// &
+             "&load_case name = 'c', operation = 'trip_out', bit_depth = 1277.04 /"//newline
+   end function reamed_well
+
+   !> Collars and a stabiliser in a hole of half a metre.
+   pure function large_hole() result(text)
+      character(:), allocatable :: text
+      text = "&trajectory md = 0, 804.6, 825.93, 861.67, 870.72, inc = 0.36, 12.94, 12.91, 14.01, 13.57"//newline// &
+             "  azi = 85.95, 263.36, 260.92, 259.34, 257.6 /"//newline// &
+             "&hole md_bottom = 139.8, diameter = 475, friction = 0.3 /"//newline// &
+             "&hole diameter = 489, friction = 0.58 /"//newline// &
+             "&fluid density = 1550 /"//newline// &
+             "&component length = 9, od = 234.9, id = 76.2, mass = 275.08 /"//newline// &
+             "&component length = 9, od = 241.3, id = 76.2, mass = 271.46 /"//newline// &
+             "&component length = 3, od = 234.9, id = 76.2, mass = 288.92 /"//newline// &
+             "&component length = 2.5, od = 234.9, id = 76.2, mass = 278.85 /"//newline// &
+             "&component length = 9, od = 241.3, id = 76.2, mass = 264.55 /"//newline// &
+             "&component length = 9, od = 234.9, id = 76.2, mass = 306.71 /"//newline// &
+             "&component length = 9, od = 234.9, id = 76.2, mass = 316.51 /"//newline// &
+             "&component length = 27, od = 241.3, id = 76.2, mass = 280.23 /"//newline// &
+             "&component length = 9.5, od = 241.3, id = 76.2, mass = 304.48 /"//newline// &
+             "&component kind = 'stabilizer', length = 2, od = 241.3, id = 76.2, mass = 355.5, joint_od = 431.8 /"//newline// &
+             "&component od = 168.3, id = 151.5, mass = 41, joint_od = 209.6 /"//newline// &
+             "&load_case name = 'c', operation = 'trip_in', bit_depth = 870.72 /"//newline
+   end function large_hole
+
+   !> Sucker rods pulled from a stuck pump.
+   pure function rods() result(text)
+      character(:), allocatable :: text
+      text = "&trajectory md = 0, 1620.08, 3240.161, 4860.241, inc = 0, 0.0584, 1.467, 0.5454, azi = 4*228.9709 /"//newline// &
+             "&hole diameter = 62, friction = 0.21 /"//newline// &
+             "&fluid density = 1400 /"//newline// &
+             "&component length = 100, od = 38.1, id = 0, mass = 8.9 /"//newline// &
+             "&component length = 2430.1, od = 22.2, id = 0, mass = 3.3, joint_od = 46, joint_length = 0.1"//newline// &
+             "  joint_spacing = 7.62 /"//newline// &
+             "&component od = 25.4, id = 0, mass = 4.3 /"//newline// &
+             "&boundary top_lateral = 'free', bit_lateral = 'free' /"//newline// &
+             "&load_case name = 'c', operation = 'trip_out', bit_depth = 4860.241, wob = -12.24 /"//newline
+   end function rods
+end module dg_test_followed_advice

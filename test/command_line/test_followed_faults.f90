@@ -1,0 +1,187 @@
+!> Advice of messages about a deck: it is followed, and the message is gone. Each fault is one change to a deck that is right, each
+!> remedy one change to the faulty deck.
+module dg_test_followed_faults
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: good_deck, replaced, run_deck_text, run_type
+   implicit none
+   private
+   public :: followed_faults_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function followed_faults_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('followed_faults')
+      call suite%addTest(TestMethod('form', test_form))
+      call suite%addTest(TestMethod('path', test_path))
+      call suite%addTest(TestMethod('string', test_string))
+      call suite%addTest(TestMethod('ranges', test_ranges))
+      call suite%addTest(TestMethod('calibrations', test_calibrations))
+   end function followed_faults_suite
+
+   !> The good deck with `old` changed to `new` has a message with `expected`; '+' for `old` appends. With `fault` changed to
+   !> `remedy` the deck is right, and without that message.
+   subroutine follow(old, new, expected, fault, remedy)
+      character(*), intent(in) :: old, new, expected, fault, remedy
+      character(:), allocatable :: text
+      type(run_type) :: run
+      text = replaced(good_deck()//'+', old, new)
+      if (old /= '+') text = replaced(text, newline//'+', newline)
+      run = run_deck_text(text, '--check')
+      call assertTrue(index(run%output//run%diagnostics, expected) > 0, &
+                      message='wanted: '//expected//'; got: '//run%output//run%diagnostics)
+      run = run_deck_text(replaced(text, fault, remedy), '--check')
+      call assertEqual(0, run%status, message='followed: '//expected//'; got: '//run%diagnostics)
+      call assertEqual(0, index(run%output//run%diagnostics, expected), message='followed: '//expected)
+   end subroutine follow
+
+   !> Texts of a deck.
+   subroutine test_form()
+      call follow("density = 1200.0", "density = 1200.0, ,", "no value before a comma; give every value", ", ,", '')
+      call follow("&boundary", "&end &boundary", "closes no group; remove it", "&end &boundary", "&boundary")
+      call follow("density = 1200.0", "= 1200.0", "write key = value", "= 1200.0", "density = 1200.0")
+      call follow("azi = 3*10.0", "azi(1) = 10, azi(3) = 10", "give the values in order, without gaps", "azi(3) = 10", &
+                  "azi(2) = 10, azi(3) = 10")
+      call follow("'a deck'", "a_deck", "write title = 'a_deck'", "a_deck", "'a_deck'")
+      call follow("name = 's'", "name = ''", "name is empty; give a text", "name = ''", "name = 's'")
+      call follow("operation = 'sliding'", "operation = 'slidign'", "did you mean 'sliding'?", "slidign", "sliding")
+      call follow("md_bottom = 400.0", "md_botom = 400.0", "did you mean 'md_bottom'?", "md_botom", "md_bottom")
+      call follow("&boundary", "&boundry", "did you mean 'boundary'?", "boundry", "boundary")
+      call follow("element_length = 10.0", "history = yes", "write .true. or .false.", "yes", ".true.")
+      call follow("wob = 20.0", "string = 'mian'", "did you mean 'main'?", "mian", "main")
+   end subroutine test_form
+
+   !> Survey, hole and fluid.
+   subroutine test_path()
+      call follow("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 30.0, survey_file = 'x.csv'", &
+                  "both survey_file and md are given; keep one", ", survey_file = 'x.csv'", '')
+      call follow("azi = 3*10.0", '', "key azi is missing; give md, inc and azi", "inc =", "azi = 3*10, inc =")
+      call follow("inc = 0.0, 0.0, 30.0", "inc = 0.0, 30.0", "inc has 2 values, md has 3; give one for each station", &
+                  "inc = 0.0, 30.0", "inc = 0.0, 0.0, 30.0")
+      call follow("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 175", "add a station between", "0.0, 500.0, 900.0"//newline// &
+                  "  inc = 0.0, 0.0, 175"//newline//"  azi = 3*", "0.0, 500.0, 700.0, 900.0"//newline// &
+                  "  inc = 0.0, 0.0, 90, 175"//newline//"  azi = 4*")
+      call follow("0.0, 500.0, 900.0"//newline//"  inc = 0.0", "10.0, 500.0, 900.0"//newline//"  inc = 1.0", &
+                  "or give tie_on = 'vertical'", "azi =", "tie_on = 'vertical', azi =")
+      call follow("0.0, 500.0, 900.0"//newline//"  inc = 0.0", "10.0, 500.0, 900.0"//newline//"  inc = 1.0", &
+                  "must begin at surface", "10.0, 500", "0.0, 500")
+      call follow("md  =", "interpolation = 'spline', md  =", "or interpolation = 'minimum_curvature'", "'spline'", &
+                  "'minimum_curvature'")
+      call follow("&hole md_top = 0.0, md_bottom = 400.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
+                  "&hole md_top = 400.0,", "&hole md_top = 0.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
+                  "&hole", "give one of them", "&hole md_top = 0.0"//newline, "&hole md_top = 0.0, md_bottom = 400"//newline)
+      call follow("&fluid", "&fluid tvd_top = 2000, density = 1500 / &fluid", "deeper than the hole; leave this fluid out", &
+                  "&fluid tvd_top = 2000, density = 1500 / ", '')
+   end subroutine test_path
+
+   !> Components and centralisers.
+   subroutine test_string()
+      call follow("length = 100.0", "length = 0.0009", "length of 'collars' is 0.0009 m, shorter than the shortest contact, "// &
+                  "1 mm. Give 0.001 m or more", "0.0009", "0.001")
+      call follow("joint_od = 168.3", "joint_od = 168.3, joint_length = 0.0009", "1 mm. Give 0.001 m or more", "0.0009", "0.001")
+      call follow("id = 108.6", "id = 108.6, friction = 0.1, friction_scale = 0.5", "give one of the two", &
+                  ", friction_scale = 0.5", '')
+      call follow("joint_od = 168.3", "joint_od = 168.3, length = 700.0", "leave out the length of its last component", &
+                  ", length = 700.0", '')
+      call follow("od = 171.45", "od = 171.45, opened_od = 200", "give opened_below", "opened_od = 200", &
+                  "opened_od = 200, opened_below = 500")
+      call follow("od = 171.45", "od = 171.45, opened_od = 200", "or cased = .true. in the hole sections", "diameter = 220.0", &
+                  "cased = .true., diameter = 220.0")
+      call follow("od = 171.45", "od = 171.45, opened_below = 500", "the diameter of the open tool; give both", "opened_below", &
+                  "opened_od = 200, opened_below")
+      call follow("od = 171.45", "od = 171.45, opened_od = 218, opened_below = 200", "needs opened_od <= 215.9 mm", "= 218", &
+                  "= 215.9")
+      call follow("joint_od = 168.3", "kind = 'stabilizer'", "give blades as joint_od", "kind = 'stabilizer'", &
+                  "kind = 'stabilizer', joint_od = 200")
+      call follow("od = 127.0", "connection = 'NC50', od = 127.0", "or give joint_torsion", "connection", &
+                  "joint_torsion = 50, connection")
+      call follow("&solver", "&centralizer component = 'collars', od = 200, spacing = 10, running_force = 1 / &solver", &
+                  "leave it out, or give kind = 'bow'", ", running_force = 1", '')
+      call follow("&solver", "&centralizer component = 'collars', od = 200, spacing = 10, running_force = 1 / &solver", &
+                  "leave it out, or give kind = 'bow'", "running_force = 1", &
+                  "running_force = 1, kind = 'bow', restoring_force = 5")
+      call follow("&solver", &
+                  "&centralizer component = 'collars', od = 200, spacing = 10 / &centralizer component = 'collars', od = "// &
+                  "200, spacing = 10 / &solver", "a component takes one kind, so cut it in two", &
+                  " / &centralizer component = 'collars', od = 200, spacing = 10 / ", " / ")
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 60, seed = 3 /", &
+                  "leave it out, or give kind = 'random'", ", seed = 3", '')
+   end subroutine test_string
+
+   !> Tortuosity, studies, sweeps and uncertainties.
+   subroutine test_ranges()
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 60, seed = 3 /", &
+                  "leave it out, or give kind = 'random'", "'sine'", "'random'")
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 500 /", "a shorter period", "period = 500", &
+                  "period = 100")
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 60, md_bottom = 950 /", "end it there or above", &
+                  "= 950", "= 900")
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 60 /"//newline// &
+                  "&tortuosity kind = 'sine', amplitude = 1, period = 60 /", "part them by md_top and md_bottom", &
+                  "period = 60 /"//newline//"&tortuosity", "period = 60, md_bottom = 450 /"//newline// &
+                  "&tortuosity md_top = 450,")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "nothing to compare; give two values or more", &
+                  "models = 'mcge'", "models = 'mcge', 'soft'")
+      call follow("+", "&sweep operations = 'up', 'down', bit_depth_to = 900, name = 'a/b' /", &
+                  "use letters, digits and _ - . +", "a/b", "a-b")
+      call follow("+", "&sweep operations = 'up', 'down', bit_depth_to = 900, wob = 1, 2, 3 /", "give one, or one for each", &
+                  "1, 2, 3", "0, 2")
+      call follow("+", "&sweep operations = 'up', 'down', bit_depth_to = 900, wob = 5 /", "give one for each operation", &
+                  "wob = 5", "wob = 0, 5")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", &
+                  "nothing is uncertain; give a friction_deviation", "900 /", "900, friction_deviation = 0.02 /")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900, inclination_deviation = 0.1 /"//newline// &
+                  "&tortuosity kind = 'sine', amplitude = 1, period = 60 /", "give survey_errors = 'systematic'", "= 0.1 /", &
+                  "= 0.1, survey_errors = 'systematic' /")
+      call follow("+", &
+                  "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviation = 0.02, friction_deviations = "// &
+                  "0.02, 0.03 /", "not both", " friction_deviation = 0.02,", '')
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviations = 0.02 /", "give one for each", &
+                  "= 0.02", "= 0.02, 0.03")
+      call follow("+", &
+                  "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviation = 0.02, friction_correlation = "// &
+                  "0.5, friction_correlations = 0.5 /", "friction_correlations, not both", " friction_correlation = 0.5,", '')
+      call follow("+", &
+                  "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviation = 0.02, samples = 9999, "// &
+                  "bit_depth_step = 0.1 /", "lower samples or raise bit_depth_step", "= 9999", "= 10")
+      call follow("+", &
+                  "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviation = 0.02, samples = 9999, "// &
+                  "bit_depth_step = 0.1 /", "lower samples or raise bit_depth_step", "= 0.1", "= 300")
+      call follow("+", "&calibrate cases = 'u', separate = 'none' /", "give one or leave it out", "bit_depth = 900.0", &
+                  "measured_hookload = 300, bit_depth = 900.0")
+   end subroutine test_ranges
+
+   !> Calibrations, stuck points, names of cases.
+   subroutine test_calibrations()
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'none', 'holes'", "keep one", "'none', 'holes'", "'none'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'holes'", "add measurements or separate less", "'holes'", "'none'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'none', sticking_depth = 300", "leave it out", ", sticking_depth = 300", &
+                  '')
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'operations', predict = 's'", "leave it out or separate less", &
+                  ", predict = 's'", '')
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'none', model = 'soft', 'rigid', apply = .true.", &
+                  "apply needs one model", "'soft', 'rigid'", "'soft'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'operations', apply = .true.", &
+                  "apply needs separate = 'none' or 'holes'", "'operations'", "'none'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'none', parameter = 'friction_rotary'", "add such a case or leave out", &
+                  ", parameter = 'friction_rotary'", '')
+      call follow("bit_depth = 900.0", "measured_hookload = 300, friction = 0.2, bit_depth = 900.0 /"//newline// &
+                  "&calibrate cases = 'u', separate = 'none', apply = .true.", "or leave out apply", ", apply = .true.", '')
+      call follow("bit_depth = 900.0 /"//newline//"&load_case name = 's',", "measured_hookload = 300, bit_depth = 900.0 /"// &
+                  newline//"&calibrate parameter = 'sticking', sticking_depth = 600, cases = 'u', 's' /"//newline// &
+                  "&load_case name = 's', measured_torque = 1,", "give it or leave the case out", "'u', 's'", "'u'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
+                  "&calibrate parameter = 'sticking', sticking_depth = 600, cases = 'u', separate = 'none'", "leave it out", &
+                  ", separate = 'none'", '')
+      call follow("name = 's', operation", "name = 'a/b', operation", "use 1 to 100 letters", "a/b", "a-b")
+   end subroutine test_calibrations
+end module dg_test_followed_faults
