@@ -3,7 +3,7 @@ module dg_test_extreme_pairs
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
    use funit, only: assertTrue, TestMethod, TestSuite
    use dg_constants, only: pi
-   use dg_extreme_case, only: answer_type, contact, extreme_case_type, hookload
+   use dg_extreme_case, only: answer_type, contact, extreme_case_type, hookload, solve_extreme, verdict_type
    use dg_extreme_reference, only: by_independent_beam, by_short_elements
    use dg_extreme_table, only: begin_row, finish_row, row_type, take, take_bent, take_short, take_straight
    use dg_extreme_wells, only: base_well, case_of, horizontal_well, straight_well, tubing_well
@@ -27,6 +27,7 @@ contains
       suite = TestSuite('extreme_pairs')
       call suite%addTest(TestMethod('walls', test_walls))
       call suite%addTest(TestMethod('doglegs', test_doglegs))
+      call suite%addTest(TestMethod('steep', test_steep))
       call suite%addTest(TestMethod('loads', test_loads))
       call suite%addTest(TestMethod('strings', test_strings))
       call suite%addTest(TestMethod('bad_numbers', test_bad_numbers))
@@ -120,6 +121,18 @@ contains
       end do
       call finish_row(row)
    end subroutine test_doglegs
+
+   !> Where a string slopes by more than a tenth its moments are those of the long elements, and a message says so; with half a
+   !> metre of room drill pipe slopes less.
+   subroutine test_steep()
+      character(*), parameter :: told = 'slopes by more than a tenth'
+      type(answer_type) :: answer
+      type(verdict_type) :: verdict
+      call solve_extreme(case_of(with_clearance(tubing_well(100.0_wp), wide), operation_trip_out, mu, 'steep'), answer, verdict)
+      call assertTrue(index(verdict%message, told) > 0, message='steep')
+      call solve_extreme(case_of(with_clearance(base_well(), wide), operation_trip_out, mu, 'less steep'), answer, verdict)
+      call assertTrue(index(verdict%message, told) == 0, message='less steep')
+   end subroutine test_steep
 
    !> Loads, friction, length and room.
    subroutine test_loads()
