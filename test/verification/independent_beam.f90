@@ -18,7 +18,7 @@ module dg_independent_beam
    use dg_lapack, only: dgbtrf, dgbtrs
    implicit none
    private
-   public :: independent_well_type, independent_beam_type, bend_independently, push_at_bit, value_at
+   public :: independent_well_type, independent_beam_type, bend_independently, bend_stretched, places_of, push_at_bit, value_at
 
    real(wp), parameter :: pi = acos(-1.0_wp), steel = 7850.0_wp
 
@@ -61,41 +61,92 @@ module dg_independent_beam
 
    !> Change of the sum of contact at which the outer loop ends [-]; Newton's residual over the largest load.
    real(wp), parameter :: settled = 1.0e-7_wp, rest = 1.0e-9_wp
+   integer, parameter :: most_rounds = 60     !< of the outer loop
    integer, parameter :: samples = 8          !< of hole and string to a step
    integer, parameter :: width = 5            !< of the band: three nodes of two unknowns follow each other
    real(wp), parameter :: second(-1:1) = [1.0_wp, -2.0_wp, 1.0_wp]
 
 contains
 
-   subroutine bend_independently(well, beam, found)
+   subroutine bend_independently(well, beam, found, start)
       type(independent_well_type), intent(in) :: well
       type(independent_beam_type), intent(out) :: beam
       logical, intent(out) :: found
-      real(wp), allocatable :: before(:), away(:)
-      integer :: round, i, stage
+      type(independent_beam_type), intent(in), optional :: start     !< of next to the same well, with as many nodes
+      real(wp), allocatable :: before(:)
+      integer :: round
       call lay_out(well, beam)
       allocate (before(0:beam%n), source=0.0_wp)
-      do round = 1, 60
+      found = present(start)
+      if (found) then
+         beam%y = start%y
+         beam%contact = start%contact
+         beam%shear = start%shear
+         beam%curvature = start%curvature
+      end if
+      do round = 1, most_rounds
          call sum_up(well, beam)
-         if (round == 1) then
-            ! on the side of the wall to which weight and tension press a string without stiffness; a wall that hardens
-            do i = 1, beam%n - 1
-               away = beam%weight(:, i) + beam%tension(i)*beam%k_node(:, i)
-               beam%y(:, i) = beam%clearance(i)*away/max(norm2(away), tiny(1.0_wp))
-            end do
-            do stage = 6, 1, -1
-               call find_offsets(well, well%wall*0.1_wp**stage, beam, found)
-            end do
-         end if
-         call find_offsets(well, well%wall, beam, found)
+         if (found) call find_offsets(well, well%wall, beam, found)
+         if (.not. found) call harden(well, beam, found)
          if (.not. found) exit
-         if (round > 4) beam%contact = 0.5_wp*(beam%contact + before)
-         found = abs(sum(beam%contact) - sum(before)) < settled*sum(beam%contact)
-         if (found) exit
+         if (round > 8) beam%contact = 0.5_wp*(beam%contact + before)
+         if (abs(sum(beam%contact) - sum(before)) <= settled*sum(beam%contact)) exit
          before = beam%contact
       end do
+      found = found .and. round <= most_rounds
       beam%clock = modulo(atan2(beam%y(2, :), beam%y(1, :)) - beam%clock, 2.0_wp*pi)
    end subroutine bend_independently
+
+   !> Offsets from the side of the wall to which weight and tension press a string without stiffness, against a wall that hardens.
+   subroutine harden(well, beam, found)
+      type(independent_well_type), intent(in) :: well
+      type(independent_beam_type), intent(inout) :: beam
+      logical, intent(out) :: found
+      real(wp) :: away(2)
+      integer :: i, stage
+      do i = 1, beam%n - 1
+         away = beam%weight(:, i) + beam%tension(i)*beam%k_node(:, i)
+         beam%y(:, i) = beam%clearance(i)*away/max(norm2(away), tiny(1.0_wp))
+      end do
+      do stage = 6, 0, -1
+         call find_offsets(well, well%wall*0.1_wp**stage, beam, found)
+      end do
+   end subroutine harden
+
+   !> The solution for a string that is as long as the program's when it has stretched, so that both bits are at one place.
+   subroutine bend_stretched(well, beam, found)
+      type(independent_well_type), intent(in) :: well
+      type(independent_beam_type), intent(out) :: beam
+      logical, intent(out) :: found
+      type(independent_well_type) :: longer
+      real(wp) :: lower                        ! length of all components but the uppermost one, which stretches most [m]
+      type(independent_beam_type) :: first
+      integer :: n
+      longer = well
+      n = size(well%mass)
+      lower = sum(well%length(:n - 1))
+      call bend_independently(well, first, found)
+      if (.not. found) return
+      longer%bit = maxval(places_of(first, [well%bit]))
+      longer%mass(n) = well%mass(n)*(well%bit - lower)/(longer%bit - lower)
+      longer%step = longer%bit/first%n
+      call bend_independently(longer, beam, found, first)
+   end subroutine bend_stretched
+
+   !> Where in the hole points of the string are that were at `md` before loading: held at the top, it stretches.
+   pure function places_of(beam, md) result(place)
+      type(independent_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: md(:)
+      real(wp) :: place(size(md)), stretch(0:beam%n)
+      integer :: i
+      stretch(0) = 0.0_wp
+      do i = 1, beam%n
+         stretch(i) = stretch(i - 1) + 0.5_wp*beam%h*(beam%axial(i - 1)/beam%ea(i - 1) + beam%axial(i)/beam%ea(i))
+      end do
+      do i = 1, size(md)
+         place(i) = md(i) + value_at(beam, stretch, md(i))
+      end do
+   end function places_of
 
    !> Nodes, sections of the string and frames of the hole.
    subroutine lay_out(well, beam)

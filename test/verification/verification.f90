@@ -44,6 +44,8 @@ contains
       use dg_test_both_sides, only: both_sides_suite
       use dg_test_boundary_layers, only: boundary_layers_suite
       use dg_test_fluids, only: fluids_suite
+      use dg_test_extremes, only: extremes_suite
+      use dg_test_extreme_pairs, only: extreme_pairs_suite
       type(TestSuite) :: suite
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
@@ -80,5 +82,7 @@ contains
       call suite%addTest(both_sides_suite())
       call suite%addTest(boundary_layers_suite())
       call suite%addTest(fluids_suite())
+      call suite%addTest(extremes_suite())
+      call suite%addTest(extreme_pairs_suite())
    end function load_tests
 end program verification

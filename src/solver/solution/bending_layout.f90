@@ -19,7 +19,7 @@ module dg_bending_layout
    !> A change of EI k from bend to bend counts from this part of the largest EI k in the hole on [-].
    real(wp), parameter :: jump_share = 0.02_wp
    !> Slope against the hole up to which a string is bent again [-]: the beam leaves squares of slopes out.
-   real(wp), parameter :: steepest = 0.05_wp
+   real(wp), parameter :: steepest = 0.1_wp
    !> Relative change of stiffness or clearance that counts [-].
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].

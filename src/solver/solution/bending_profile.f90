@@ -8,7 +8,7 @@
 !> from there. Then those are halved whose moment is not yet right. Bending, shear, side force, offset and clock of the profile are
 !> those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
 !>
-!> Two things stay as the analysis has them: parts that slope against the hole by more than a twentieth, and moments in elements
+!> Two things stay as the analysis has them: parts that slope against the hole by more than a tenth, and moments in elements
 !> where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
@@ -65,13 +65,14 @@ contains
 
    !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
    !> be off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
-   subroutine bend_profile(model, mesh, gaps, work, lateral, result)
+   subroutine bend_profile(model, mesh, gaps, work, lateral, result, steep)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work          !< assembled at the solution
       real(wp), intent(in) :: lateral(2)                !< direction across the hole of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
+      real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam; equal: none [m]
       type(lying_type) :: lying
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
@@ -79,6 +80,9 @@ contains
       integer :: attempt, e
       result%moment_error = missing
       call find_lying(model, mesh, work, result%profile, lying)
+      steep = 0.0_wp
+      if (.not. all(lying%bends)) steep = [mesh%md(findloc(lying%bends, .false., dim=1)), &
+                                           mesh%md(findloc(lying%bends, .false., dim=1, back=.true.) + 1)]
       lying%lateral = lateral
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, .true., breaks, longest)

@@ -38,7 +38,7 @@ module dg_static_analysis
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
-                              tell_unlike_contact
+                              tell_steep, tell_unlike_contact
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
@@ -259,7 +259,8 @@ contains
       real(wp), intent(in) :: lateral(2)         !< direction of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result
       type(outside_type) :: outside
-      call bend_profile(model, mesh, gaps, work, lateral, result)
+      real(wp) :: steep(2)
+      call bend_profile(model, mesh, gaps, work, lateral, result, steep)
       call measure_rows(mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
@@ -271,7 +272,9 @@ contains
                           ' % of the largest')
          if (.not. model%numerics%halve_moments) call add_message(result, "Set fidelity = 'reference' to halve elements")
       end if
-      if (.not. is_missing(result%moment_error)) call tell_unlike_contact(model%units, result)
+      if (is_missing(result%moment_error)) return
+      if (steep(2) > steep(1)) call tell_steep(model%units, steep, maxval(mesh%length), result)
+      call tell_unlike_contact(model%units, result)
    end subroutine find_moments
 
    !> Solves the case in the plane of its hole. The string stays there when it finds equilibrium within the hole, and when that is

@@ -27,7 +27,8 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, tell_range, tell_unlike_contact
+   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, tell_range, &
+             tell_steep, tell_unlike_contact
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
@@ -209,6 +210,19 @@ contains
                                        trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
                                                   mirrored))//text)
    end subroutine tell_range
+
+   !> Says where a string slopes too much against its hole for the beam that gives the moments.
+   pure subroutine tell_steep(units, md, longest, result)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: md(2)                     !< where such elements begin and end [m]
+      real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
+      type(case_result_type), intent(inout) :: result
+      call add_message(result, 'moments and stresses may be off by tens of per cent between '// &
+                       trim(in_units(units, unit_length, md(1), shown_depth))//' and '// &
+                       trim(in_units(units, unit_length, md(2), shown_depth))//': the string slopes by more than a tenth '// &
+                       'against its hole there, so they are those of elements of up to '// &
+                       trim(in_units(units, unit_length, longest, shown))//'; a smaller element_length makes them better')
+   end subroutine tell_steep
 
    !> Says where the beam that gives the moments has another contact force than the analysis.
    pure subroutine tell_unlike_contact(units, result)
