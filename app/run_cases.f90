@@ -2,6 +2,7 @@
 module dg_run_cases
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
+   use dg_case_watch, only: case_watch_type
    use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
@@ -16,7 +17,7 @@ module dg_run_cases
    use dg_paraview_file, only: write_hole_view, write_string_view
    use dg_printed_text, only: print_lines
    use dg_profile_file, only: write_profile
-   use dg_progress, only: end_progress, progress_type, show_cases, start_progress
+   use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: studies_type
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
@@ -24,6 +25,7 @@ module dg_run_cases
    use dg_run_outcome, only: note_cases
    use dg_solve_case, only: solve_case
    use dg_standard_output, only: flush_output
+   use dg_stopping, only: stop_type
    use dg_study, only: phase_cases, run_type
    use dg_summary_file, only: write_summary
    use dg_text, only: quoted, text_type, to_text
@@ -90,18 +92,23 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)
       integer, intent(inout) :: status
       type(failure_type) :: failures(size(results))
-      type(progress_type) :: progress
-      logical :: solved(size(results))
+      type(progress_type), target :: progress
+      type(case_watch_type), target :: watches(size(results))
+      type(stop_type) :: stop
+      logical, target :: solved(size(results))
       integer :: row, next
       call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
       next = 1
-      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
+      !$omp& private(row, stop)
       do row = 1, size(results)
-         !$omp critical (results_in_order)
-         call show_cases(progress, count(solved), size(results), 'next '//place(job, model, number_of(row), case_of(row)))
-         !$omp end critical (results_in_order)
-         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error, stop=by_signals())
+         watches(row)%progress => progress
+         watches(row)%solved => solved
+         watches(row)%what = place(job, model, number_of(row), case_of(row))
+         stop = by_signals()
+         stop%watch => watches(row)
+         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error, stop=stop)
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
@@ -109,7 +116,6 @@ contains
          end if
          !$omp critical (results_in_order)
          solved(row) = .true.
-         call show_cases(progress, count(solved), size(results), 'last '//place(job, model, number_of(row), case_of(row)))
          if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)
          do while (next <= size(results))
             if (.not. solved(next)) exit

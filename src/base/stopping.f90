@@ -2,15 +2,29 @@
 module dg_stopping
    implicit none
    private
-   public :: stop_type, is_stopped, stop_reason
+   public :: stop_type, watch_type, is_stopped, stop_reason
+
+   !> Watch over long work: told of every iteration, by the thread that does it.
+   type, abstract :: watch_type
+   contains
+      procedure(tick_interface), deferred :: tick
+   end type watch_type
 
    !> Who asks for work hands over the procedures that answer. By default it goes on to its end.
    type :: stop_type
       procedure(asked_interface), pointer, nopass :: asked => null()
       procedure(reason_interface), pointer, nopass :: reason => null()
+      class(watch_type), pointer :: watch => null()     !< null: nobody watches
    end type stop_type
 
    abstract interface
+      !> One iteration more is done.
+      subroutine tick_interface(self)
+         import :: watch_type
+         implicit none
+         class(watch_type), intent(in) :: self
+      end subroutine tick_interface
+
       !> Whether work is to stop; called by several threads, and often.
       function asked_interface() result(is)
          implicit none
@@ -26,11 +40,12 @@ module dg_stopping
 
 contains
 
-   !> Whether work is to stop.
+   !> Whether work is to stop. Tells the watch that the work goes on.
    function is_stopped(stop) result(is)
       type(stop_type), intent(in) :: stop
       logical :: is
       is = .false.
+      if (associated(stop%watch)) call stop%watch%tick()
       if (associated(stop%asked)) is = stop%asked()
    end function is_stopped
 
