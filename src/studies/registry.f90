@@ -56,16 +56,17 @@ contains
       end do
    end subroutine deck_groups
 
-   !> Enters the files that studies write into the job, for the part of it that is at hand.
+   !> Enters the names of files that studies write into the job, for the part of it that is at hand.
    subroutine name_studies(studies, job)
       type(studies_type), intent(in) :: studies
       type(job_type), intent(inout) :: job
-      type(text_type), allocatable :: names(:), records(:), files(:)
+      type(text_type), allocatable :: names(:), records(:), files(:), forms(:), kinds(:)
       integer :: i, k
-      allocate (names(0), records(0), files(0))
+      allocate (names(0), records(0), files(0), forms(0), kinds(0))
       do i = 1, size(studies%items)
          call studies%items(i)%study%name_files(job, names)
          call studies%items(i)%study%name_records(job, records)
+         call studies%items(i)%study%add_forms(forms, kinds)
       end do
       do i = 1, size(names)      ! some write rows of one file
          if (any([(files(k)%text == names(i)%text, k=1, size(files))])) cycle
@@ -73,6 +74,8 @@ contains
       end do
       job%study_files = files
       job%study_records = records
+      job%study_forms = forms
+      job%study_kinds = kinds
    end subroutine name_studies
 
    !> What studies tell of a deck: those that run with the load cases at last.

@@ -13,13 +13,12 @@ module dg_result_name
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
-   character(*), parameter :: fixed_names(9) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html', &
-      'study.csv', 'steering.csv', 'calibration.csv', 'calibration_data.csv', 'calibration_prediction.csv']
+   character(*), parameter :: fixed_names(4) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html']
    !> Beginnings of names with something of the deck in them, and their endings. Builds before 0.2.0 wrote .vtkhdf.
-   character(*), parameter :: beginnings(9) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_', &
-                                                              'legacy_', 'sweep_', 'uncertainty_']
-   character(*), parameter :: endings(9) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf', '.csv', '.csv', &
-                                                            '.csv']
+   character(*), parameter :: beginnings(6) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_']
+   character(*), parameter :: endings(6) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf']
+   !> Stands for something of the deck in the forms of names of studies.
+   character, parameter :: anything = '*'
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
    character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
    !> What names may be made of, and how long the system lets them be.
@@ -112,8 +111,9 @@ contains
    end subroutine result_names
 
    !> Whether a name could be that of a result: plain, in the output folder or its folder of pictures, of a form that runs write.
-   pure function is_result_name(name) result(is)
+   pure function is_result_name(name, forms) result(is)
       character(*), intent(in) :: name
+      type(text_type), intent(in) :: forms(:)      !< of names that studies give: study.csv, sweep_*.csv
       logical :: is
       integer :: i, j
       is = .false.
@@ -135,16 +135,25 @@ contains
             is = is .or. has_form(name, trim(beginnings(i)), '_'//trim(model_name(j))//trim(endings(i)))
          end do
       end do
+      do i = 1, size(forms)
+         j = index(forms(i)%text, anything)
+         if (j == 0) then
+            is = is .or. name == forms(i)%text
+         else
+            is = is .or. has_form(name, forms(i)%text(:j - 1), forms(i)%text(j + 1:))
+         end if
+      end do
    end function is_result_name
 
    !> Whether a name could be that of a record.
-   pure function is_record_name(name) result(is)
+   pure function is_record_name(name, kinds) result(is)
       character(*), intent(in) :: name
+      type(text_type), intent(in) :: kinds(:)      !< of studies that keep records: sweep
       logical :: is
-      integer :: part, of
+      integer :: part, of, i
       is = .false.
       if (.not. is_plain(name)) return
-      if (index(name, 'sweep_') /= 1 .and. index(name, 'uncertainty_') /= 1) return
+      if (.not. any([(index(name, kinds(i)%text//'_') == 1, i=1, size(kinds))])) return
       is = has_form(name, '', '.partial') .or. has_form(name, '', '.failed')
       part = index(name, '.part_', back=.true.)
       of = index(name, '_of_', back=.true.)

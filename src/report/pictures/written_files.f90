@@ -36,7 +36,7 @@ contains
       integer :: i
       allocate (names(0), earlier(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call names_to_write(job, model, names)
-      if (job%parts == 0) call read_list(job%output_dir, earlier)
+      if (job%parts == 0) call read_list(job, earlier)
       faults = ''
       do i = 1, size(names)
          call look_for(names(i)%text, 'write')
@@ -76,7 +76,7 @@ contains
          do step = 1, most_links
             home = identity_of(beside(path, '.'))
             base = path(len(folder_of(path)) + 1:)
-            if (is_same_file(home, pictures) .and. is_result_name(picture_folder//'/'//base)) then
+            if (is_same_file(home, pictures) .and. is_result_name(picture_folder//'/'//base, job%study_forms)) then
                call note(input, 'write', job%output_dir//'/'//picture_folder//'/'//base)
                return
             end if
@@ -159,7 +159,7 @@ contains
       if (job%parts > 0) return
       call remove_unfinished(job, picture_folder//'/')
       allocate (names(0), earlier(0))   ! as above
-      call read_list(job%output_dir, earlier)
+      call read_list(job, earlier)
       do i = 1, size(earlier)
          call remove_result(job, earlier(i)%text)
          call remove_result(job, earlier(i)%text//unfinished_suffix)     ! of a picture that was being drawn
@@ -197,7 +197,7 @@ contains
       integer :: i, n
       if (job%parts > 0) return
       allocate (names(0))   ! as above
-      call read_list(job%output_dir, names)
+      call read_list(job, names)
       allocate (there(size(names)))
       n = 0
       do i = 1, size(names)
@@ -219,29 +219,29 @@ contains
       mine = job%study_records
       call list_folder(job%output_dir, '.partial', found)
       do i = 1, size(found)
-         if (.not. is_record_name(found(i)%text)) cycle
+         if (.not. is_record_name(found(i)%text, job%study_kinds)) cycle
          if (any([(mine(k)%text == found(i)%text, k=1, size(mine))])) cycle
          call append_text(names, found(i)%text)
       end do
    end subroutine other_records
 
    !> The names of the list in a folder, those of results only; none where there is no list of ours.
-   subroutine read_list(folder, names)
-      character(*), intent(in) :: folder
+   subroutine read_list(job, names)
+      type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(out) :: names(:)
       type(text_type), allocatable :: lines(:)
       type(identity_type) :: list
       character(:), allocatable :: failure
       integer :: i, n
       allocate (names(0))
-      list = identity_of_link(folder//'/'//list_name)
+      list = identity_of_link(job%output_dir//'/'//list_name)
       if (.not. list%is_regular) return
-      call read_lines(folder//'/'//list_name, lines, failure)
+      call read_lines(job%output_dir//'/'//list_name, lines, failure)
       if (failure /= '' .or. size(lines) == 0) return
       if (lines(1)%text /= title) return
       n = 0
       do i = 2, size(lines)
-         if (.not. is_result_name(lines(i)%text)) cycle
+         if (.not. is_result_name(lines(i)%text, job%study_forms)) cycle
          n = n + 1
          lines(n)%text = lines(i)%text
       end do
@@ -302,7 +302,7 @@ contains
       call list_folder(job%output_dir//'/'//place, unfinished_suffix, found)
       do i = 1, size(found)
          name = place//finished_name(found(i)%text)
-         goes = is_result_name(name) .or. is_record_name(name) .or. name == list_name
+         goes = is_result_name(name, job%study_forms) .or. is_record_name(name, job%study_kinds) .or. name == list_name
          if (job%parts > 0) goes = any([(mine(k)%text == name, k=1, size(mine))])
          path = job%output_dir//'/'//place//found(i)%text
          file = identity_of_link(path)

@@ -25,6 +25,8 @@ module dg_job
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(text_type), allocatable :: study_files(:)    !< names of the results that studies write
       type(text_type), allocatable :: study_records(:)  !< names of the records that they keep of unfinished work
+      type(text_type), allocatable :: study_forms(:)    !< forms of names of results that studies of any deck write: sweep_*.csv
+      type(text_type), allocatable :: study_kinds(:)    !< beginnings of names of records that they keep: sweep
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       type(design_factors_type) :: design      !< of strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record

@@ -46,6 +46,7 @@ module dg_accuracy_study
       procedure :: run => run_plan
       procedure :: echo
       procedure :: name_files
+      procedure :: add_forms
       procedure :: add_need
       procedure :: add_pictures
    end type accuracy_study_type
@@ -180,6 +181,15 @@ contains
       type(text_type), allocatable, intent(inout) :: names(:)
       if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
    end subroutine name_files
+
+   !> Forms of their names.
+   subroutine add_forms(self, forms, kinds)
+      class(accuracy_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (not_needed => self, nor => kinds)
+         call append_text(forms, file)
+      end associate
+   end subroutine add_forms
 
    !> Solutions go one by one.
    subroutine add_need(self, job, model, need)

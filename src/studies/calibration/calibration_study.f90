@@ -48,6 +48,7 @@ module dg_calibration_study
       procedure :: run => run_calibrations
       procedure :: echo
       procedure :: name_files
+      procedure :: add_forms
       procedure :: add_need
       procedure :: add_pictures
    end type calibration_study_type
@@ -204,6 +205,17 @@ contains
       call append_text(names, 'calibration_data.csv')
       if (any(predicts(self%calibrations))) call append_text(names, 'calibration_prediction.csv')
    end subroutine name_files
+
+   !> Forms of their names.
+   subroutine add_forms(self, forms, kinds)
+      class(calibration_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (not_needed => self, nor => kinds)
+         call append_text(forms, factor_file)
+         call append_text(forms, 'calibration_data.csv')
+         call append_text(forms, 'calibration_prediction.csv')
+      end associate
+   end subroutine add_forms
 
    !> Least squares work by LAPACK.
    subroutine add_need(self, job, model, need)

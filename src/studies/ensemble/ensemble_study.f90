@@ -1,5 +1,4 @@
-!> A study of numbered points: solved in parts where asked for, from where an interrupted run stopped. A sweep and a Monte Carlo
-!> extend it.
+!> A study of numbered points, solved in parts where asked for, from where an interrupted run stopped: sweep, Monte Carlo.
 module dg_ensemble_study
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -17,6 +16,7 @@ module dg_ensemble_study
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, print_line
    use dg_progress, only: end_progress, progress_type, start_progress
+   use dg_range_text, only: range_text_type
    use dg_result_name, only: failed_file, record_file
    use dg_study, only: phase_points, run_type, study_type
    use dg_sweep, only: sweep_type
@@ -27,7 +27,7 @@ module dg_ensemble_study
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: ensemble_study_type, prepare_ensembles, range_text_type
+   public :: ensemble_study_type, prepare_ensembles
 
    type, abstract, extends(study_type) :: ensemble_study_type
       type(ensemble_type), allocatable :: ensembles(:)    !< as many as the deck has groups
@@ -44,20 +44,12 @@ module dg_ensemble_study
       procedure :: phase
       procedure :: run => run_ensembles
       procedure :: name_files
+      procedure :: add_forms
       procedure :: name_records
       procedure :: add_need
       procedure :: prepare => prepare_ensembles
       procedure :: finish => close_records
    end type ensemble_study_type
-
-   !> What it is called.
-   type :: range_text_type
-      character(:), allocatable :: what            !< sweep or uncertainty, in messages and names of files
-      character(:), allocatable :: points          !< its points, and those that are solved
-      character(:), allocatable :: points_solved
-      character(:), allocatable :: left_out        !< what becomes of those that did not converge; '': nothing
-      character(:), allocatable :: fewer           !< what makes them less
-   end type range_text_type
 
    abstract interface
       !> How many the deck has.
@@ -337,6 +329,16 @@ contains
          end do
       end associate
    end subroutine name_files
+
+   !> Forms of their names, and of those of records.
+   subroutine add_forms(self, forms, kinds)
+      class(ensemble_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      type(range_text_type) :: texts
+      texts = self%texts()
+      call append_text(forms, texts%what//'_*.csv')
+      call append_text(kinds, texts%what)
+   end subroutine add_forms
 
    !> A record each, and of an undivided run one of points that did not converge.
    subroutine name_records(self, job, names)

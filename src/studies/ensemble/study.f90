@@ -51,6 +51,7 @@ module dg_study
       procedure :: add_groups => no_groups
       procedure :: echo => echo_nothing
       procedure :: name_files => no_files
+      procedure :: add_forms => no_forms
       procedure :: name_records => no_files
       procedure :: add_need => need_nothing
       procedure :: prepare => prepare_nothing
@@ -123,6 +124,14 @@ contains
       associate (none => self, of_these => job, changes => names)
       end associate
    end subroutine no_files
+
+   !> Forms of names of results that it writes for any deck, '*' for something of the deck, and beginnings of names of records.
+   subroutine no_forms(self, forms, kinds)
+      class(study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (none => self, of_these => forms, changes => kinds)
+      end associate
+   end subroutine no_forms
 
    !> Memory that it takes.
    subroutine need_nothing(self, job, model, need)

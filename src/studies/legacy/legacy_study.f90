@@ -34,6 +34,7 @@ module dg_legacy_study
       procedure :: phase
       procedure :: run => compare_tables
       procedure :: name_files
+      procedure :: add_forms
       procedure :: add_pictures
    end type legacy_study_type
 
@@ -135,6 +136,15 @@ contains
          call append_text(names, file_of(self%tables(i)))
       end do
    end subroutine name_files
+
+   !> Forms of their names.
+   subroutine add_forms(self, forms, kinds)
+      class(legacy_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (not_needed => self, nor => kinds)
+         call append_text(forms, 'legacy_*.csv')
+      end associate
+   end subroutine add_forms
 
    !> A picture for each table.
    subroutine add_pictures(self, job, model, list, error)

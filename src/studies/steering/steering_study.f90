@@ -39,6 +39,7 @@ module dg_steering_study
       procedure :: run => run_steering
       procedure :: echo
       procedure :: name_files
+      procedure :: add_forms
    end type steering_study_type
 
    character(*), parameter :: file = 'steering.csv'
@@ -170,6 +171,15 @@ contains
       type(text_type), allocatable, intent(inout) :: names(:)
       if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
    end subroutine name_files
+
+   !> Forms of their names.
+   subroutine add_forms(self, forms, kinds)
+      class(steering_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (not_needed => self, nor => kinds)
+         call append_text(forms, file)
+      end associate
+   end subroutine add_forms
 
    !> A case that no toolface changes has one row.
    subroutine once_each(results)

@@ -41,6 +41,7 @@ module dg_sticking_study
       procedure :: run => run_stickings
       procedure :: echo
       procedure :: name_files
+      procedure :: add_forms
       procedure :: add_need
    end type sticking_study_type
 
@@ -159,6 +160,15 @@ contains
       type(text_type), allocatable, intent(inout) :: names(:)
       if (self%is_asked() .and. job%merge == 0) call append_text(names, factor_file)
    end subroutine name_files
+
+   !> Forms of their names.
+   subroutine add_forms(self, forms, kinds)
+      class(sticking_study_type), intent(in) :: self
+      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
+      associate (not_needed => self, nor => kinds)
+         call append_text(forms, factor_file)
+      end associate
+   end subroutine add_forms
 
    !> Least squares work by LAPACK.
    subroutine add_need(self, job, model, need)

@@ -4,7 +4,7 @@ module dg_sweep_study
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
-   use dg_ensemble_study, only: ensemble_study_type, range_text_type
+   use dg_ensemble_study, only: ensemble_study_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
@@ -15,6 +15,7 @@ module dg_sweep_study
    use dg_picture_data, only: picture_data_type, rows_of_file
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_sweep_keys, only: sweep_keys, sweep_rule
+   use dg_range_text, only: range_text_type
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_echo, only: add_sweeps

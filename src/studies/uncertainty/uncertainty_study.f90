@@ -3,7 +3,7 @@ module dg_uncertainty_study
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_uncertainty, only: take_uncertainties
-   use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles, range_text_type
+   use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type, raise, status_not_converged
    use dg_fault_list, only: fault_list_type
@@ -16,6 +16,7 @@ module dg_uncertainty_study
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
+   use dg_range_text, only: range_text_type
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_points, only: add_indicator
