@@ -1,5 +1,5 @@
-!> Advice of messages about a solved case: it is followed, and the message is gone. Decks are wells that had the message, with as few
-!> stations as keep it.
+!> Advice of messages about a solved case: it is followed, and the message is gone. Decks are wells that had the message, with as
+!> few stations as keep it.
 module dg_test_followed_advice
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use dg_program_run, only: content, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
