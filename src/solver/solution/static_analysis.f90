@@ -292,10 +292,9 @@ contains
       call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
                           residual)
       stays = outcome == outcome_converged
-      associate (force_scale => string%equations%force_scale)
-         limit = tolerance_at(numerics, string%mesh, string%gaps, string%loads, force_scale)*force_scale
-         if (stays) stays = residual <= limit(2)
-      end associate
+      limit = tolerance_at(numerics, string%mesh, string%gaps, string%loads, string%equations%force_scale) &
+              *string%equations%force_scale
+      if (stays) stays = residual <= limit(2)
    end subroutine try_in_plane
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its

@@ -105,8 +105,10 @@ contains
       ! a part of a string may be pushed by what is above it
       if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
-      if (outcome == outcome_converged .and. equations%gaps_taken_back) call add_message(result, 'Contact points could not be '// &
-         'moved to where the string lies deepest: '//touched//shorter_elements(model%units, mesh))
+      if (outcome == outcome_converged .and. equations%gaps_taken_back) then
+         call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
+         call advise_shorter_elements(model%units, mesh, result)
+      end if
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
          if (outside%elements > 0) call add_outside(model%units, outside, result)
@@ -251,22 +253,22 @@ contains
       type(case_result_type), intent(inout) :: result
       if (result%status == result_converged .and. result%way == way_left) call add_message(result, 'Solved in space, as '// &
          to_text(in_plane)//' iterations in the plane of the hole found no equilibrium that lasts')
-      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) &
+      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) then
          call add_message(result, "Converged only with gap_location = '"// &
                           trim(gap_location_name(numerics%gap_location))// &
-                          "'. Allow 1 % on hook load, torque and contact force, and "//touched// &
-                          shorter_elements(units, mesh))
+                          "'. Allow 1 % on hook load, torque and contact force, and "//touched)
+         call advise_shorter_elements(units, mesh, result)
+      end if
    end subroutine add_remarks
 
-   !> The advice of shorter elements, as the next sentence; '' where they would be very short.
-   pure function shorter_elements(units, mesh) result(text)
+   !> Add the advice to take shorter elements, where they would not be very short.
+   pure subroutine advise_shorter_elements(units, mesh, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
-      character(:), allocatable :: text
-      text = ''
-      if (advised*maxval(mesh%length) > shortest_advised) text = '. An element_length of '// &
-         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))//' removes this from most strings'
-   end function shorter_elements
+      type(case_result_type), intent(inout) :: result
+      if (advised*maxval(mesh%length) > shortest_advised) call add_message(result, 'An element_length of '// &
+         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))//' removes this from most strings')
+   end subroutine advise_shorter_elements
 
    !> Adds what is said of a string that stands outside its hole.
    pure subroutine add_outside(units, outside, result)
