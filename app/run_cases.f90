@@ -94,21 +94,17 @@ contains
       type(failure_type) :: failures(size(results))
       type(progress_type), target :: progress
       type(case_watch_type), target :: watches(size(results))
-      type(stop_type) :: stop
       logical, target :: solved(size(results))
       integer :: row, next
       call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
       next = 1
-      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
-      !$omp& private(row, stop)
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
       do row = 1, size(results)
          watches(row)%progress => progress
          watches(row)%solved => solved
          watches(row)%what = place(job, model, number_of(row), case_of(row))
-         stop = by_signals()
-         stop%watch => watches(row)
-         call solve_case(model, number_of(row), case_of(row), results(row), failures(row)%error, stop=stop)
+         call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
@@ -144,6 +140,20 @@ contains
          index = modulo(row - 1, size(model%cases)) + 1
       end function case_of
    end subroutine solve_all
+
+   !> Solve a case that a signal may end, and that a watch is told of.
+   subroutine solve_watched(model, number, case_index, watch, result, error)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number            !< of the model
+      integer, intent(in) :: case_index
+      type(case_watch_type), intent(in), target :: watch
+      type(case_result_type), intent(out) :: result
+      type(error_type), allocatable, intent(out) :: error
+      type(stop_type) :: stop
+      stop = by_signals()
+      stop%watch => watch
+      call solve_case(model, number, case_index, result, error, stop=stop)
+   end subroutine solve_watched
 
    !> Tells what went wrong with a case and raises the exit status by it.
    subroutine note_outcome(where, result, error, status)
