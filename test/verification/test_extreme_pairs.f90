@@ -65,7 +65,7 @@ contains
             if (i == 2) call take_pair(', hard wall, short elements', hard, short)
             if (i == 2) call take_pair(', hard wall, long elements', hard, long)
             if (i /= 2) call take_pair(', hard wall', hard, 0.0_wp)
-            if (i /= 2) call take_pair(', short elements', 0.0_wp, short)
+            if (i == 1 .or. (i == 3 .and. k == 1)) call take_pair(', short elements', 0.0_wp, short)
             if (i /= 2) call take_pair(', long elements', 0.0_wp, long)
          end do
       end do
