@@ -27,16 +27,16 @@ module dg_extreme_case
    integer, parameter :: hookload = 1, torque = 2, contact = 3, moment = 4, quantity_count = 4
    character(*), parameter :: quantity_name(quantity_count) = [character(9) :: 'hook load', 'torque', 'contact', 'moment']
    !> Words of a warning that says that a quantity may be off, without a figure for it.
-   character(*), parameter :: warned_by(quantity_count) = [character(40) :: 'hook load, torque and contact force may ', &
-      'hook load, torque and contact force may ', 'hook load, torque and contact force may ', 'moments and stresses']
+   character(*), parameter :: warned_by(quantity_count) = [character(40) :: 'on hook load, torque and contact force', &
+      'on hook load, torque and contact force', 'on hook load, torque and contact force', 'Bending moments and stresses']
    !> The same of a string that whirls, by other words.
-   character(*), parameter :: warned_too(quantity_count) = [character(40) :: 'hook load, torque and contact force may ', &
+   character(*), parameter :: warned_too(quantity_count) = [character(40) :: 'on hook load, torque and contact force', &
       'contact force and friction torque there', 'contact force and friction torque there', 'bending moments between contacts']
    !> What stands before another hook load and another largest moment of a coiled string.
-   character(*), parameter :: another = 'from another start', other_hookload = ' the hook load is', &
+   character(*), parameter :: another = 'From another start', other_hookload = ' the hook load is', &
                               other_moment = 'the largest bending moment is'
    !> What stands before the per cent by which contact force, and with it hook load and torque, may be off.
-   character(*), parameter :: one_of_them = 'one of them is off by '
+   character(*), parameter :: one_of_them = '(moments, side forces). Allow '
    !> Told errors have two digits [-].
    real(wp), parameter :: rounded = 1.05_wp
    !> Stands for an error that has no figure [-].
