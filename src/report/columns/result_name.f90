@@ -5,7 +5,7 @@ module dg_result_name
    use dg_text, only: text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, record_file, failed_file
+   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, points_file, record_file, failed_file
    public :: result_names, is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
@@ -49,10 +49,17 @@ contains
       end select
    end function case_file
 
-   !> Name of the record of work that is not finished: of a part, or of an undivided run (`parts` = 0).
-   pure function record_file(what, name, part, parts) result(file)
+   !> Name of the file of points over bit depth.
+   pure function points_file(what, name) result(file)
       character(*), intent(in) :: what         !< sweep or uncertainty
       character(*), intent(in) :: name         !< of it
+      character(:), allocatable :: file
+      file = what//'_'//name//'.csv'
+   end function points_file
+
+   !> Name of the record of work that is not finished: of a part, or of an undivided run (`parts` = 0).
+   pure function record_file(what, name, part, parts) result(file)
+      character(*), intent(in) :: what, name   !< as in points_file
       integer, intent(in) :: part, parts
       character(:), allocatable :: file
       file = what//'_'//name//'.partial'
@@ -61,7 +68,7 @@ contains
 
    !> Name of the record that an undivided run leaves where points did not converge: they can be solved again from it.
    pure function failed_file(what, name) result(file)
-      character(*), intent(in) :: what, name   !< as in record_file
+      character(*), intent(in) :: what, name   !< as in points_file
       character(:), allocatable :: file
       file = what//'_'//name//'.failed'
    end function failed_file

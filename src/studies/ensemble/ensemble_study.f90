@@ -17,7 +17,7 @@ module dg_ensemble_study
    use dg_printed_text, only: print_and_keep, print_line
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_range_text, only: range_text_type
-   use dg_result_name, only: failed_file, record_file
+   use dg_result_name, only: failed_file, points_file, record_file
    use dg_study, only: phase_points, run_type, study_type
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: is_solved
@@ -325,7 +325,7 @@ contains
       associate (not_needed => job)
          do i = 1, self%range_count()
             range = self%range(i)
-            call append_text(names, texts%what//'_'//range%name//'.csv')
+            call append_text(names, points_file(texts%what, range%name))
          end do
       end associate
    end subroutine name_files
@@ -336,7 +336,7 @@ contains
       type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
       type(range_text_type) :: texts
       texts = self%texts()
-      call append_text(forms, texts%what//'_*.csv')
+      call append_text(forms, points_file(texts%what, '*'))
       call append_text(kinds, texts%what)
    end subroutine add_forms
 

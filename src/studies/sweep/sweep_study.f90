@@ -16,6 +16,7 @@ module dg_sweep_study
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_range_text, only: range_text_type
+   use dg_result_name, only: points_file
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_echo, only: add_sweeps
@@ -150,7 +151,7 @@ contains
          call add_indicator(run%model, sweep, 1, points)
          call add_margins(run%job, run%model, sweep, points)
          call note_sweep(run%printed%outcome, sweep, points, sweep_sentences(run%job%units, sweep, points))
-         call write_sweep(run%job%output_dir//'/'//file_of(sweep), run%job, sweep, points, error)
+         call write_sweep(run%job%output_dir//'/'//points_file('sweep', sweep%name), run%job, sweep, points, error)
          if (.not. allocated(error)) allocate (lines, source=sweep_table(run%job%units, sweep, points))
       end associate
    end subroutine report
@@ -180,7 +181,7 @@ contains
          associate (sweep => self%sweeps(i))
             do k = 1, size(sweep%models)
                name = free_name(list, 'sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k))))
-               data = rows_of_file(job, file_of(sweep), sweep_columns, shown, &
+               data = rows_of_file(job, points_file('sweep', sweep%name), sweep_columns, shown, &
                                    text_list('model', trim(model_name(sweep%models(k)))))
                call sweep_script(name, job%units, sweep, sweep%models(k), model%rig, model%holes, &
                                  any([(data%rows(row)%fields(margin)%kind == field_real, row=1, size(data%rows))]), lines)
@@ -190,10 +191,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   pure function file_of(sweep) result(name)
-      type(sweep_type), intent(in) :: sweep
-      character(:), allocatable :: name
-      name = 'sweep_'//sweep%name//'.csv'
-   end function file_of
 end module dg_sweep_study

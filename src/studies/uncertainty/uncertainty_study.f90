@@ -17,6 +17,7 @@ module dg_uncertainty_study
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
    use dg_range_text, only: range_text_type
+   use dg_result_name, only: points_file
    use dg_study, only: run_type
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_points, only: add_indicator
@@ -197,7 +198,8 @@ contains
          do i = 1, size(statistics)
             statistics(i) = find_point_statistics(uncertainty, i, points)
          end do
-         call write_uncertainty(run%job%output_dir//'/'//file_of(uncertainty), run%job, uncertainty, statistics, error)
+         call write_uncertainty(run%job%output_dir//'/'//points_file('uncertainty', uncertainty%range%name), run%job, &
+                                uncertainty, statistics, error)
          if (.not. allocated(error)) &
             allocate (lines, source=uncertainty_table(run%job%units, uncertainty, statistics, run%model%rig%given))
       end associate
@@ -228,16 +230,10 @@ contains
                name = free_name(list, 'uncertainty_'//range%name//'_'//trim(model_name(range%models(k))))
                call uncertainty_script(name, job%units, range, range%models(k), model%rig, model%holes, lines)
                call add_picture(list, job, new_picture(name, 'What uncertain data make of hook load and torque', 0, &
-                  rows_of_file(job, file_of(self%uncertainties(i)), uncertainty_columns, shown, &
+                  rows_of_file(job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
                                text_list('model', trim(model_name(range%models(k)))))), lines, error)
             end do
          end associate
       end do
    end subroutine add_pictures
-
-   pure function file_of(uncertainty) result(name)
-      type(uncertainty_type), intent(in) :: uncertainty
-      character(:), allocatable :: name
-      name = 'uncertainty_'//uncertainty%range%name//'.csv'
-   end function file_of
 end module dg_uncertainty_study
