@@ -98,12 +98,14 @@ contains
       integer :: row, next
       call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
-      next = 1
-      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
-      do row = 1, size(results)
+      do row = 1, size(results)      ! before threads begin: gfortran keeps the length of such a text in a static variable
          watches(row)%progress => progress
          watches(row)%solved => solved
          watches(row)%what = place(job, model, number_of(row), case_of(row))
+      end do
+      next = 1
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
+      do row = 1, size(results)
          call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
          if (allocated(results(row)%profile%md)) then
             call find_along_string(model, results(row), alongs(row))
