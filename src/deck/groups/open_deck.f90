@@ -15,7 +15,7 @@ module dg_open_deck
    use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
    use dg_fluid_notes, only: note_fluids
-   use dg_deck_schema, only: group_keys_type, group_place, group_rule_type, name_length
+   use dg_deck_schema, only: group_keys_type, group_place, name_length
    use dg_deck_survey, only: read_stations
    use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_tie_on, only: tie_on
@@ -53,7 +53,7 @@ contains
       call tokenize(lines, tokens)
       call parse_groups(path, tokens, groups, faults)
       deallocate (tokens)
-      call check_group_names(path, groups, rules%rule, faults)
+      call check_group_names(path, groups, rules, faults)
       deck%draft%path = path
       deck%draft%units = units_of(groups)
       call check_units(path, groups, rules, deck%draft%units, known, faults)
@@ -102,27 +102,29 @@ contains
    subroutine check_group_names(path, groups, rules, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
-      type(group_rule_type), intent(in) :: rules(:)
+      type(group_keys_type), intent(in) :: rules(:)      !< groups that a deck may have
       type(fault_list_type), intent(inout) :: faults
       character(name_length) :: names(size(rules))
       integer :: i, j, k, slips, found(size(rules))
-      names = rules%name
+      do k = 1, size(rules)
+         names(k) = rules(k)%rule%name
+      end do
       slips = 0
       found = 0
       do i = 1, size(groups)
-         k = place_of(groups(i)%name)
+         k = group_place(rules, groups(i)%name)
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
                            suggestion(groups(i)%name, names))
             cycle
          end if
-         if (.not. rules(k)%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+         if (.not. rules(k)%rule%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
             ': not available in this version; leave it out')
          found(k) = found(k) + 1
-         if (found(k) == rules(k)%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
-            ': a deck has at most '//to_text(rules(k)%most)//' of them')
-         if (rules(k)%repeatable) cycle
+         if (found(k) == rules(k)%rule%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
+            ': a deck has at most '//to_text(rules(k)%rule%most)//' of them')
+         if (rules(k)%rule%repeatable) cycle
          do j = 1, i - 1
             if (groups(j)%name /= groups(i)%name) cycle
             call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name//': given a second time, first in line '// &
@@ -133,20 +135,14 @@ contains
       ! a misspelt group is most likely the missing one
       if (slips > 0) return
       do k = 1, size(rules)
-         if (.not. rules(k)%required) cycle
+         if (.not. rules(k)%rule%required) cycle
          do i = 1, size(groups)
-            if (groups(i)%name == rules(k)%name) exit
-            if (rules(k)%name == 'load_case' .and. rules(place_of(groups(i)%name))%own_cases) exit
+            if (groups(i)%name == rules(k)%rule%name) exit
+            if (rules(k)%rule%name == 'load_case' .and. rules(group_place(rules, groups(i)%name))%rule%own_cases) exit
          end do
-         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(rules(k)%name)// &
-            ': missing; a deck needs it ('//trim(rules(k)%meaning)//')')
+         if (i > size(groups)) call add_fault(faults, path, 1, 'group &'//trim(rules(k)%rule%name)// &
+            ': missing; a deck needs it ('//trim(rules(k)%rule%meaning)//')')
       end do
-   contains
-      pure function place_of(name) result(place)
-         character(*), intent(in) :: name
-         integer :: place
-         place = findloc(rules%name == name, .true., dim=1)
-      end function place_of
    end subroutine check_group_names
 
    !> Files that the deck is made of: itself, its survey, its catalogue ('': none).
