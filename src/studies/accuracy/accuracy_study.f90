@@ -23,7 +23,7 @@ module dg_accuracy_study
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_solve_case, only: solve_case
    use dg_study_keys, only: study_keys, study_rule
-   use dg_study, only: phase_cases, run_type, study_type
+   use dg_study, only: run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
    use dg_study_file, only: study_columns, write_study
    use dg_study_picture, only: study_script
@@ -42,7 +42,6 @@ module dg_accuracy_study
       procedure :: add_groups
       procedure :: read => read_plan
       procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_plan
       procedure :: echo
       procedure :: name_files
@@ -88,15 +87,6 @@ contains
       logical :: is
       is = allocated(self%plan)
    end function is_asked
-
-   !> With the load cases.
-   pure function phase(self)
-      class(accuracy_study_type), intent(in) :: self
-      integer :: phase
-      associate (not_needed => self)
-         phase = phase_cases
-      end associate
-   end function phase
 
    !> How many solutions it takes.
    subroutine echo(self, job, lines)

@@ -46,8 +46,8 @@ module dg_study
    contains
       procedure(read_interface), deferred :: read
       procedure(asked_interface), deferred :: is_asked
-      procedure(phase_interface), deferred :: phase
       procedure(run_interface), deferred :: run
+      procedure :: phase => with_cases
       procedure :: add_groups => no_groups
       procedure :: echo => echo_nothing
       procedure :: name_files => no_files
@@ -79,14 +79,6 @@ module dg_study
          logical :: is
       end function asked_interface
 
-      !> When it runs.
-      pure function phase_interface(self) result(phase)
-         import :: study_type
-         implicit none
-         class(study_type), intent(in) :: self
-         integer :: phase
-      end function phase_interface
-
       !> Solves, prints and writes. Failures are told and raise the status of the run; `error` keeps what is to come from being run.
       subroutine run_interface(self, run, error)
          import :: study_type, run_type, error_type
@@ -98,6 +90,15 @@ module dg_study
    end interface
 
 contains
+
+   !> When it runs: with the load cases.
+   pure function with_cases(self) result(phase)
+      class(study_type), intent(in) :: self
+      integer :: phase
+      associate (none => self)
+         phase = phase_cases
+      end associate
+   end function with_cases
 
    !> Groups of a deck that it has, with their keys.
    subroutine no_groups(self, groups)

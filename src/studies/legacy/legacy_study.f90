@@ -18,7 +18,7 @@ module dg_legacy_study
    use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_legacy_keys, only: legacy_keys, legacy_rule
-   use dg_study, only: phase_cases, run_type, study_type
+   use dg_study, only: run_type, study_type
    use dg_text, only: append_text, text_list, text_type
    implicit none
    private
@@ -31,7 +31,6 @@ module dg_legacy_study
       procedure :: add_groups
       procedure :: read => read_tables
       procedure :: is_asked
-      procedure :: phase
       procedure :: run => compare_tables
       procedure :: name_files
       procedure :: add_forms
@@ -78,15 +77,6 @@ contains
       logical :: is
       is = size(self%tables) > 0
    end function is_asked
-
-   !> With the load cases.
-   pure function phase(self)
-      class(legacy_study_type), intent(in) :: self
-      integer :: phase
-      associate (not_needed => self)
-         phase = phase_cases
-      end associate
-   end function phase
 
    !> Each table beside all results of its case.
    subroutine compare_tables(self, run, error)

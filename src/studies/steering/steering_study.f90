@@ -21,7 +21,7 @@ module dg_steering_study
    use dg_steering_result, only: steering_result_type
    use dg_steering_table, only: steering_table
    use dg_steering_keys, only: steering_keys, steering_rule
-   use dg_study, only: phase_cases, run_type, study_type
+   use dg_study, only: run_type, study_type
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_threads, only: thread_count
    implicit none
@@ -35,7 +35,6 @@ module dg_steering_study
       procedure :: add_groups
       procedure :: read => read_steering
       procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_steering
       procedure :: echo
       procedure :: name_files
@@ -73,15 +72,6 @@ contains
       logical :: is
       is = allocated(self%steering)
    end function is_asked
-
-   !> With the load cases.
-   pure function phase(self)
-      class(steering_study_type), intent(in) :: self
-      integer :: phase
-      associate (not_needed => self)
-         phase = phase_cases
-      end associate
-   end function phase
 
    !> How many cases and toolfaces.
    subroutine echo(self, job, lines)
