@@ -18,7 +18,7 @@ module dg_run_cases
    use dg_printed_text, only: print_lines
    use dg_profile_file, only: write_profile
    use dg_progress, only: end_progress, progress_type, start_progress
-   use dg_registry, only: studies_type
+   use dg_registry, only: run_phase, studies_type
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
    use dg_result_table, only: result_table
    use dg_results_h5, only: write_results_h5
@@ -51,7 +51,6 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
-      integer :: i
       call solve_all(run%job, run%model, run%results, alongs, wholes, run%status)
       call note_cases(run%printed%outcome, run%model, run%results)
       call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, error)
@@ -66,13 +65,7 @@ contains
       call print_lines(model_table(run%job, run%model, run%results))
       call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
-      do i = 1, size(studies%items)
-         associate (study => studies%items(i)%study)
-            if (study%phase() /= phase_cases .or. .not. study%is_asked()) cycle
-            call study%run(run, error)
-            call note_failure(error, run%status)
-         end associate
-      end do
+      call run_phase(studies, phase_cases, run, '')
       call flush_output()
       if (is_interrupted()) then
          call tell('ended by '//interruption_name()//': '//to_text(count(run%results%status /= result_not_converged))//' of '// &

@@ -12,7 +12,7 @@ module dg_run_deck
    use dg_part_faults, only: faults_text, start_faults
    use dg_part_list, only: part_list_text
    use dg_printed_text, only: print_line
-   use dg_registry, only: name_studies, studies_type
+   use dg_registry, only: name_studies, run_phase, studies_type
    use dg_run_cases, only: run_cases
    use dg_run_memory, only: check_memory
    use dg_run_pictures, only: run_pictures
@@ -113,8 +113,8 @@ contains
       if (.not. is_divided(job)) rows = size(job%models)*size(given%cases)
       allocate (run%results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(run, studies, alongs, wholes)
-      if (.not. is_divided(job)) call run_phase(phase_after, run, studies, 'calibrations')
-      call run_phase(phase_points, run, studies, '')
+      if (.not. is_divided(job)) call run_phase(studies, phase_after, run, 'calibrations')
+      call run_phase(studies, phase_points, run, '')
       if (.not. is_interrupted()) then
          do i = 1, size(studies%items)
             call studies%items(i)%study%finish(run)
@@ -191,27 +191,6 @@ contains
       call end_files(job, error)
       if (allocated(error)) call tell(error%message)
    end subroutine end_files_of
-
-   !> Runs the studies of a phase.
-   subroutine run_phase(phase, run, studies, what)
-      integer, intent(in) :: phase
-      type(run_type), intent(inout) :: run
-      type(studies_type), intent(inout) :: studies
-      character(*), intent(in) :: what       !< they are, where a signal keeps them from being run; '': they tell
-      type(error_type), allocatable :: error
-      integer :: i
-      do i = 1, size(studies%items)
-         associate (study => studies%items(i)%study)
-            if (study%phase() /= phase .or. .not. study%is_asked()) cycle
-            if (is_interrupted() .and. what /= '') then
-               call note_ending(what, run%status)
-               exit
-            end if
-            call study%run(run, error)
-            call note_failure(error, run%status)
-         end associate
-      end do
-   end subroutine run_phase
 
    !> Tells of unfinished work of other sweeps, which stays in the folder.
    subroutine note_records(job)

@@ -4,19 +4,22 @@ module dg_registry
    use dg_calibration_study, only: calibration_study_type
    use dg_deck_keys, only: scene_groups
    use dg_deck_schema, only: group_keys_type
+   use dg_error, only: error_type
+   use dg_exit_status, only: note_ending, note_failure
    use dg_friction_estimate, only: friction_estimate_type
+   use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_legacy_study, only: legacy_study_type
    use dg_steering_study, only: steering_study_type
    use dg_sticking_study, only: sticking_study_type
    use dg_line_list, only: line_list_type, take_lines
-   use dg_study, only: phase_cases, phase_points, study_type
+   use dg_study, only: phase_cases, phase_points, run_type, study_type
    use dg_sweep_study, only: sweep_study_type
    use dg_text, only: append_text, text_type
    use dg_uncertainty_study, only: uncertainty_study_type
    implicit none
    private
-   public :: studies_type, register_studies, deck_groups, name_studies, echo_studies, have_points
+   public :: studies_type, register_studies, deck_groups, name_studies, echo_studies, run_phase, have_points
 
    !> One study, of whatever type.
    type :: study_item_type
@@ -97,6 +100,27 @@ contains
       call take_lines(first, before)
       call take_lines(last, after)
    end subroutine echo_studies
+
+   !> Runs the studies of a phase. What fails is printed and raises the exit status of the run; the next one goes on.
+   subroutine run_phase(studies, phase, run, what)
+      type(studies_type), intent(inout) :: studies
+      integer, intent(in) :: phase
+      type(run_type), intent(inout) :: run
+      character(*), intent(in) :: what       !< name of them all, for the message that a signal came first; '': each prints its own
+      type(error_type), allocatable :: error
+      integer :: i
+      do i = 1, size(studies%items)
+         associate (study => studies%items(i)%study)
+            if (study%phase() /= phase .or. .not. study%is_asked()) cycle
+            if (is_interrupted() .and. what /= '') then
+               call note_ending(what, run%status)
+               exit
+            end if
+            call study%run(run, error)
+            call note_failure(error, run%status)
+         end associate
+      end do
+   end subroutine run_phase
 
    !> Whether any has numbered points, of which parts can be solved.
    function have_points(studies) result(have)
