@@ -10,7 +10,7 @@ module dg_case_result
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: has_numbers, is_pushed, push_needed
+   public :: add_sentence, has_numbers, is_pushed, push_needed
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
              contact_name
 
@@ -147,6 +147,14 @@ contains
       logical :: has
       has = status /= result_not_converged
    end function has_numbers
+
+   !> Add a sentence, or several, to a message; '' adds nothing.
+   pure subroutine add_sentence(message, sentence)
+      character(:), allocatable, intent(inout) :: message
+      character(*), intent(in) :: sentence      !< without the full stop at its end
+      if (message /= '' .and. sentence /= '') message = message//'. '
+      message = message//sentence
+   end subroutine add_sentence
 
    !> Whether a string would have to be pushed at surface, as `push_needed` says.
    pure function is_pushed(hookload, axial) result(pushed)

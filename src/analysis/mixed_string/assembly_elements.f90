@@ -8,7 +8,7 @@
 !> tens of newtons, off the axial force.
 module dg_assembly_elements
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: add_sentence, case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_drillstring, only: component_tops
@@ -87,10 +87,7 @@ contains
       call curvature_changes(part, case_index, changes)
       call solve_at_changes(part, case_index, pack(changes, matters(changes, uppermost(part, case_index))), above)
       result%status = above%status
-      if (above%message /= '') then
-         if (result%message /= '') result%message = result%message//'. '
-         result%message = result%message//above%message
-      end if
+      call add_sentence(result%message, above%message)
       result%hookload = above%hookload
       result%torque = above%torque
       result%friction = result%friction + above%friction

@@ -2,8 +2,8 @@
 module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
-   use dg_case_result, only: case_result_type, is_pushed, iteration_type, push_needed, result_converged, result_locked_up, &
-                             result_not_converged, way_left
+   use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
+                             result_locked_up, result_not_converged, way_left
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
@@ -177,8 +177,7 @@ contains
    pure subroutine add_message(result, text)
       type(case_result_type), intent(inout) :: result
       character(*), intent(in) :: text
-      if (result%message /= '') result%message = result%message//'. '
-      result%message = result%message//text
+      call add_sentence(result%message, text)
    end subroutine add_message
 
    !> Says how another equilibrium of a coiled string differs, and lets the error of the moments cover it.
