@@ -10,8 +10,7 @@ src/HOUSE/ROOM/FILE.f90, or src/HOUSE/FILE.f90 in a house of one room; app/ is a
   more than 1,800 lines in app/, the bench not counted
   reading or writing in a house that is not meant to
 
-NOT_YET counts what is left to turn round: more is a fault, and less is one until the number there is lowered.
-Prints the uses found; exit status 1 on any fault. --strict: without NOT_YET.
+Prints the uses found; exit status 1 on any fault.
 """
 import collections
 import pathlib
@@ -40,8 +39,6 @@ SERVICES = {"ensemble", "fit"}      # rooms of studies/ that every study may use
 STUDY_FILE = re.compile(r"sweep|calibrat|uncertain|sticking|steering|legacy")
 FULL = 20                           # files a room
 APP_LINES = 1800                    # lines of app/ without the bench
-
-NOT_YET = {}
 
 # Houses whose procedures may read or write files and the screen, and other files that do.
 MAY_TALK = {"app", "report"}
@@ -134,25 +131,12 @@ def check(root):
 
 
 def main():
-    strict = sys.argv[1:] == ["--strict"]
-    if sys.argv[1:] and not strict:
-        raise SystemExit(__doc__)
     arrows, found = check(pathlib.Path(__file__).resolve().parent.parent)
-    not_yet = {} if strict else NOT_YET
     for house in MAY_USE:
         print(f"  {house:13s} uses {', '.join(name for name in MAY_USE if name in arrows[house])}")
-    bad = 0
-    for kind in sorted(found.keys() | not_yet.keys()):
-        lines = found.get(kind, [])
-        if len(lines) > not_yet.get(kind, 0):
-            bad += 1
-            print(*(f"FAULT {kind}: {line}" for line in lines), sep="\n")
-        elif len(lines) < not_yet.get(kind, 0):
-            bad += 1
-            print(f"FAULT {kind}: {len(lines)} are left; lower the number of NOT_YET in {pathlib.Path(__file__).name}")
-        else:
-            print(f"  not yet: {kind}, {len(lines)}")
-    return 1 if bad else 0
+    for kind in sorted(found):
+        print(*(f"FAULT {kind}: {line}" for line in found[kind]), sep="\n")
+    return 1 if found else 0
 
 
 if __name__ == "__main__":
