@@ -136,7 +136,7 @@ contains
       end function case_of
    end subroutine solve_all
 
-   !> Solve a case that a signal may end, and that a watch is told of.
+   !> Solve a case. A signal ends it early, and its watch hears of every iteration.
    subroutine solve_watched(model, number, case_index, watch, result, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: number            !< of the model
@@ -165,8 +165,8 @@ contains
       end if
    end subroutine note_outcome
 
-   !> Writes the files of one case; a failure is told and noted in the exit status. A case that did not converge has its history
-   !> alone.
+   !> Write the files of one case. A failure is printed and raises the exit status. A case that did not converge has no file but
+   !> its history.
    subroutine write_case_files(job, model, result, along, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

@@ -138,15 +138,15 @@ contains
       status = run%status
    end subroutine run_in_folder
 
-   !> Whether a run solves a part of its points, or joins parts: then it does nothing else.
+   !> True where a run solves one part of its points, or joins parts. It does nothing else then.
    pure function is_divided(job) result(is)
       type(job_type), intent(in) :: job
       logical :: is
       is = job%parts > 0 .or. job%merge > 0
    end function is_divided
 
-   !> Runs the studies that change the scene, then lets all studies refuse the run: what is refused leaves the results of an earlier
-   !> run as they are, unless some have been written by then. `error` has been told.
+   !> Run the studies that change the scene, then let every study refuse the run. A refused run leaves the results of an earlier
+   !> run as they are, unless it has already written some. `error` is printed here.
    subroutine prepare_run(run, studies, error)
       type(run_type), intent(inout) :: run
       type(studies_type), intent(inout) :: studies

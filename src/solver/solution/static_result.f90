@@ -218,11 +218,11 @@ contains
       real(wp), intent(in) :: md(2)                     !< where such elements begin and end [m]
       real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
       type(case_result_type), intent(inout) :: result
-      call add_message(result, 'moments and stresses may be off by tens of per cent between '// &
+      call add_message(result, 'Bending moments and stresses may be off by tens of per cent between '// &
                        trim(in_units(units, unit_length, md(1), shown_depth))//' and '// &
-                       trim(in_units(units, unit_length, md(2), shown_depth))//': the string slopes by more than a tenth '// &
-                       'against its hole there, so they are those of elements of up to '// &
-                       trim(in_units(units, unit_length, longest, shown))//'; a smaller element_length makes them better')
+                       trim(in_units(units, unit_length, md(2), shown_depth))//'. The string slopes by more than a tenth '// &
+                       'against its hole there, and they are those of elements of up to '// &
+                       trim(in_units(units, unit_length, longest, shown))//'. A smaller element_length makes them better')
    end subroutine tell_steep
 
    !> Says where the beam that gives the moments has another contact force than the analysis.
