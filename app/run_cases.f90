@@ -7,6 +7,7 @@ module dg_run_cases
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
+   use dg_find_verdict, only: find_verdict
    use dg_history_file, only: write_history
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -31,6 +32,9 @@ module dg_run_cases
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_utilisation, only: find_utilisation
+   use dg_verdict, only: verdict_type
+   use dg_verdict_table, only: verdict_table
+   use dg_warnings_table, only: warnings_table
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -53,7 +57,7 @@ contains
       type(text_type), allocatable :: lines(:)
       call solve_all(run%job, run%model, run%results, alongs, wholes, run%status)
       call note_cases(run%printed%outcome, run%model, run%results)
-      call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, error)
+      call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, wholes, error)
       call note_failure(error, run%status)
       call write_limits(in_folder(run%job, 'limits.csv'), run%job, run%model, run%results, wholes, error)
       call note_failure(error, run%status)
@@ -61,7 +65,9 @@ contains
          call write_results_h5(in_folder(run%job, 'results.h5'), run%job, run%model, run%results, alongs, wholes, error)
          call note_failure(error, run%status)
       end if
-      call print_lines(result_table(run%job, run%model, run%results))
+      call print_lines(verdict_table(run%job, run%model, run%results, wholes))
+      call print_lines(warnings_table(run%job, run%model, run%results))
+      call print_lines(result_table(run%job, run%model, run%results, wholes))
       call print_lines(model_table(run%job, run%model, run%results))
       call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
@@ -88,6 +94,7 @@ contains
       type(progress_type), target :: progress
       type(case_watch_type), target :: watches(size(results))
       logical, target :: solved(size(results))
+      type(verdict_type) :: verdict
       integer :: row, next
       call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
@@ -97,7 +104,8 @@ contains
          watches(row)%what = place(job, model, number_of(row), case_of(row))
       end do
       next = 1
-      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) private(row)
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
+      !$omp private(row, verdict)
       do row = 1, size(results)
          call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
          if (allocated(results(row)%profile%md)) then
@@ -105,6 +113,8 @@ contains
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
             call find_utilisation(model, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if
+         call find_verdict(model, results(row), alongs(row), wholes(row), job%design, job%rig_limit, verdict)
+         wholes(row)%verdict = verdict
          !$omp critical (results_in_order)
          solved(row) = .true.
          if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)

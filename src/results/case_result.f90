@@ -141,11 +141,12 @@ module dg_case_result
 
 contains
 
-   !> Whether a result of this status has numbers to show: one that did not converge has none, in no table, file or picture.
+   !> True where a result of this status has numbers to show. One that did not converge or is locked up has none, in no table, file
+   !> or picture.
    elemental function has_numbers(status) result(has)
       integer, intent(in) :: status      !< result_converged, result_not_converged or result_locked_up
       logical :: has
-      has = status /= result_not_converged
+      has = status == result_converged
    end function has_numbers
 
    !> Add a sentence, or several, to a message; '' adds nothing.

@@ -1,8 +1,8 @@
-!> The last step of all models: which results have numbers. A result that is not finite has not converged, and one that has not
-!> converged has no numbers.
+!> The last step of all models: which results have numbers. A result that is not finite has not converged. Only a converged one has
+!> numbers.
 module dg_finite_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use dg_case_result, only: case_result_type, has_numbers, result_not_converged, unlike_contact_type
+   use dg_case_result, only: case_result_type, has_numbers, result_locked_up, result_not_converged, unlike_contact_type
    use dg_kinds, only: wp
    use dg_missing, only: missing
    use dg_profile, only: profile_type
@@ -13,10 +13,10 @@ module dg_finite_result
 contains
 
    !> Marks a result that holds a NaN or an infinity as not converged, and takes the numbers from every result that has not
-   !> converged. Every model ends with it: nothing else decides that a failed case shows no numbers.
+   !> converged or is locked up. Every model ends with it: nothing else decides that such a case shows no numbers.
    pure subroutine finish_result(result)
       type(case_result_type), intent(inout) :: result
-      if (.not. is_finite(result)) then
+      if (result%status /= result_locked_up .and. .not. is_finite(result)) then
          result%status = result_not_converged
          result%message = 'Forces grew beyond all numbers: nothing is known of this case'
       end if

@@ -111,7 +111,7 @@ contains
       call assertTrue(index(page%lines(1)%text, '>case<br>') > 0, message=page%lines(1)%text)
       call assertTrue(index(page%lines(1)%text, '>stretch<br><small>m</small>') > 0, message=page%lines(1)%text)
       call assertFalse(index(page%lines(1)%text, 'rig') > 0, message=page%lines(1)%text)
-      call assertEqual('<tr class="bad"><td class="text">a&lt;b</td><td>1.25</td></tr>', page%lines(2)%text)
+      call assertEqual('<tr class="bad"><td class="text">a&lt;b !</td><td>1.25</td></tr>', page%lines(2)%text)
    end subroutine test_html_table
 
    !> A row of a CSV file gives the values that it was written from.

@@ -15,6 +15,8 @@ module dg_test_report_files
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
    use dg_case_result, only: case_result_type, contact_joint, contact_point_type
+   use dg_verdict, only: verdict_type
+   use dg_whole_string, only: whole_string_type
    use dg_units, only: field_units
    implicit none
    private
@@ -89,12 +91,13 @@ contains
 
    !> Columns and their order are a contract.
    subroutine test_summary()
+      type(whole_string_type) :: wholes(4)
       type(error_type), allocatable :: error
       type(text_type), allocatable :: found(:)
       character(*), parameter :: contract = 'case,section,model,operation,bit_depth_m,inclination_deg,wob_kN,hookload_kN,'// &
          'measured_kN,error_pct,reference_kN,reference_error_pct,friction_kN,torque_kNm,normal_force_kN,status,'// &
          'iterations,elements,seconds,'
-      call write_summary(path, sample_job(), sample_model(), sample_results(), error)
+      call write_summary(path, sample_job(), sample_model(), sample_results(), wholes, error)
       call assertFalse(allocated(error))
       call read_lines(path, found)
       call assertEqual(5, size(found))
@@ -102,7 +105,7 @@ contains
       call assertEqual(contract, found(1)%text(:len(contract)))
       call assertEqual('i_up,Inclined section,mcge,trip_out,2075.000000,65.00000000,0.000000000,733.4000000,745.0000000,'// &
                        '1.557046980,,,-17.29000000,0.000000000,170.0000000,converged,7,208,0.2500000000,,,100,90,18,12,3,'// &
-                       '0.1000000000E-8,0.2000000000E-8,,', found(2)%text)
+                       '0.1000000000E-8,0.2000000000E-8,,,unknown,,,,,,', found(2)%text)
       call assertTrue(index(found(5)%text, ',170.0000000,,,,524.3000000,,,,,not_converged,200,208,') > 0, message=found(5)%text)
       call assertTrue(index(found(5)%text, ',not_converged,200,') > 0)
    end subroutine test_summary
@@ -117,11 +120,11 @@ contains
       model%cases(1)%section = 'curve, "upper"'
       job = sample_job()
       allocate (results, source=sample_results())
-      call summary_fields(model%cases(1), results(1), fields)
+      call summary_fields(model%cases(1), results(1), verdict_type(), job%units, fields)
       row = csv_row(summary_columns, job%units, fields%fields)
       call assertEqual(1, index(row, 'i_up,"curve, ""upper""",mcge,'), message=row)
       deallocate (model%cases(1)%section)
-      call summary_fields(model%cases(1), results(1), fields)
+      call summary_fields(model%cases(1), results(1), verdict_type(), job%units, fields)
       row = csv_row(summary_columns, job%units, fields%fields)
       call assertEqual(1, index(row, 'i_up,,mcge,'), message=row)
    end subroutine test_summary_quotes_text

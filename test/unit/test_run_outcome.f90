@@ -15,6 +15,8 @@ module dg_test_run_outcome
    use dg_sweep_table, only: sweep_sentences
    use dg_text, only: text_list, text_type
    use dg_uncertainty, only: uncertainty_type
+   use dg_utilisation, only: limit_rig
+   use dg_verdict, only: limit_string_weight
    use dg_units, only: si_units
    implicit none
    private
@@ -100,20 +102,19 @@ contains
       points = points_of([(result_converged, i=1, size(points))])
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
       call assertEqual(1, size(lines))
-      call assertEqual('Sweep b, model soft: nothing is pushed at surface; no limits of rig or string are known', lines(1)%text)
+      call assertEqual('Sweep b, model soft: can be done by string weight. No limits of rig or string are known', lines(1)%text)
       deallocate (lines)
       points%rig_margin = 1.0_wp
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: no limit of rig or string is passed, and nothing is pushed at surface', lines(1)%text)
+      call assertEqual('Sweep b, model soft: can be done. No limit of rig or string is passed', lines(1)%text)
       deallocate (lines)
-      points([2, 4])%rig_margin = -1.0_wp
-      points([7, 8])%hookload = -1.0_wp
+      points([2, 4])%limit = limit_rig
+      points([7, 8])%limit = limit_string_weight
       points(7)%status = result_not_converged
+      points(7)%limit = 0
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: Beyond max_hookload of the rig: up at 0.25, bit at 1100 m to 1300 m, '// &
-                       'though not at each depth between; '// &
-                       'Must be pushed at surface (hook load below zero, block not counted): down at 0.25, bit at 1300 m', &
-                       lines(1)%text)
+      call assertEqual('Sweep b, model soft: Cannot be done from 1100 m, with gaps: up, friction 0.25 (rig). '// &
+                       'Cannot be done from 1300 m: down, friction 0.25 (string weight)', lines(1)%text)
    end subroutine test_sentences
 
    !> A row a point, with the first sample that failed there.

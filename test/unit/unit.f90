@@ -73,6 +73,7 @@ contains
       use dg_test_calibration_coverage, only: calibration_coverage_suite
       use dg_test_prediction, only: prediction_suite
       use dg_test_ten_digits, only: ten_digits_suite
+      use dg_test_verdict, only: verdict_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
       use dg_test_strength, only: strength_suite
@@ -144,5 +145,6 @@ contains
       call suite%addTest(uncertainty_suite())
       call suite%addTest(stuck_string_suite())
       call suite%addTest(strength_suite())
+      call suite%addTest(verdict_suite())
    end function load_tests
 end program unit

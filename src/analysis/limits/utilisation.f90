@@ -10,7 +10,7 @@ module dg_utilisation
    use dg_component, only: component_type, tube_area, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops
-   use dg_load_case, only: given, optional_real
+   use dg_load_case, only: given, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_profile, only: piece_depths
@@ -21,13 +21,13 @@ module dg_utilisation
    private
    public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name
    public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
-             limit_slips, limit_rig
+             limit_slips, limit_rig, limit_top_drive, as_much
 
    integer, parameter :: limit_von_mises = 1, limit_tension = 2, limit_torsion = 3, limit_joint_torsion = 4, limit_makeup = 5, &
-                         limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9
-   integer, parameter :: limit_count = 9
+                         limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9, limit_top_drive = 10
+   integer, parameter :: limit_count = 10
    character(*), parameter :: limit_name(limit_count) = [character(14) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
-      'make-up torque', 'burst', 'collapse', 'slips', 'rig']
+      'make-up torque', 'burst', 'collapse', 'slips', 'rig', 'top drive']
 
    type :: utilisation_type
       type(optional_real) :: used(limit_count)   !< most along the string [-]; absent where no strength is known
@@ -69,6 +69,8 @@ contains
          end associate
          if (rig_limit%present) call use_limit(utilisation, limit_rig, &
             max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, profile%md(1))
+         if (model%rig%max_torque%present .and. rotates(model%cases(result%case_index)%operation)) &
+            call use_limit(utilisation, limit_top_drive, abs(result%torque)/model%rig%max_torque%value, profile%md(1))
       end associate
       ! von Mises comes last: of a pull alone it says what tension says
       do i = limit_count, 1, -1

@@ -17,6 +17,7 @@ module dg_whole_string
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: top_md
    use dg_utilisation, only: utilisation_type
+   use dg_verdict, only: verdict_type
    use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
@@ -64,6 +65,7 @@ module dg_whole_string
       type(optional_real) :: least_standoff         !< of the body, gap elements only [-]
       type(optional_real) :: least_standoff_md      !< where [m]
       type(utilisation_type) :: utilisation         !< of strengths, put here by find_utilisation
+      type(verdict_type) :: verdict                 !< can it be done; put here by find_verdict
    end type whole_string_type
 
    !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is

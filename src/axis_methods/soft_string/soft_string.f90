@@ -22,7 +22,7 @@ module dg_soft_string
    private
    public :: solve_soft_string
    ! What the stiff string does alike.
-   public :: subdivided, fill_profile, check_string_case, take_totals, take_profile
+   public :: subdivided, check_string_case, take_totals, take_profile
 
    !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp

@@ -2,13 +2,13 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_load_case, only: given
+   use dg_load_case, only: block_way, given
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: most_weight_on_bit
+   public :: most_weight_on_bit, locks_up
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -49,6 +49,15 @@ contains
       end do
       wob = bracket%low
    end function most_weight_on_bit
+
+   !> True where the string of a load case is lowered and its own weight does not bring it down. Friction of a coiled string counts.
+   pure function locks_up(model, case_index) result(locks)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      logical :: locks
+      locks = block_way(model%cases(case_index)%operation) < 0
+      if (locks) locks = left_of(model, case_index, model%cases(case_index)%wob, coiled=.true., pushed=.false.) < 0.0_wp
+   end function locks_up
 
    !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` only the sign counts.
    pure function left_of(model, case_index, wob, coiled, pushed) result(left)

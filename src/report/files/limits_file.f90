@@ -11,14 +11,14 @@ module dg_limits_file
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
-   use dg_utilisation, only: governing_name, limit_count
+   use dg_utilisation, only: governing_name, limit_rig, limit_top_drive
    use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(57) = [ &
+   type(column_type), parameter :: limits_columns(58) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -88,7 +88,8 @@ module dg_limits_file
       column_type('governing_md', quantity_length, 'where'), &
       column_type('contact_difference', quantity_percent, 'by how much the contact force of a part of the string differs '// &
          'between the long elements of hook load and the short ones of moments, of the contact force of the whole '// &
-         'string; the largest of all parts')]
+         'string; the largest of all parts'), &
+      column_type('used_top_drive', quantity_percent, 'of max_torque of &rig, by the torque at the top of a string that turns')]
 
 contains
 
@@ -176,7 +177,7 @@ contains
       call put(row, in_percent(whole%least_standoff))
       call put(row, whole%least_standoff_md)
       associate (most => whole%utilisation)
-         do i = 1, limit_count
+         do i = 1, limit_rig
             call put(row, in_percent(most%used(i)))
          end do
          if (most%governing > 0) then
@@ -190,6 +191,7 @@ contains
          end if
       end associate
       call put(row, in_percent(whole%contact_difference))
+      call put(row, in_percent(whole%utilisation%used(limit_top_drive)))
    end subroutine limits_fields
 
    !> A share [-] in per cent.

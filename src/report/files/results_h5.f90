@@ -118,7 +118,7 @@ contains
       integer, allocatable :: codes(:)
       integer :: j, n
       call make_group(file, group)
-      call summary_fields(model%cases(result%case_index), result, row)
+      call summary_fields(model%cases(result%case_index), result, whole%verdict, units, row)
       call put_row(file, group, summary_columns, units, row, 1)
       call limits_fields(name, result, whole, row)
       call put_row(file, group, limits_columns, units, row, 4)    ! case, model and status stand there already

@@ -1,7 +1,7 @@
 !> summary.csv: one row a case and model.
 module dg_summary_file
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
-   use dg_column, only: column_type, field_list_type, put, quantity_angle, quantity_force, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
                         quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: as_measured, known, percent_error
@@ -11,12 +11,16 @@ module dg_summary_file
    use dg_load_case, only: load_case_type, operation_name, optional_real
    use dg_model, only: model_type
    use dg_text, only: text_or_nothing
+   use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_name, limit_code, verdict_type
+   use dg_verdict_text, only: unchecked_codes, verdict_reason
+   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: write_summary, summary_columns, summary_fields
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: summary_columns(30) = [ &
+   type(column_type), parameter :: summary_columns(37) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('section', quantity_text, 'its label'), &
       column_type('model', quantity_text, 'mcge (beams with contact gap elements), soft (soft string), '// &
@@ -51,32 +55,44 @@ module dg_summary_file
       column_type('equilibrium', quantity_moment, 'the same of all moments about the top'), &
       column_type('message', quantity_text, 'reason and remedy where not converged, else warnings'), &
       column_type('weight_indicator', quantity_force, 'what the rig shows: string and block, as the dead line has them; '// &
-         'empty without &rig')]
+         'empty without &rig'), &
+      column_type('can_be_done', quantity_text, 'yes: no known limit is passed; no: one is, or the string locks up or would '// &
+         'have to be pushed; unknown: not_converged'), &
+      column_type('reason', quantity_text, 'why not, with numbers; empty for yes'), &
+      column_type('limit', quantity_text, 'the one that decides; for yes the one used most'), &
+      column_type('used', quantity_percent, 'how much of that limit'), &
+      column_type('limit_md', quantity_length, 'where; empty for string_weight and lock_up'), &
+      column_type('not_checked', quantity_text, 'limits for which the deck has no rating, blanks between them'), &
+      column_type('friction_reserve', quantity_none, 'factor by which all friction may grow until the answer is no, by the '// &
+         'soft string scaled to this result; empty for no, and where ten times the friction is possible')]
 
 contains
 
    !> Writes summary.csv to `path`, in the order of `results`.
-   subroutine write_summary(path, job, model, results, error)
+   subroutine write_summary(path, job, model, results, wholes, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(error_type), allocatable, intent(out) :: error
       type(csv_table_type) :: table
       type(field_list_type) :: row
       integer :: i
       call begin_table(table, summary_columns, job%units)
       do i = 1, size(results)
-         call summary_fields(model%cases(results(i)%case_index), results(i), row)
+         call summary_fields(model%cases(results(i)%case_index), results(i), wholes(i)%verdict, job%units, row)
          call add_row(table, row)
       end do
       call write_table(table, path, error)
    end subroutine write_summary
 
    !> Values of a result in the order of the columns; nothing that was calculated where it did not converge.
-   pure subroutine summary_fields(load_case, result, row)
+   pure subroutine summary_fields(load_case, result, verdict, units, row)
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
+      type(verdict_type), intent(in) :: verdict
+      type(unit_system_type), intent(in) :: units     !< of the numbers in the reason
       type(field_list_type), intent(out) :: row
       integer :: state
       call put(row, load_case%name)
@@ -109,6 +125,13 @@ contains
       call put(row, of(result%equilibrium_moment))
       call put(row, text_or_nothing(result%message))
       call put(row, known(result%weight_indicator))
+      call put(row, trim(answer_name(verdict%answer)))
+      call put_text_or_none(row, verdict_reason(units, load_case, verdict))
+      call put_text_or_none(row, trim(limit_code(verdict%limit)))
+      call put(row, optional_real(verdict%used%present, 100.0_wp*verdict%used%value))
+      call put(row, verdict%md)
+      call put_text_or_none(row, unchecked_codes(verdict))
+      call put(row, verdict%friction_reserve)
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)
@@ -124,4 +147,15 @@ contains
          if (has_numbers(result%status)) number = percent_error(calculated, other)
       end function error_of
    end subroutine summary_fields
+
+   !> A text, or an empty cell where it is ''.
+   pure subroutine put_text_or_none(row, text)
+      type(field_list_type), intent(inout) :: row
+      character(*), intent(in) :: text
+      if (text == '') then
+         call put_none(row)
+      else
+         call put(row, text)
+      end if
+   end subroutine put_text_or_none
 end module dg_summary_file

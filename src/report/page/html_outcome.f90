@@ -11,8 +11,6 @@ module dg_html_outcome
    private
    public :: append_outcome, append_lost
 
-   character(*), parameter :: struck = '. Numbers struck through are not solutions.</p>'
-
 contains
 
    !> One sentence for all parts of a run; the parts where there are several.
@@ -28,10 +26,10 @@ contains
       locked = locked_count(outcome)
       if (lost > 0) then
          call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//to_text(total)//' solutions did not converge '// &
-                       '(exit status '//to_text(status_not_converged)//')'//locked_text()//struck)
+                       '(exit status '//to_text(status_not_converged)//')'//locked_text()//'.</p>')
       else if (locked > 0) then
          call add_line(lines, '<p class="note warn">'//to_text(total - locked)//' of '//to_text(total)//' solutions converged'// &
-                       locked_text()//struck)
+                       locked_text()//'.</p>')
       else
          call add_line(lines, '<p class="note">All '//to_text(total)//' solutions converged.</p>')
       end if

@@ -1,4 +1,4 @@
-!> report.html: one page of a run that can be mailed and opened anywhere: results, limits, warnings, pictures, what was
+!> report.html: one page of a run that can be mailed and opened anywhere: answers, results, limits, warnings, pictures, what was
 !> assumed, the deck. It refers to nothing outside itself.
 module dg_html_report
    use dg_case_result, only: case_result_type, result_converged, result_status_name
@@ -9,7 +9,8 @@ module dg_html_report
    use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_short, only: append_short
    use dg_html_style, only: append_style
-   use dg_html_text, only: append_inline_svg, append_preformatted, append_table, html_safe, spaced
+   use dg_html_text, only: append_inline_svg, append_preformatted, append_table, html_safe
+   use dg_html_verdict, only: append_verdicts
    use dg_kinds, only: wp
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
@@ -22,7 +23,9 @@ module dg_html_report
    use dg_run_outcome, only: outcome_type
    use dg_summary_file, only: summary_columns, summary_fields
    use dg_text, only: text_type, to_text
+   use dg_verdict, only: answer_name, answer_yes
    use dg_version, only: program_name, program_version
+   use dg_warnings_table, only: warning_order, warning_text
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -31,7 +34,8 @@ module dg_html_report
    !> Columns of summary.csv and limits.csv that the page shows; the files have all. What was asked for comes first, for a phone
    !> shows the first few only.
    character(*), parameter :: summary_shown(15) = [character(16) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
-      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'status', 'operation', 'bit_depth', 'wob', 'section']
+      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'can_be_done', 'operation', 'bit_depth', 'wob', &
+      'section']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
    character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
@@ -61,6 +65,8 @@ contains
       type(line_list_type) :: lines
       integer :: i
       call start_page(job, lines)
+      call append_verdicts(lines, job, model, results, wholes)
+      call append_warnings(lines, job, model, results)
       call append_outcome(lines, job%units, outcome)
       if (allocated(model%path_notes)) then
          do i = 1, size(model%path_notes)
@@ -68,9 +74,8 @@ contains
          end do
       end if
       call append_short(lines, job, model, results, wholes, outcome)
-      call append_warnings(lines, model, results)
       if (size(results) > 0) then
-         call append_results(lines, job, model, results)
+         call append_results(lines, job, model, results, wholes)
          call append_limits(lines, job, model, results, wholes)
       end if
       call append_lost(lines, job%units, outcome)
@@ -82,7 +87,7 @@ contains
       call add_line(lines, '<h2>What was computed</h2>')
       call append_preformatted(lines, echo)
       call append_assumptions(lines, job)
-      if (size(results) > 0) call append_costs(lines, job, model, results)
+      if (size(results) > 0) call append_costs(lines, job, model, results, wholes)
       call add_line(lines, '<h2>Deck</h2>')
       call append_deck(lines, job%deck_text)
       call add_line(lines, '</body></html>')
@@ -108,51 +113,55 @@ contains
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
    end subroutine start_page
 
-   !> What results have to say of themselves.
-   subroutine append_warnings(lines, model, results)
-      type(line_list_type), intent(inout) :: lines
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      integer :: i
-      logical :: any_yet
-      any_yet = .false.
-      do i = 1, size(results)
-         if (.not. allocated(results(i)%message)) cycle
-         if (results(i)%message == '') cycle
-         if (.not. any_yet) call add_line(lines, '<h2>Warnings</h2><ul>')
-         any_yet = .true.
-         call add_line(lines, '<li>'//html_safe(model%cases(results(i)%case_index)%name)//', '// &
-                          trim(model_name(results(i)%model))//', '//spaced(trim(result_status_name(results(i)%status)))//': '// &
-                          html_safe(results(i)%message)//'</li>')
-      end do
-      if (any_yet) then
-         call add_line(lines, '</ul>')
-      else if (size(results) > 0) then
-         call add_line(lines, '<p>No warnings of load cases.</p>')
-      end if
-   end subroutine append_warnings
-
-   !> A table a model.
-   subroutine append_results(lines, job, model, results)
+   !> Messages of load cases, those without a solution first.
+   subroutine append_warnings(lines, job, model, results)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: head
+      integer, allocatable :: order(:)
+      integer :: i
+      if (size(results) == 0) return
+      allocate (order, source=warning_order(results))
+      if (size(order) == 0) then
+         call add_line(lines, '<p>No warnings of load cases.</p>')
+         return
+      end if
+      call add_line(lines, '<h2>Warnings ('//to_text(size(order))//')</h2><ul>')
+      do i = 1, size(order)
+         associate (result => results(order(i)))
+            head = model%cases(result%case_index)%name
+            if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
+            call add_line(lines, '<li>'//html_safe(head//': '//warning_text(result))//'.</li>')
+         end associate
+      end do
+      call add_line(lines, '</ul>')
+   end subroutine append_warnings
+
+   !> A table a model.
+   subroutine append_results(lines, job, model, results, wholes)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
       call add_line(lines, '<h2>Hook load, friction, torque</h2>')
       call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; hookload: negative going up, '// &
                     'positive going down. Axial forces are effective (buoyed), tension positive.</p>')
       if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
          '<p>error: difference of the hook load from the measured one in per cent of that, without sign; reference error: '// &
          'the same from the reference.</p>')
-      call append_summary(lines, job, model, results, summary_shown)
+      call append_summary(lines, job, model, results, wholes, summary_shown)
    end subroutine append_results
 
    !> Those columns of summary.csv, a table a model.
-   subroutine append_summary(lines, job, model, results, shown)
+   subroutine append_summary(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
       character(*), intent(in) :: shown(:)
       type(field_list_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
@@ -162,10 +171,11 @@ contains
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
-            call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), fields(i))
+            call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), &
+                                wholes(rows(i))%verdict, job%units, fields(i))
          end do
          call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
-         call append_table(lines, summary_columns, shown, job%units, fields, results(rows)%status /= result_converged)
+         call append_table(lines, summary_columns, shown, job%units, fields, wholes(rows)%verdict%answer /= answer_yes)
       end do
    end subroutine append_summary
 
@@ -178,6 +188,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       type(field_list_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
+      logical, allocatable :: marked(:)
       integer :: i, k, columns
       call add_line(lines, '<h2>Limits</h2>')
       call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
@@ -199,10 +210,11 @@ contains
             call limits_fields(model%cases(results(rows(i))%case_index)%name, results(rows(i)), wholes(rows(i)), fields(i))
          end do
          call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
-         call append_table(lines, limits_columns, limits_shown, job%units, fields, results(rows)%status /= result_converged)
+         marked = wholes(rows)%verdict%answer /= answer_yes
+         call append_table(lines, limits_columns, limits_shown, job%units, fields, marked)
          columns = size(most_shown)
          if (job%models(k) /= model_mcge) columns = most_of_all_models
-         call append_table(lines, limits_columns, most_shown(:columns), job%units, fields, results(rows)%status /= result_converged)
+         call append_table(lines, limits_columns, most_shown(:columns), job%units, fields, marked)
       end do
    end subroutine append_limits
 
@@ -281,6 +293,8 @@ contains
       marked = .false.
       do i = 1, size(shown)
          shown(i) = data%columns(i)%name
+         if (shown(i) == 'can_be_done') marked = [(data%rows(k)%fields(i)%text /= trim(answer_name(answer_yes)), &
+                                                   k=1, size(data%rows))]
          if (shown(i) == 'status') marked = [(data%rows(k)%fields(i)%text /= trim(result_status_name(result_converged)), &
                                               k=1, size(data%rows))]
       end do
@@ -311,14 +325,15 @@ contains
    end subroutine append_assumptions
 
    !> How the solutions were found: a table a model.
-   subroutine append_costs(lines, job, model, results)
+   subroutine append_costs(lines, job, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
       call add_line(lines, '<h2>How it was solved</h2>')
       call add_line(lines, '<p>equilibrium: what is left of the sum of all forces on the string, supports included.</p>')
-      call append_summary(lines, job, model, results, cost_shown)
+      call append_summary(lines, job, model, results, wholes, cost_shown)
    end subroutine append_costs
 
    !> The deck's text, line by line.

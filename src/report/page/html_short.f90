@@ -1,20 +1,18 @@
-!> A run in a few sentences, first on its page: which load case is nearest to a limit, where and by how much; what buckles; how far
-!> results may be trusted.
+!> A run in a few sentences: range of the hook load, what buckles, how far results may be trusted.
 module dg_html_short
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: field_list_type, field_text
    use dg_comparison, only: as_measured, percent_error
-   use dg_html_text, only: html_safe, spaced
+   use dg_html_text, only: html_safe
    use dg_job, only: job_type, model_mcge, model_name
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_line_list, only: add_line, line_list_type
-   use dg_load_case, only: load_case_type, operation_label, optional_real
+   use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_run_outcome, only: outcome_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_force, unit_length
-   use dg_utilisation, only: governing_name
+   use dg_unit_kind, only: in_units, unit_force
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -46,7 +44,6 @@ contains
       if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p>')
       call add_line(lines, '<ul>')
       if (size(rows) > 0) then
-         call append_governing(lines, job, model, results(rows), wholes(rows))
          call append_loads(lines, job, model, results(rows))
          call append_buckled(lines, model, results(rows), wholes(rows))
          call append_errors(lines, model, results(rows))
@@ -63,46 +60,13 @@ contains
       call add_line(lines, '</ul>')
    end subroutine append_short
 
-   !> Which case uses most of a strength, and which go beyond one.
-   subroutine append_governing(lines, job, model, results, wholes)
-      type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
-      real(wp) :: used(size(results))
-      integer :: i, most
-      used = -1.0_wp
-      do i = 1, size(results)
-         associate (here => wholes(i)%utilisation)
-            if (here%governing > 0) used(i) = here%used(here%governing)%value
-         end associate
-      end do
-      if (all(used < 0.0_wp)) then
-         call add_line(lines, '<li>Limits: no strength is known. Give <code>yield</code> or a <code>catalogue</code> for '// &
-                       'components, or <code>&amp;rig</code>.</li>')
-         return
-      end if
-      most = maxloc(used, dim=1)
-      associate (here => wholes(most)%utilisation)
-         call add_line(lines, '<li>Nearest to a limit: <b>'//case_text(job, model%cases(results(most)%case_index))//'</b>, '// &
-                       trim(governing_name(here))//', '//to_text(per_cent*used(most), fewer)//' % used, at '// &
-                       trim(in_units(job%units, unit_length, here%md(here%governing)%value, few))//' measured depth.</li>')
-      end associate
-      if (any(used > 1.0_wp)) then
-         call add_line(lines, '<li><b>Beyond a limit</b>: '//named(model, pack(results%case_index, used > 1.0_wp))//'.</li>')
-      else
-         call add_line(lines, '<li>No load case is beyond a known limit of strength, slips or rig, design factors included.</li>')
-      end if
-   end subroutine append_governing
-
    !> Least and greatest hook load.
    subroutine append_loads(lines, job, model, results)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
-      integer :: least, most, cases(size(results))
+      integer :: least, most
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
@@ -114,9 +78,6 @@ contains
                        trim(in_units(job%units, unit_force, results(most)%hookload, few))//' ('// &
                        html_safe(model%cases(results(most)%case_index)%name)//').</li>')
       end if
-      cases = results%case_index
-      if (results(least)%hookload <= 0.0_wp) call add_line(lines, '<li><b>Pushed at the surface</b>: '// &
-         named(model, pack(cases, results%hookload <= 0.0_wp))//'.</li>')
    end subroutine append_loads
 
    !> Which cases were found to buckle, or by models on the axis are beyond the published limit.
@@ -232,15 +193,6 @@ contains
          if (limits_columns(i)%name == name .and. fields%fields(i)%kind == field_text) text = fields%fields(i)%text
       end do
    end function limit_text
-
-   !> A load case with what it does.
-   function case_text(job, load_case) result(text)
-      type(job_type), intent(in) :: job
-      type(load_case_type), intent(in) :: load_case
-      character(:), allocatable :: text
-      text = html_safe(load_case%name)//' ('//spaced(trim(operation_label(load_case%operation)))//', bit at '// &
-             trim(in_units(job%units, unit_length, load_case%bit_depth, few + 1))//')'
-   end function case_text
 
    !> Names of load cases, the first of many.
    function named(model, cases) result(text)

@@ -15,7 +15,7 @@ module dg_html_style
       'th,td{padding:.22em .6em;text-align:right;border-bottom:1px solid #ddd}td.text,th.text{text-align:left}', &
       'td.text{white-space:nowrap}td.long{white-space:normal;min-width:18em}', &
       'th{vertical-align:bottom;border-bottom:2px solid #888;font-weight:600;line-height:1.2}small{font-weight:400}', &
-      'tr.bad td{color:#a33;text-decoration:line-through}', &
+      'tr.bad td,b.no{color:#a33}', &
       '.note{border-left:4px solid #0072B2;padding:.3em .8em;background:#f3f7fa}.warn{border-color:#D55E00;background:#fdf4ee}', &
       'pre{font-size:.78em;background:#f6f6f6;padding:.8em;overflow-x:auto;line-height:1.35}svg{width:100%;height:auto}', &
       'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
@@ -26,7 +26,7 @@ module dg_html_style
    character(*), parameter :: dark(*) = [character(128) :: &
       '@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{background:#14181c;color:#dde2e6}', &
       'h2{border-color:#555}th,td{border-color:#333a40}th{border-color:#777}.note{background:#1b2a35}.warn{background:#35261b}', &
-      'pre{background:#1c2126}tr.bad td{color:#ff9c8c}figcaption{color:#aab2b9}summary,a{color:#6cb8e6}', &
+      'pre{background:#1c2126}tr.bad td,b.no{color:#ff9c8c}figcaption{color:#aab2b9}summary,a{color:#6cb8e6}', &
       'th:first-child,td:first-child{background:#14181c}svg{filter:invert(.92) hue-rotate(180deg)}}']
 
    !> A phone: the first column stays while the others scroll.

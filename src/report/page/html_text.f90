@@ -84,7 +84,7 @@ contains
       character(*), intent(in) :: shown(:)
       type(unit_system_type), intent(in) :: units
       type(field_list_type), intent(in) :: rows(:)    !< a value for each of `columns`
-      logical, intent(in) :: marked(:)                !< rows whose numbers are no solution
+      logical, intent(in) :: marked(:)                !< rows that cannot be done or have no solution: their first cell has a '!'
       character(:), allocatable :: head, line, unit
       integer :: i, k, row
       integer, allocatable :: used(:)
@@ -109,6 +109,7 @@ contains
          if (marked(row)) line = '<tr class="bad">'
          do k = 1, size(used)
             line = line//table_cell(columns(used(k)), rows(row)%fields(used(k)), units)
+            if (k == 1 .and. marked(row)) line = line(:len(line) - len('</td>'))//' !</td>'
          end do
          call add_line(page, line//'</tr>')
       end do

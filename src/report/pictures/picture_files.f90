@@ -37,7 +37,7 @@ module dg_picture_files
    character(*), parameter :: strength_columns(8) = [character(16) :: 'md', 'von_mises', 'safety_factor', 'axial_stress', &
       'bending_stress', 'bending_range', 'torsional_stress', 'torque']
    character(*), parameter :: hookload_shown(10) = [character(24) :: 'case', 'model', 'hookload', 'weight_indicator', 'measured', &
-      'error', 'reference', 'reference_error', 'torque', 'status']
+      'error', 'reference', 'reference_error', 'torque', 'can_be_done']
 
 contains
 

@@ -9,10 +9,9 @@ module dg_limits_table
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type, string_index
-   use dg_number_text, only: fixed_cell, left_aligned
+   use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: governing_name
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -20,9 +19,7 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: number_width = 16
-   integer, parameter :: name_width = 26, limit_width = 16, share_width = 8
 
-   real(wp), parameter :: percent = 0.01_wp
    !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
    real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
 
@@ -87,42 +84,27 @@ contains
       numbers = wholes%overpull_margin
       call append_least(lines, units, names, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%rig_margin
-      call append_least(lines, units, names, 'Least room under rig limit', quantity_force, 1, numbers, nowhere, .false.)
+      call append_least(lines, units, names, 'Least margin to rig limit', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%makeup_margin
       depths = wholes%makeup_margin_md
-      call append_least(lines, units, names, 'Least room under make-up', quantity_moment, 2, numbers, depths, .false.)
+      call append_least(lines, units, names, 'Least margin to make-up', quantity_moment, 2, numbers, depths, .false.)
       numbers = wholes%buckling_margin
       depths = wholes%buckling_margin_md
       call append_least(lines, units, names, 'Least margin to buckling', quantity_force, 1, numbers, depths, .false.)
       numbers = wholes%wob_buckling
-      call append_least(lines, units, names, 'Most wob before buckling', quantity_force, 1, numbers, nowhere, .false.)
-      numbers = wholes%wob_no_hookload
-      call append_least(lines, units, names, 'Most wob till slack hook', quantity_force, 1, numbers, nowhere, .false.)
-      numbers = wholes%wob_lockup
-      call append_least(lines, units, names, 'Most wob before lock-up', quantity_force, 1, numbers, nowhere, .false.)
+      call append_least(lines, units, names, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
-         call append_text(lines, '  buckled by the limits: '//names(i)%text//', '//trim(buckling_name(wholes(i)%buckling))// &
-                          ', '//to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
+         call append_text(lines, '  Beyond the '//trim(buckling_name(wholes(i)%buckling))//' buckling load in '//names(i)%text// &
+                          ': '//to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
                           trim(units%length_label)//' of string')
       end do
       do i = 1, size(results)
          if (wholes(i)%shape == buckling_none) cycle
-         call append_text(lines, '  found buckled: '//names(i)%text//', snaking over '// &
-                          to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', coiled over '// &
-                          to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' in '// &
-                          to_text(anint(wholes(i)%coil_turns))//' turns')
-      end do
-      if (any(wholes%utilisation%governing > 0)) call append_text(lines, &
-         '  Limit that governs each case, and how much of it is used:')
-      do i = 1, size(results)
-         associate (most => wholes(i)%utilisation)
-            if (most%governing == 0) cycle
-            call append_text(lines, '    '//left_aligned(names(i)%text, name_width)// &
-                             left_aligned(trim(governing_name(most)), limit_width)// &
-                             fixed_cell(most%used(most%governing), percent, share_width, 1)//' % at '// &
-                             to_text(anint(most%md(most%governing)%value/units%length))//' '//trim(units%length_label))
-         end associate
+         call append_text(lines, '  Buckled in '//names(i)%text//': sinusoidal '// &
+                          to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', helical '// &
+                          to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' ('// &
+                          to_text(anint(wholes(i)%coil_turns))//' turns)')
       end do
    end subroutine append_block
 

@@ -1,4 +1,4 @@
-!> The tables on standard output: the paper's Table 1, what the run cost, and what was found on the way.
+!> The tables on standard output: the paper's Table 1, and what the run cost.
 !> Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
@@ -12,7 +12,8 @@ module dg_result_table
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
-   use dg_wrapped_text, only: append_wrapped, page_width
+   use dg_verdict, only: answer_yes
+   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: result_table
@@ -28,26 +29,24 @@ module dg_result_table
 contains
 
    !> The lines of the tables.
-   pure function result_table(job, model, results) result(lines)
+   pure function result_table(job, model, results, wholes) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(text_type), allocatable :: lines(:)
       integer, allocatable :: rows(:)
       integer :: i, k
       allocate (lines(0))
-      if (allocated(job%title)) then
-         if (job%title /= '') call append_text(lines, job%title)
-      end if
       do i = 1, size(job%models)
          rows = pack([(k, k=1, size(results))], results%model == job%models(i))
          if (size(rows) == 0) cycle
          call append_text(lines, '')
          call append_text(lines, 'Model '//trim(model_name(job%models(i))))
-         call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows))
+         call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows), &
+                             wholes(rows)%verdict%answer /= answer_yes)
          call append_text(lines, '')
          call append_costs(lines, job%units, model%cases(results(rows)%case_index), results(rows))
-         call append_messages(lines, model%cases(results(rows)%case_index), results(rows))
       end do
    end function result_table
 
@@ -133,25 +132,4 @@ contains
          number = number + 1
       end do
    end function mesh_line
-
-   !> What the models had to say, and what the mark in Table 1 means.
-   pure subroutine append_messages(lines, cases, results)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(load_case_type), intent(in) :: cases(:)
-      type(case_result_type), intent(in) :: results(:)
-      character(:), allocatable :: message
-      integer :: i
-      do i = 1, size(results)
-         message = ''
-         if (allocated(results(i)%message)) message = results(i)%message
-         if (results(i)%status /= result_converged) then
-            if (message == '') message = 'no reason given'
-            if (has_numbers(results(i)%status)) message = 'numbers are no solution: '//message
-            message = trim(result_status_name(results(i)%status))//merge(', ', ': ', has_numbers(results(i)%status))//message
-            call append_wrapped(lines, '! '//cases(i)%name//': ', message, page_width)
-         else if (message /= '') then
-            call append_wrapped(lines, cases(i)%name//': ', message, page_width)
-         end if
-      end do
-   end subroutine append_messages
 end module dg_result_table

@@ -32,8 +32,8 @@ module dg_table_1
    !> Narrower than that a column of words tells nothing.
    integer, parameter :: least_section = 15, least_name = 6
 
-   !> Behind a row whose numbers are no solution; after a blank where there is room for one.
-   character(*), parameter :: no_solution_mark = '!'
+   !> Behind a row that cannot be done or has no solution. A blank stands before it where there is room for one.
+   character(*), parameter :: row_mark = '!'
 
    !> Which columns there are, and how wide those of words are.
    type :: layout_type
@@ -45,15 +45,16 @@ module dg_table_1
 contains
 
    !> Table 1 of some results and their cases, and how far they are from what was measured and from the reference.
-   pure subroutine append_table_1(lines, units, cases, results)
+   pure subroutine append_table_1(lines, units, cases, results, marked)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)         !< rows that cannot be done, or have no solution
       type(text_type), allocatable :: label(:)
       type(layout_type) :: layout
       integer :: first, last, row
-      layout = layout_of(units, cases, results)
+      layout = layout_of(units, cases, results, any(marked))
       call append_head(lines, units, layout)
       first = 1
       do while (first <= size(cases))
@@ -62,7 +63,7 @@ contains
          do row = first, max(last, first + size(label) - 1)
             if (row <= last) then
                call append_text(lines, label_cell(label, row - first + 1, layout%section)// &
-                                trim(row_of(units, cases(row), results(row), layout)))
+                                trim(row_of(units, cases(row), results(row), layout)//mark_of(layout, marked(row))))
             else
                call append_text(lines, trim(label_cell(label, row - first + 1, layout%section)))
             end if
@@ -70,6 +71,7 @@ contains
          first = last + 1
       end do
       call append_text(lines, repeat('-', width_of(layout)))
+      if (any(marked)) call append_text(lines, row_mark//' cannot be done, or no solution')
       call append_error(lines, trim(merge('Weight indicator', 'Hook load       ', layout%shown(col_indicator)))// &
                         ' against measurement', cases, results, &
                         percent_error(as_measured(results%hookload, results%weight_indicator), cases%measured_hookload))
@@ -80,10 +82,11 @@ contains
    end subroutine append_table_1
 
    !> Columns that have something to show. Where the page is too narrow names are cut, then labels of sections.
-   pure function layout_of(units, cases, results) result(layout)
+   pure function layout_of(units, cases, results, marks) result(layout)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marks             !< some rows have a mark
       type(layout_type) :: layout
       type(text_type), allocatable :: label(:)
       integer :: i, k, over
@@ -106,8 +109,8 @@ contains
          layout%name = max(layout%name, min(len(cases(i)%name), most_name) + gap)
       end do
       over = width_of(layout) - page_width
-      if (any(results%status /= result_converged)) then
-         over = over + len(no_solution_mark)
+      if (marks) then
+         over = over + len(row_mark)
          if (over >= 0) layout%before_mark = 0
       end if
       if (over <= 0) return
@@ -183,8 +186,16 @@ contains
          if (c == col_moment) unit = units%moment
          row = row//fixed_cell(values(c), unit, widths(c), decimals(c))
       end do
-      if (result%status /= result_converged) row = row//repeat(' ', layout%before_mark)//no_solution_mark
    end function row_of
+
+   !> What stands behind a row: the mark, or nothing.
+   pure function mark_of(layout, marked) result(mark)
+      type(layout_type), intent(in) :: layout
+      logical, intent(in) :: marked
+      character(:), allocatable :: mark
+      mark = ''
+      if (marked) mark = repeat(' ', layout%before_mark)//row_mark
+   end function mark_of
 
    !> Index of the last of the cases that follow `first` with the same section label and bit depth.
    pure function end_of_section(cases, first) result(last)

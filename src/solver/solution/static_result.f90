@@ -14,11 +14,8 @@ module dg_static_result
    use dg_no_equilibrium, only: add_place
    use dg_numerics, only: gap_location_name, numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
-   use dg_profile_rows, only: lay_rows
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
-   use dg_soft_string, only: fill_profile, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_string_piece, only: breakpoints
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
@@ -281,36 +278,26 @@ contains
    end subroutine add_outside
 
    !> The result of a case that nothing at the top can bring about: friction of the coiled string outgrows all bounds, or no pipe
-   !> bears the pull against it. Forces are those of the soft string, below the depth from which on they have no bounds.
+   !> bears the pull against it. It has a message and no numbers.
    subroutine result_of_lock_up(model, case_index, strained, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: strained      !< largest axial strain of the soft string [-]
       type(case_result_type), intent(out) :: result
       type(soft_totals_type) :: totals
-      real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
-      integer, allocatable :: from(:), side(:)
-      real(wp) :: position(3), tangent(3), most
-      md = subdivided(breakpoints(model, case_index), model%numerics%element_length)
-      call lay_rows(model, case_index, md, from, side)
-      md = md(from)
-      allocate (axial(size(md)), torque(size(md)), contact(3, size(md)))
-      call soft_string_at(model, case_index, md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
-      call fill_profile(model, case_index, md, side, axial, torque, contact, result%profile)
-      call position_at(model%trajectory, md(size(md)), position, tangent)
+      real(wp) :: position(3), tangent(3), axial(1), torque(1), most
+      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
+                          other=other_loads_type(coiled=.true.))
+      call position_at(model%trajectory, model%cases(case_index)%bit_depth, position, tangent)
       result%case_index = case_index
       result%model = model_mcge
       result%status = result_locked_up
       result%inclination = inclination_of(tangent)
-      result%hookload = axial(1)
-      result%friction = totals%weight - model%cases(case_index)%wob - axial(1)
-      result%torque = torque(1)
-      result%normal_force = totals%normal_force
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
          result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, axial(1), shown))// &
                           ' at surface would move it and stretch it by '//to_text(100.0_wp*strained, shown)// &
-                          ' %, which no pipe bears. Forces are those of the soft string'
+                          ' %, which no pipe bears'
          return
       end if
       result%message = 'Locked up: friction of the coiled string grows without bound above '// &

@@ -100,11 +100,11 @@ contains
          ", graph 1 nohead lw 2.5 lc rgb '#c00000'; "
    end function limit_name
 
-   !> Marks where a string locks up: at no hook load, as there is none. `pick` picks them from the file.
+   !> Marks where an operation cannot be done.
    pure function locked_look(operation) result(look)
       integer, intent(in) :: operation     !< number of it in the picture
       character(:), allocatable :: look
-      look = "with points pt 2 ps 0.9 lw 1.6 lc rgb '"//colour_of(operation)//"'"
+      look = "with points pt 2 ps 1.4 lw 2 lc rgb '"//colour_of(operation)//"'"
    end function locked_look
 
    !> Look of measured points: open forms, one an operation.

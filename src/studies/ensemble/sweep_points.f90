@@ -2,10 +2,11 @@
 module dg_sweep_points
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_not_converged
+   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_locked_up, result_not_converged
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
+   use dg_find_verdict, only: passed_weight
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name, model_soft
    use dg_load_case, only: operation_label
@@ -20,9 +21,11 @@ module dg_sweep_points
    use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_units, only: unit_system_type
+   use dg_utilisation, only: limit_rig, limit_top_drive, limit_von_mises
+   use dg_verdict, only: limit_lock_up
    implicit none
    private
-   public :: solve_points, solve_totals, point_text, add_indicator, add_margins
+   public :: solve_points, solve_totals, point_text, add_indicator, add_margins, add_limits
 
    !> Most points that a thread solves before it hands over their results.
    integer, parameter :: block_size = 16
@@ -143,6 +146,47 @@ contains
          !$omp end do
       end subroutine share_pulls
    end subroutine add_margins
+
+   !> The limit that each point passes: lock-up, string weight, then those of rig and string by their margins. The friction of a
+   !> buckled string counts for models that leave it out, too.
+   subroutine add_limits(job, model, sweep, points)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(inout) :: points(:)   !< with their margins
+      where (is_below_zero(points%overpull_margin)) points%limit = limit_von_mises
+      where (is_below_zero(points%torque_margin)) points%limit = limit_top_drive
+      where (is_below_zero(points%rig_margin)) points%limit = limit_rig
+      where (points%status == result_locked_up) points%limit = limit_lock_up
+      !$omp parallel num_threads(thread_count(job%threads, size(points)/block_size)) default(shared)
+      call share_weights()
+      !$omp end parallel
+   contains
+      !> What one thread does, with a model of its own.
+      subroutine share_weights()
+         type(model_type) :: mine
+         type(point_type) :: place
+         integer :: i, passed
+         call copy_without_cases(model, mine)
+         !$omp do schedule(dynamic, block_size)
+         do i = 1, size(points)
+            if (points(i)%status /= result_converged) cycle
+            place = point_at(sweep, i)
+            call point_case(sweep, place, mine%cases(1))
+            call point_holes(sweep, place, mine%holes)
+            passed = passed_weight(mine, sweep%models(place%model), 1, points(i)%hookload, abs(points(i)%hookload))
+            if (passed > 0) points(i)%limit = passed
+         end do
+         !$omp end do
+      end subroutine share_weights
+
+      !> True for a margin that is known and passed.
+      elemental function is_below_zero(margin)
+         real(wp), intent(in) :: margin
+         logical :: is_below_zero
+         is_below_zero = .not. is_missing(margin) .and. margin < 0.0_wp
+      end function is_below_zero
+   end subroutine add_limits
 
    !> Where blocks of points begin that a thread solves before it hands over the results, and the end of the last + 1. Beams
    !> go one by one; the other models take microseconds, less than the threads would wait for each other.

@@ -10,14 +10,15 @@ module dg_sweep_file
    use dg_job, only: job_type, model_name
    use dg_load_case, only: operation_name, optional_real
    use dg_sweep, only: point_at, point_type, sweep_type
-   use dg_sweep_result, only: sweep_result_type
+   use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: text_or_nothing
+   use dg_verdict, only: answer_name, limit_code
    implicit none
    private
    public :: sweep_columns, write_sweep
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: sweep_columns(17) = [ &
+   type(column_type), parameter :: sweep_columns(19) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('friction', quantity_none, 'coefficient along and around the hole; empty: those of the hole sections'), &
@@ -36,7 +37,10 @@ module dg_sweep_file
       column_type('torque_margin', quantity_moment, 'max_torque of the rig - torque'), &
       column_type('overpull_margin', quantity_force, 'pull that may be added before anything yields, by the soft string; '// &
          'empty without yield'), &
-      column_type('settings', quantity_text, 'of the solver: empty for those of the deck; earlier: found before --again')]
+      column_type('settings', quantity_text, 'of the solver: empty for those of the deck; earlier: found before --again'), &
+      column_type('can_be_done', quantity_text, 'yes: no known limit of string weight, rig or yield is passed; no; unknown: '// &
+         'not_converged'), &
+      column_type('limit', quantity_text, 'the one that is passed')]
 
 contains
 
@@ -100,5 +104,7 @@ contains
       call put(row, known(result%torque_margin))
       call put(row, known(result%overpull_margin))
       call put(row, trim(merge('earlier', '       ', result%earlier)))
+      call put(row, trim(answer_name(answer_of(result))))
+      call put(row, trim(limit_code(result%limit)))
    end subroutine sweep_fields
 end module dg_sweep_file

@@ -8,12 +8,13 @@ module dg_sweep_picture
    use dg_gnuplot_script, only: add_series, colour_black, dash_of, marked_line_style, results_file, series_type, style_count
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_name
-   use dg_load_case, only: block_way, operation_label, operation_name, operation_sliding_drilling, operation_trip_in, rotates
+   use dg_load_case, only: block_way, operation_label, operation_name, rotates
    use dg_rig, only: indicated_load, rig_type
    use dg_sweep, only: at_operation, point_number, point_type, sweep_type
    use dg_sweep_file, only: sweep_columns
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_name, answer_no
    implicit none
    private
    public :: sweep_script
@@ -52,9 +53,9 @@ contains
                          friction_label(sweep, k))
       end do
       call append_text(lines, "stuck(operation, is_friction, value) = stringcolumn('model') eq '"//trim(model_name(model))// &
-                       "' && stringcolumn('operation') eq operation && is_friction && stringcolumn('status') eq '"// &
-                       trim(result_status_name(result_locked_up))//"' ? value : NaN")
-      if (any(is_pushed(sweep%operations))) call add_series(key, 'NaN', locked_look(style_count), 'locks up: nothing on the hook')
+                       "' && stringcolumn('operation') eq operation && is_friction && stringcolumn('can_be_done') eq '"// &
+                       trim(answer_name(answer_no))//"' ? value : NaN")
+      call add_series(key, 'NaN', locked_look(style_count), 'cannot be done')
       if (yields) call add_series(key, 'NaN', yield_look, 'yield in the string, '// &
                                   trim(operation_label(sweep%operations(pulling(sweep))))//', '// &
                                   friction_label(sweep, size(sweep%frictions)))
@@ -81,28 +82,29 @@ contains
             if (turning .and. .not. (rotates(sweep%operations(operation)) .or. &
                                      abs(at_operation(sweep%tob, operation)) > 0.0_wp)) cycle
             do friction = 1, size(sweep%frictions)
-               if (is_pushed(sweep%operations(operation)) .and. .not. turning) &
-                  call add_series(series, locked(operation, friction), locked_look(operation), '')
                call add_series(series, curve(operation, friction, column), &
                                marked_line_style(operation, size(sweep%depths), 1.6_wp, dash_of(friction)), '')
+               if (.not. turning) call add_series(series, impossible(operation, friction), locked_look(operation), '')
             end do
             if (any(sweep%measured%operation == sweep%operations(operation))) call add_series(series, &
                curve(operation, 1, measured), measured_look(operation), '')
          end do
       end function curves
 
-      !> Depths at which the string locks up, at what is shown of an empty hook.
-      pure function locked(operation, friction) result(using)
+      !> Depths at which it cannot be done: at the hook load, and at an empty hook where the string locks up.
+      pure function impossible(operation, friction) result(using)
          integer, intent(in) :: operation, friction
          character(:), allocatable :: using
          real(wp) :: slack
          slack = 0.0_wp
          if (rig%given) slack = indicated_load(rig, sweep%operations(operation), 0.0_wp)
          using = rows_of(sweep, model, operation, friction)//" using (stuck('"// &
-            trim(operation_name(sweep%operations(operation)))//"', "// &
-            friction_test(sweep, friction)//', '//to_text(slack/units%force, digits)//")):(column('"// &
+            trim(operation_name(sweep%operations(operation)))//"', "//friction_test(sweep, friction)// &
+            ", stringcolumn('status') eq '"//trim(result_status_name(result_locked_up))//"' ? "// &
+            to_text(slack/units%force, digits)//" : column('"//column_header(column_named(sweep_columns, &
+            trim(merge('weight_indicator', 'hookload        ', rig%given))), units)//"'))):(column('"// &
             column_header(column_named(sweep_columns, 'bit_depth'), units)//"'))"
-      end function locked
+      end function impossible
 
       !> Hook load at which the string yields, as the panel shows hook loads.
       pure function yield_curve(operation, friction) result(using)
@@ -174,11 +176,4 @@ contains
       if (allocated(sweep%frictions_cased)) text = '('//text//" && abs(column('friction_cased') - "// &
          to_text(sweep%frictions_cased(number))//') < 1e-9)'
    end function friction_test
-
-   !> Whether an operation lowers a string that does not turn: only that one locks up.
-   elemental function is_pushed(operation) result(is)
-      integer, intent(in) :: operation
-      logical :: is
-      is = operation == operation_trip_in .or. operation == operation_sliding_drilling
-   end function is_pushed
 end module dg_sweep_picture

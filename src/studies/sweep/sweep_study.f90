@@ -23,7 +23,7 @@ module dg_sweep_study
    use dg_sweep_file, only: sweep_columns, write_sweep
    use dg_sweep_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_script
-   use dg_sweep_points, only: add_indicator, add_margins, point_text, solve_points
+   use dg_sweep_points, only: add_indicator, add_limits, add_margins, point_text, solve_points
    use dg_sweep_table, only: sweep_sentences, sweep_table
    use dg_text, only: text_list, text_type
    use dg_units, only: unit_system_type
@@ -51,7 +51,7 @@ module dg_sweep_study
    !> Columns of the table beneath the picture.
    character(*), parameter :: shown(14) = [character(24) :: 'operation', 'friction', 'friction_cased', 'bit_depth', &
       'hookload', 'weight_indicator', 'torque', 'overpull_margin', 'rig_margin', 'torque_margin', 'measured_hookload', &
-      'measured_torque', 'error', 'status']
+      'measured_torque', 'error', 'can_be_done']
 
 contains
 
@@ -150,6 +150,7 @@ contains
       associate (sweep => self%sweeps(number), points => self%ensembles(number)%points)
          call add_indicator(run%model, sweep, 1, points)
          call add_margins(run%job, run%model, sweep, points)
+         call add_limits(run%job, run%model, sweep, points)
          call note_sweep(run%printed%outcome, sweep, points, sweep_sentences(run%job%units, sweep, points))
          call write_sweep(run%job%output_dir//'/'//points_file('sweep', sweep%name), run%job, sweep, points, error)
          if (.not. allocated(error)) allocate (lines, source=sweep_table(run%job%units, sweep, points))

@@ -10,10 +10,11 @@ module dg_sweep_table
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, sweep_type
-   use dg_sweep_result, only: sweep_result_type
+   use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_no, answer_yes, limit_title
    implicit none
    private
    public :: sweep_table, sweep_sentences
@@ -59,7 +60,7 @@ contains
          call append_passed(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
-      if (any(points%status /= result_converged)) call append_text(lines, '! no solution')
+      if (any(answer_of(points) /= answer_yes)) call append_text(lines, '! cannot be done, or no solution')
       call append_lost(lines, units, sweep, points)
    end function sweep_table
 
@@ -193,7 +194,7 @@ contains
                                                       as_measured(found%hookload, found%weight_indicator)), &
                                         units%force, cell_width - 1, hookload_digits)
                end if
-               row = row//merge(' ', '!', found%status == result_converged)
+               row = row//merge(' ', '!', answer_of(found) == answer_yes)
             end associate
          end do
          call append_text(lines, trim(row))
@@ -232,72 +233,56 @@ contains
          if (size(passed) > 0) then
             text = text//passed(1)%text
             do i = 2, min(size(passed), most_passed)
-               text = text//'; '//passed(i)%text
+               text = text//'. '//passed(i)%text
             end do
-            if (size(passed) > most_passed) text = text//'; and '//to_text(size(passed) - most_passed)//' more in its table'
+            if (size(passed) > most_passed) text = text//'. '//to_text(size(passed) - most_passed)//' more in its table'
          else if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
                              is_missing(points%overpull_margin))) then
-            text = text//'no limit of rig or string is passed, and nothing is pushed at surface'
+            text = text//'can be done. No limit of rig or string is passed'
          else
-            text = text//'nothing is pushed at surface; no limits of rig or string are known'
+            text = text//'can be done by string weight. No limits of rig or string are known'
          end if
          call append_text(lines, text)
       end do
    end function sweep_sentences
 
-   !> From which depth on a curve of a model is beyond a limit of the rig, yields, or goes down no more by its weight.
+   !> Depth from which an operation of a model cannot be done at a friction factor, and the limit that is passed there.
    pure subroutine append_passed(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: model
-      real(wp) :: margins(size(sweep%depths))
-      integer :: o, f, first, last
-      type(point_type) :: point
+      character(:), allocatable :: place
+      logical :: there(size(sweep%depths))
+      integer :: o, f, first, upper, lower
       do o = 1, size(sweep%operations)
          do f = 1, size(sweep%frictions)
-            point = point_type(model, o, f, 1)
-            first = point_number(sweep, point)
-            last = first + size(sweep%depths) - 1
-            margins = points(first:last)%rig_margin
-            call tell(lines, 'Beyond max_hookload of the rig', beyond(margins))
-            margins = points(first:last)%torque_margin
-            call tell(lines, 'Beyond max_torque of the rig', beyond(margins))
-            margins = points(first:last)%overpull_margin
-            call tell(lines, 'Beyond yield', beyond(margins))
-            call tell(lines, 'Must be pushed at surface (hook load below zero, block not counted)', &
-                      points(first:last)%status == result_converged .and. points(first:last)%hookload < 0.0_wp)
+            first = point_number(sweep, point_type(model, o, f, 1))
+            there = answer_of(points(first:first + size(there) - 1)) == answer_no
+            if (.not. any(there)) cycle
+            upper = findloc(there, .true., dim=1)
+            lower = findloc(there, .true., dim=1, back=.true.)
+            place = 'from '//depth_text(upper)
+            if (lower < size(there)) place = place//' to '//depth_text(lower)
+            if (.not. all(there(upper:lower))) place = place//', with gaps'
+            call append_text(lines, 'Cannot be done '//place//': '//trim(operation_label(sweep%operations(o)))//', '// &
+                             friction_text(f)//' ('//trim(limit_title(points(first + upper - 1)%limit))//')')
          end do
       end do
    contains
-      elemental function beyond(margin)
-         real(wp), intent(in) :: margin
-         logical :: beyond
-         beyond = .not. is_missing(margin) .and. margin < 0.0_wp
-      end function beyond
-
-      pure subroutine tell(page, what, there)
-         type(text_type), allocatable, intent(inout) :: page(:)
-         character(*), intent(in) :: what
-         logical, intent(in) :: there(:)     !< at each depth
-         character(:), allocatable :: where_to
-         integer :: upper, lower
-         if (.not. any(there)) return
-         upper = findloc(there, .true., dim=1)
-         lower = findloc(there, .true., dim=1, back=.true.)
-         where_to = depth_text(upper)
-         if (upper < lower) where_to = where_to//' to '//depth_text(lower)
-         if (.not. all(there(upper:lower))) where_to = where_to//', though not at each depth between'
-         call append_text(page, what//': '//trim(operation_label(sweep%operations(o)))//' at '// &
-                          factor_text(sweep, f)//', bit at '//where_to)
-      end subroutine tell
-
       pure function depth_text(number) result(text)
          integer, intent(in) :: number       !< of a depth
          character(:), allocatable :: text
          text = to_text(sweep%depths(number)/units%length, depth_digits)//' '//trim(units%length_label)
       end function depth_text
+
+      pure function friction_text(number) result(text)
+         integer, intent(in) :: number       !< of a friction factor
+         character(:), allocatable :: text
+         text = 'friction of the hole'
+         if (sweep%frictions(number)%present) text = 'friction '//factor_text(sweep, number)
+      end function friction_text
    end subroutine append_passed
 
    pure function quantity_text(units, quantity, indicated) result(text)

@@ -1,0 +1,201 @@
+!> Finds the answer to 'can it be done?' for a load case from its result and its limits.
+!>
+!> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook load
+!> below zero means a push at surface. Strengths, slips and rig are those of dg_utilisation.
+module dg_find_verdict
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
+   use dg_design_factors, only: design_factors_type
+   use dg_friction_reserve, only: find_friction_reserve, own_weight, weight_share
+   use dg_job, only: model_mcge
+   use dg_load_case, only: block_way, given, moves_axially, optional_real, rotates
+   use dg_model, only: model_type, string_index
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_trajectory, only: top_md
+   use dg_utilisation, only: as_much, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, &
+                             limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises, utilisation_type
+   use dg_verdict, only: answer_no, answer_yes, limit_fatigue, limit_lock_up, limit_string_weight, verdict_type
+   use dg_weight_on_bit, only: locks_up, most_weight_on_bit
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: find_verdict, passed_weight
+
+contains
+
+   !> Verdict of a result. `along` and `whole` are only read where it has converged. Unknown where it has not.
+   pure subroutine find_verdict(model, result, along, whole, design, rig_limit, verdict)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(whole_string_type), intent(in) :: whole
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
+      type(verdict_type), intent(out) :: verdict
+      associate (load_case => model%cases(result%case_index))
+         if (result%status == result_locked_up) then
+            verdict%answer = answer_no
+            verdict%limit = limit_lock_up
+            if (block_way(load_case%operation) <= 0) verdict%most_wob = &
+               given(most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false.))
+         else if (result%status == result_converged) then
+            verdict%answer = answer_yes
+            verdict%most_wob = whole%wob_lockup
+            call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
+            call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
+            call judge_weight(model, result, whole%wob_lockup, verdict)
+            if (verdict%answer == answer_yes) &
+               call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve)
+         end if
+         if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
+             .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) &
+            call find_turning_hookload(model, result%case_index, verdict%turning_hookload)
+      end associate
+   end subroutine find_verdict
+
+   !> Takes the most used of strengths, slips and rig.
+   pure subroutine judge_strengths(result, along, utilisation, block_weight, verdict)
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(utilisation_type), intent(in) :: utilisation
+      real(wp), intent(in) :: block_weight      !< [N]
+      type(verdict_type), intent(inout) :: verdict
+      integer :: row
+      if (utilisation%governing == 0) return
+      verdict%limit = utilisation%governing
+      verdict%used = utilisation%used(verdict%limit)
+      verdict%md = utilisation%md(verdict%limit)
+      if (verdict%used%value > 1.0_wp + as_much) verdict%answer = answer_no
+      associate (profile => result%profile)
+         row = minloc(abs(profile%md - verdict%md%value), dim=1)
+         if (row < size(profile%md)) then      ! the other side of a change has a row of the same depth
+            if (profile%md(row + 1) <= profile%md(row) .and. load_at(row + 1) > load_at(row)) row = row + 1
+         end if
+      end associate
+      verdict%load = given(load_at(row))
+      if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
+
+   contains
+
+      !> Load that the limit is for, at a row of the profile [N, N.m or Pa].
+      pure function load_at(i) result(load)
+         integer, intent(in) :: i
+         real(wp) :: load
+         select case (verdict%limit)
+         case (limit_von_mises); load = along%von_mises(i)
+         case (limit_tension); load = result%profile%axial(i)
+         case (limit_torsion, limit_joint_torsion, limit_makeup); load = abs(result%profile%torque(i))
+         case (limit_burst); load = along%inside_pressure(i) - along%pressure(i)
+         case (limit_collapse); load = along%pressure(i) - along%inside_pressure(i)
+         case (limit_top_drive); load = abs(result%torque)
+         case (limit_rig); load = result%hookload + block_weight
+         case default; load = result%hookload
+         end select
+      end function load_at
+   end subroutine judge_strengths
+
+   !> Takes string weight or lock-up, where one of them is passed or used more than the strengths. They are not known where the
+   !> survey begins below surface.
+   pure subroutine judge_weight(model, result, wob_lockup, verdict)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(optional_real), intent(in) :: wob_lockup     !< largest weight on bit without a push, by the soft string [N]
+      type(verdict_type), intent(inout) :: verdict
+      real(wp) :: share, weight
+      integer :: passed
+      if (top_md(model%trajectory) > 0.0_wp) then
+         verdict%not_checked(limit_string_weight) = .true.
+         return
+      end if
+      associate (load_case => model%cases(result%case_index))
+         weight = own_weight(load_case, result)
+         passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
+         share = weight_share(load_case, result)
+         if (passed == limit_string_weight .or. is_most(share, verdict)) then
+            verdict%limit = limit_string_weight
+            verdict%used = optional_real(weight > 0.0_wp, share)
+            verdict%load = given(weight - result%hookload)
+            verdict%allowed = given(weight)
+            verdict%md%present = .false.
+         end if
+         if (passed > 0) verdict%answer = answer_no
+         if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
+         ! The soft string may lock up where beams do not: the limit is reached then, not passed.
+         share = 0.0_wp
+         if (load_case%wob > 0.0_wp) share = min(load_case%wob/max(wob_lockup%value, tiny(share)), 1.0_wp)
+         if (passed == 0 .and. .not. is_most(share, verdict)) return
+         verdict%limit = limit_lock_up
+         verdict%used = optional_real(load_case%wob > 0.0_wp .and. wob_lockup%value > 0.0_wp, share)
+         if (passed > 0 .and. verdict%used%present) verdict%used%value = load_case%wob/wob_lockup%value
+         verdict%load = given(load_case%wob)
+         verdict%allowed = given(wob_lockup%value)
+         if (passed == 0) verdict%allowed%value = max(wob_lockup%value, load_case%wob)
+         verdict%md%present = .false.
+      end associate
+   end subroutine judge_weight
+
+   !> Limit of the string's weight that a converged result passes: string weight where the hook load is below zero; lock-up where
+   !> the friction of a coiled string, which only beams have in their hook load, takes it; 0 for none, and where the survey begins
+   !> below surface.
+   pure function passed_weight(model, method, case_index, hookload, largest) result(limit)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: method        !< number of the model that was solved (dg_job)
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: hookload     !< [N]
+      real(wp), intent(in) :: largest      !< axial force along the string, in size; round-off is a part of it [N]
+      integer :: limit
+      limit = 0
+      if (top_md(model%trajectory) > 0.0_wp) return
+      if (is_pushed(hookload, [largest])) then
+         limit = limit_string_weight
+      else if (method /= model_mcge) then
+         if (locks_up(model, case_index)) limit = limit_lock_up
+      end if
+   end function passed_weight
+
+   !> True where a share [-] is more than what is used of the limit so far.
+   pure function is_most(share, verdict) result(is)
+      real(wp), intent(in) :: share
+      type(verdict_type), intent(in) :: verdict
+      logical :: is
+      is = share > 0.0_wp
+      if (verdict%used%present) is = share > verdict%used%value
+   end function is_most
+
+   !> Hook load of the soft string if the string were turned: friction along the hole is zero [N]. Absent where it would be below
+   !> zero, too.
+   pure subroutine find_turning_hookload(model, case_index, hookload)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(optional_real), intent(out) :: hookload
+      type(soft_totals_type) :: totals
+      real(wp) :: axial(1), torque(1)
+      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
+                          other=other_loads_type(friction_scale=0.0_wp))
+      if (axial(1) > 0.0_wp .and. .not. totals%runaway) hookload = given(axial(1))
+   end subroutine find_turning_hookload
+
+   !> Limits that count for a load case and have no rating in the deck.
+   pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(optional_real), intent(in) :: rig_limit
+      type(design_factors_type), intent(in) :: design
+      logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
+      logical :: turns
+      integer :: string
+      turns = rotates(model%cases(case_index)%operation)
+      string = string_index(model%strings, model%cases(case_index)%string)
+      associate (parts => model%strings(string)%components)
+         unrated([limit_von_mises, limit_tension, limit_burst, limit_collapse]) = .not. any(parts%yield > 0.0_wp)
+         unrated(limit_torsion) = turns .and. .not. any(parts%yield > 0.0_wp)
+         unrated(limit_joint_torsion) = turns .and. .not. any(parts%joint_torsion > 0.0_wp)
+         unrated(limit_makeup) = turns .and. .not. any(parts%makeup_torque > 0.0_wp)
+         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(size(parts))%yield > 0.0_wp)
+      end associate
+      unrated(limit_rig) = .not. rig_limit%present
+      unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
+      unrated(limit_fatigue) = turns
+   end subroutine note_unrated
+end module dg_find_verdict

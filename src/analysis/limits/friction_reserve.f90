@@ -1,0 +1,141 @@
+!> Factor by which all friction of a load case may grow before a limit is passed.
+!>
+!> The result is not solved again. Axial force and torque along the string change as those of the soft string do, times the ratio of
+!> the result's friction to that of the soft string at today's friction.
+module dg_friction_reserve
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
+   use dg_case_result, only: case_result_type
+   use dg_design_factors, only: design_factors_type
+   use dg_job, only: model_soft
+   use dg_load_case, only: given, load_case_type, optional_real
+   use dg_model, only: model_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_trajectory, only: top_md
+   use dg_utilisation, only: find_utilisation, utilisation_type
+   implicit none
+   private
+   public :: find_friction_reserve, own_weight, weight_share
+
+   !> Largest factor that is looked for, and to what part of it [-].
+   real(wp), parameter :: most = 10.0_wp, narrowness = 1.0e-4_wp
+   !> Friction of the soft string below this part of its weight scales nothing [-].
+   real(wp), parameter :: no_friction = 1.0e-6_wp
+   !> Share of a limit by a string that locks up [-].
+   real(wp), parameter :: locked = 2.0_wp
+
+   !> Loads of the soft string at today's friction, and what the result has beside them.
+   type :: soft_type
+      real(wp), allocatable :: axial(:), torque(:)   !< along the string [N, N.m]
+      real(wp) :: axial_ratio = 1.0_wp               !< friction of the result over that of the soft string [-]
+      real(wp) :: torque_ratio = 1.0_wp              !< the same of torque
+      logical :: coiled = .false.                    !< with the friction of a buckled string
+   end type soft_type
+
+contains
+
+   !> The factor, > 1; absent where no limit is passed up to ten times today's friction.
+   pure subroutine find_friction_reserve(model, result, design, rig_limit, reserve)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result       !< converged
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
+      type(optional_real), intent(out) :: reserve
+      type(soft_type) :: soft
+      type(bracket_type) :: bracket
+      real(wp) :: factor, at_most, now
+      if (.not. allocated(result%profile%md)) return
+      call begin_soft(model, result, soft)
+      if (.not. allocated(soft%axial)) return
+      now = margin_at(model, result, design, rig_limit, soft, 1.0_wp)
+      at_most = margin_at(model, result, design, rig_limit, soft, most)
+      if (at_most >= 0.0_wp .or. now < 0.0_wp) return
+      bracket = new_bracket(1.0_wp, now, most, at_most)
+      do while (.not. is_narrow(bracket, narrowness*most))
+         factor = next_try(bracket, narrowness*most)
+         call narrow(bracket, factor, margin_at(model, result, design, rig_limit, soft, factor))
+      end do
+      reserve = given(bracket%low)
+   end subroutine find_friction_reserve
+
+   !> Soft string at today's friction. Not allocated where it locks up.
+   pure subroutine begin_soft(model, result, soft)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(soft_type), intent(out) :: soft
+      type(soft_totals_type) :: totals
+      real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
+      soft%coiled = result%model /= model_soft
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
+                          other=other_loads_type(coiled=soft%coiled))
+      if (totals%runaway) return
+      soft%axial = axial
+      soft%torque = torque
+      associate (load_case => model%cases(result%case_index))
+         friction = totals%weight - load_case%wob - axial(1)
+         turning = torque(1) - load_case%tob
+         if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
+         if (turning > 0.0_wp) soft%torque_ratio = max((result%torque - load_case%tob)/turning, 0.0_wp)
+      end associate
+   end subroutine begin_soft
+
+   !> One minus the share of the most used limit with all friction times a factor [-].
+   pure function margin_at(model, result, design, rig_limit, soft, factor) result(margin)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit
+      type(soft_type), intent(in) :: soft
+      real(wp), intent(in) :: factor       !< [-]
+      real(wp) :: margin
+      type(case_result_type) :: other
+      type(along_string_type) :: along
+      type(utilisation_type) :: utilisation
+      type(soft_totals_type) :: totals
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial))
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
+                          other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
+      if (totals%runaway) then
+         margin = 1.0_wp - locked
+         return
+      end if
+      other%case_index = result%case_index
+      other%model = result%model
+      other%profile = result%profile
+      other%profile%axial = result%profile%axial + soft%axial_ratio*(axial - soft%axial)
+      other%profile%torque = result%profile%torque + soft%torque_ratio*(torque - soft%torque)
+      other%hookload = other%profile%axial(1)
+      other%torque = other%profile%torque(1)
+      other%friction = result%friction - (other%hookload - result%hookload)
+      call find_along_string(model, other, along)
+      call find_utilisation(model, other, along, design, rig_limit, utilisation)
+      margin = 1.0_wp
+      if (utilisation%governing > 0) margin = 1.0_wp - utilisation%used(utilisation%governing)%value
+      if (.not. top_md(model%trajectory) > 0.0_wp) &
+         margin = min(margin, 1.0_wp - weight_share(model%cases(result%case_index), other))
+   end function margin_at
+
+   !> Buoyed weight along the hole [N].
+   elemental function own_weight(load_case, result) result(weight)
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      real(wp) :: weight
+      weight = result%hookload + load_case%wob + result%friction
+   end function own_weight
+
+   !> Part of the buoyed weight that weight on bit and friction take, so that the hook load is the rest [-]; > 1 where the string
+   !> must be pushed. 0 where friction pulls the other way, 2 where a floating string must be pushed.
+   elemental function weight_share(load_case, result) result(share)
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      real(wp) :: share
+      real(wp) :: weight
+      weight = own_weight(load_case, result)
+      if (weight > 0.0_wp) then
+         share = max(1.0_wp - result%hookload/weight, 0.0_wp)
+      else
+         share = merge(locked, 0.0_wp, result%hookload < 0.0_wp)
+      end if
+   end function weight_share
+end module dg_friction_reserve

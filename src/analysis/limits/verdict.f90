@@ -1,0 +1,58 @@
+!> The answer to 'can it be done?' for one load case, with the limit that decides.
+module dg_verdict
+   use dg_load_case, only: optional_real
+   use dg_text, only: lower_case
+   use dg_utilisation, only: limit_count, limit_name
+   implicit none
+   private
+   public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
+             limit_lock_up, limit_fatigue, limit_title, limit_code
+
+   integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
+   !> Names in files, in the order of the numbers above.
+   character(*), parameter :: answer_name(0:2) = [character(7) :: 'unknown', 'no', 'yes']
+
+   !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
+   !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue has no rating in a deck.
+   integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3
+   integer, parameter :: every_limit_count = limit_count + 3
+   character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(13) :: 'string weight', 'lock-up', &
+      'fatigue']
+
+   type :: verdict_type
+      integer :: answer = answer_unknown
+      integer :: limit = 0                          !< the one that decides; for yes the one used most; 0: none known
+      type(optional_real) :: used                   !< how much of it [-]
+      type(optional_real) :: md                     !< where [m]; absent for the whole string
+      type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m or Pa]
+      logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
+      type(optional_real) :: friction_reserve       !< factor by which all friction may grow until the answer is no [-]
+      type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
+      type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]
+   end type verdict_type
+
+contains
+
+   !> Name of a limit in texts, blanks behind it; blank for 0.
+   pure function limit_title(limit) result(name)
+      integer, intent(in) :: limit
+      character(len(limit_name)) :: name
+      name = ''
+      if (limit > limit_count) then
+         name = further_name(limit)
+      else if (limit > 0) then
+         name = limit_name(limit)
+      end if
+   end function limit_title
+
+   !> Name of a limit in files: lower case, '_' in place of blanks inside, blanks behind it.
+   pure function limit_code(limit) result(code)
+      integer, intent(in) :: limit
+      character(len(limit_name)) :: code
+      integer :: i
+      code = lower_case(limit_title(limit))
+      do i = 1, len_trim(code)
+         if (code(i:i) == ' ' .or. code(i:i) == '-') code(i:i) = '_'
+      end do
+   end function limit_code
+end module dg_verdict

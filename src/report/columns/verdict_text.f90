@@ -1,0 +1,179 @@
+!> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
+module dg_verdict_text
+   use dg_kinds, only: wp
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
+   use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_stress
+   use dg_units, only: unit_system_type
+   use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
+                             limit_tension, limit_top_drive, limit_torsion, limit_von_mises
+   use dg_verdict, only: answer_no, answer_yes, every_limit_count, limit_code, limit_lock_up, limit_string_weight, limit_title, &
+                         verdict_type
+   implicit none
+   private
+   public :: verdict_reason, verdict_sentences, unchecked_codes
+
+   !> Digits of loads, depths and factors.
+   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3
+   real(wp), parameter :: percent = 0.01_wp
+   !> Limits that all need one thing, the yield strength.
+   integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
+
+contains
+
+   !> Why the answer is no, in one clause with numbers; '' for another answer.
+   pure function verdict_reason(units, load_case, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      logical :: enough
+      text = ''
+      if (verdict%answer /= answer_no) return
+      enough = .true.      ! the weight on bit that is asked for is not known to be too much
+      if (verdict%most_wob%present) enough = load_case%wob <= verdict%most_wob%value
+      select case (verdict%limit)
+      case (limit_lock_up, limit_string_weight)
+         if (block_way(load_case%operation) > 0 .and. verdict%limit == limit_lock_up) then
+            text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
+         else if (load_case%wob > 0.0_wp .and. .not. enough) then
+            text = 'String weight alone brings '//force_text(units, verdict%most_wob%value)//' to the bit, '// &
+                   force_text(units, load_case%wob)//' asked'
+         else if (verdict%limit == limit_lock_up) then
+            text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
+         else if (load_case%operation == operation_static) then
+            text = 'The top must be held down with '//force_text(units, push_of(verdict))
+         else
+            text = force_text(units, push_of(verdict))//' of push needed at surface'
+         end if
+      case default
+         text = trim(limit_title(verdict%limit))//': '// &
+                load_text(units, verdict%limit, verdict%load%value)//place_text(units, verdict)
+         if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed'
+      end select
+   end function verdict_reason
+
+   !> What stands beside the answer: the reason and what helps; or the nearest limit, what is left of it, the friction reserve and
+   !> what was not checked.
+   pure function verdict_sentences(units, load_case, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      if (verdict%answer == answer_no) then
+         text = verdict_reason(units, load_case, verdict)//help_text(units, verdict)
+      else if (verdict%answer == answer_yes) then
+         text = nearest_text(units, verdict)
+         if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp) &
+            text = text//'. Largest WOB '//force_text(units, max(verdict%most_wob%value, load_case%wob))
+         if (verdict%friction_reserve%present) text = text//'. Friction may be '// &
+            to_text(verdict%friction_reserve%value, shown_factor)//' times as high'
+         if (any(verdict%not_checked)) text = text//'. Not checked: '//unchecked_text(verdict)
+      else
+         text = 'No solution was found'
+      end if
+   end function verdict_sentences
+
+   !> Push at surface that a string needs [N].
+   pure function push_of(verdict) result(push)
+      type(verdict_type), intent(in) :: verdict
+      real(wp) :: push
+      push = verdict%load%value - verdict%allowed%value
+   end function push_of
+
+   !> What makes the operation possible, as far as it is known; '' else.
+   pure function help_text(units, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = ''
+      if (.not. verdict%turning_hookload%present) return
+      text = '. Turn the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
+      if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
+         ' of buoyed weight where the hole is steep'
+   end function help_text
+
+   !> The limit used most and what is left of it.
+   pure function nearest_text(units, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      if (verdict%limit == 0) then
+         text = 'No limit is known'
+         return
+      end if
+      text = trim(limit_title(verdict%limit))//' '//to_text(verdict%used%value/percent, shown_factor)//' % used'// &
+             place_text(units, verdict)
+      if (verdict%allowed%present) text = text//', '// &
+         load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
+   end function nearest_text
+
+   !> A load of a limit.
+   pure function load_text(units, limit, load) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: load       !< [N, N.m or Pa]
+      character(:), allocatable :: text
+      select case (limit)
+      case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
+         text = trim(in_units(units, unit_moment, load, shown))
+      case (limit_von_mises, limit_burst, limit_collapse)
+         text = trim(in_units(units, unit_stress, load, shown))
+      case default
+         text = force_text(units, load)
+      end select
+   end function load_text
+
+   !> A force.
+   pure function force_text(units, force) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: force      !< [N]
+      character(:), allocatable :: text
+      text = trim(in_units(units, unit_force, force, shown))
+   end function force_text
+
+   !> A depth.
+   pure function depth_text(units, md) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: md         !< [m]
+      character(:), allocatable :: text
+      text = trim(in_units(units, unit_length, md, shown_depth))
+   end function depth_text
+
+   !> Where a limit is used most: ' at 2300 ft'; '' for the whole string, and for what is measured at surface alone.
+   pure function place_text(units, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = ''
+      if (verdict%md%present .and. all(verdict%limit /= [limit_rig, limit_slips, limit_top_drive])) &
+         text = ' at '//depth_text(units, verdict%md%value)
+   end function place_text
+
+   !> Names of the limits that were not checked, one name for all that need a yield strength.
+   pure function unchecked_text(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (verdict%not_checked(limit_tension)) text = 'pipe strength (no yield)'
+      do i = 1, every_limit_count
+         if (.not. verdict%not_checked(i) .or. any(by_yield == i)) cycle
+         if (text /= '') text = text//', '
+         text = text//trim(limit_title(i))
+      end do
+   end function unchecked_text
+
+   !> Names of the limits that were not checked as files have them, blanks between them.
+   pure function unchecked_codes(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, every_limit_count
+         if (.not. verdict%not_checked(i)) cycle
+         if (text /= '') text = text//' '
+         text = text//trim(limit_code(i))
+      end do
+   end function unchecked_codes
+end module dg_verdict_text

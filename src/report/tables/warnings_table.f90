@@ -1,0 +1,62 @@
+!> The block 'Warnings' on standard output, under the verdict: one entry a load case, those without a solution first.
+module dg_warnings_table
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
+   use dg_job, only: job_type, model_name
+   use dg_model, only: model_type
+   use dg_text, only: append_text, text_type, to_text
+   use dg_wrapped_text, only: append_wrapped, page_width
+   implicit none
+   private
+   public :: warnings_table, warning_order, warning_text
+
+   !> Statuses as they follow each other in the block.
+   integer, parameter :: by_weight(3) = [result_not_converged, result_locked_up, result_converged]
+
+contains
+
+   !> The lines of the block; none where no case has a message.
+   pure function warnings_table(job, model, results) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: head
+      integer, allocatable :: order(:)
+      integer :: i
+      allocate (lines(0))
+      allocate (order, source=warning_order(results))
+      if (size(order) == 0) return
+      call append_text(lines, '')
+      call append_text(lines, 'Warnings ('//to_text(size(order))//')')
+      do i = 1, size(order)
+         associate (result => results(order(i)))
+            head = model%cases(result%case_index)%name
+            if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
+            call append_wrapped(lines, head//': ', warning_text(result)//'.', page_width)
+         end associate
+      end do
+   end function warnings_table
+
+   !> Results that have a warning: those without a solution first, then locked-up ones, each in the deck's order.
+   pure function warning_order(results) result(order)
+      type(case_result_type), intent(in) :: results(:)
+      integer, allocatable :: order(:)
+      integer :: i, k
+      allocate (order(0))
+      do k = 1, size(by_weight)
+         order = [order, pack([(i, i=1, size(results))], [(results(i)%status == by_weight(k) .and. warning_text(results(i)) /= '', &
+                                                           i=1, size(results))])]
+      end do
+   end function warning_order
+
+   !> Status and message of a result; '' for one that has converged and has no message.
+   pure function warning_text(result) result(text)
+      type(case_result_type), intent(in) :: result
+      character(:), allocatable :: text
+      text = ''
+      if (allocated(result%message)) text = result%message
+      if (result%status == result_converged) return
+      if (text == '') text = 'no reason given'
+      if (result%status == result_not_converged) text = trim(result_status_name(result%status))//': '//text
+   end function warning_text
+end module dg_warnings_table

@@ -1,0 +1,272 @@
+!> The answer to 'can it be done?' against closed forms: a uniform string in a straight inclined hole, by the soft string.
+module dg_test_verdict
+   use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, find_along_string
+   use dg_case_result, only: case_result_type, result_locked_up, result_not_converged
+   use dg_component, only: buoyed_weight, tube_area
+   use dg_constants, only: degree
+   use dg_design_factors, only: design_factors_type
+   use dg_error, only: error_type
+   use dg_find_verdict, only: find_verdict
+   use dg_fluid, only: standing_mud
+   use dg_hole_section, only: hole_section_type
+   use dg_kinds, only: wp
+   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
+                           operation_trip_out, optional_real
+   use dg_model, only: model_type
+   use dg_soft_string, only: solve_soft_string
+   use dg_text, only: to_text
+   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_units, only: si_units
+   use dg_utilisation, only: find_utilisation, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, &
+                             limit_top_drive
+   use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, limit_code, limit_fatigue, limit_lock_up, &
+                         limit_string_weight, verdict_type
+   use dg_verdict_text, only: unchecked_codes, verdict_reason, verdict_sentences
+   use dg_whole_string, only: find_whole_string, whole_string_type
+   implicit none
+   private
+   public :: verdict_suite
+
+   real(wp), parameter :: depth = 600.0_wp, angle = 60.0_wp*degree, friction = 0.3_wp, mud = 1200.0_wp
+   real(wp), parameter :: close = 1.0e-3_wp
+
+contains
+
+   function verdict_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('verdict')
+      call suite%addTest(TestMethod('string_weight_and_its_reserve', test_weight))
+      call suite%addTest(TestMethod('push_needed', test_push))
+      call suite%addTest(TestMethod('too_much_weight_on_bit', test_weight_on_bit))
+      call suite%addTest(TestMethod('rig_and_its_reserve', test_rig))
+      call suite%addTest(TestMethod('top_drive', test_top_drive))
+      call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
+      call suite%addTest(TestMethod('locked_up', test_locked_up))
+      call suite%addTest(TestMethod('no_solution', test_no_solution))
+      call suite%addTest(TestMethod('codes_without_blanks', test_codes))
+   end function verdict_suite
+
+   !> A collar all the way up in a straight hole.
+   subroutine build(model, operation, wob)
+      type(model_type), intent(out) :: model
+      integer, intent(in) :: operation
+      real(wp), intent(in) :: wob          !< [N]
+      type(error_type), allocatable :: error
+      call new_trajectory(model%trajectory, [0.0_wp, depth], [angle, angle], [0.0_wp, 0.0_wp], &
+                          interpolation_minimum_curvature, error)
+      allocate (model%holes(1), model%strings(1), model%cases(1))
+      model%holes(1) = hole_section_type('hole', 0.0_wp, depth, 0.2159_wp, friction, friction)
+      model%strings(1)%name = 'main'
+      allocate (model%strings(1)%components(1))
+      associate (part => model%strings(1)%components(1))
+         part%kind = 'collar'
+         part%name = 'collar'
+         part%od = 0.1651_wp
+         part%id = 0.0714_wp
+         part%mass = part%density*tube_area(part%od, part%id)
+      end associate
+      model%mud = standing_mud(mud)
+      model%cases(1)%name = 'case'
+      model%cases(1)%section = ''
+      model%cases(1)%string = 'main'
+      model%cases(1)%bit_depth = depth
+      model%cases(1)%operation = operation
+      model%cases(1)%wob = wob
+   end subroutine build
+
+   !> Buoyed weight of the whole string [N].
+   function weight_of(model) result(weight)
+      type(model_type), intent(in) :: model
+      real(wp) :: weight
+      weight = depth*buoyed_weight(model%strings(1)%components(1), mud, mud, model%gravity)
+   end function weight_of
+
+   !> Solve by the soft string and judge.
+   subroutine judge(model, rig_limit, verdict)
+      type(model_type), intent(in) :: model
+      type(optional_real), intent(in) :: rig_limit      !< [N]
+      type(verdict_type), intent(out) :: verdict
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(design_factors_type) :: factors
+      type(error_type), allocatable :: error
+      call solve_soft_string(model, 1, result, error)
+      call assertFalse(allocated(error))
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, rig_limit, whole)
+      call find_utilisation(model, result, along, factors, rig_limit, whole%utilisation)
+      call find_verdict(model, result, along, whole, factors, rig_limit, verdict)
+   end subroutine judge
+
+   !> Running in: hook load W (cos a - f sin a). Friction may be cot a/f times as high until nothing hangs on the hook.
+   subroutine test_weight()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      call build(model, operation_trip_in, 0.0_wp)
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_yes, verdict%answer)
+      call assertEqual(limit_string_weight, verdict%limit)
+      call assertRelativelyEqual(friction*tan(angle), verdict%used%value, close, message='used')
+      call assertRelativelyEqual(weight_of(model)*cos(angle), verdict%allowed%value, close, message='weight along the hole')
+      call assertRelativelyEqual(1.0_wp/(friction*tan(angle)), verdict%friction_reserve%value, close, message='reserve')
+   end subroutine test_weight
+
+   !> Friction of 0.7 holds a string at 60 degrees: W (f sin a - cos a) of push. Turned, it goes down.
+   subroutine test_push()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      character(:), allocatable :: reason
+      call build(model, operation_trip_in, 0.0_wp)
+      model%cases(1)%friction_axial = given(0.7_wp)
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(limit_string_weight, verdict%limit)
+      call assertFalse(verdict%friction_reserve%present, message='a reserve of what cannot be done')
+      call assertRelativelyEqual(weight_of(model)*cos(angle), verdict%turning_hookload%value, close, message='turned')
+      allocate (character(0) :: reason)
+      reason = verdict_reason(si_units(), model%cases(1), verdict)
+      call assertEqual(to_text(weight_of(model)*(0.7_wp*sin(angle) - cos(angle))/1000.0_wp, 3)// &
+                       ' kN of push needed at surface', reason)
+      reason = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(reason, 'Turn the string') > 0, message=reason)
+   end subroutine test_push
+
+   !> Sliding with one and a half of the weight on bit that the string brings to the bit.
+   subroutine test_weight_on_bit()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      character(:), allocatable :: reason
+      real(wp) :: most
+      call build(model, operation_sliding_drilling, 0.0_wp)
+      most = weight_of(model)*(cos(angle) - friction*sin(angle))
+      model%cases(1)%wob = 1.5_wp*most
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertRelativelyEqual(most, verdict%most_wob%value, close, message='largest weight on bit')
+      allocate (character(0) :: reason)
+      reason = verdict_reason(si_units(), model%cases(1), verdict)
+      call assertEqual('String weight alone brings '//to_text(most/1000.0_wp, 3)//' kN to the bit, '// &
+                       to_text(1.5_wp*most/1000.0_wp, 3)//' kN asked', reason)
+      model%cases(1)%wob = 0.9_wp*most
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_yes, verdict%answer, message='nine tenths of it')
+      call assertEqual(limit_string_weight, verdict%limit)
+      call assertRelativelyEqual(1.0_wp - 0.1_wp*most/(weight_of(model)*cos(angle)), verdict%used%value, close)
+   end subroutine test_weight_on_bit
+
+   !> Pulling out, W (cos a + f sin a) and a block of 100 kN on a rig. The factor follows from the rest.
+   subroutine test_rig()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      real(wp) :: load, block
+      block = 100.0e3_wp
+      call build(model, operation_trip_out, 0.0_wp)
+      model%rig%given = .true.
+      model%rig%block_weight = block
+      load = weight_of(model)*(cos(angle) + friction*sin(angle)) + block
+      call judge(model, given(1.1_wp*load), verdict)
+      call assertEqual(answer_yes, verdict%answer)
+      call assertEqual(limit_rig, verdict%limit)
+      call assertRelativelyEqual(load, verdict%load%value, close)
+      call assertRelativelyEqual(1.0_wp + 0.1_wp*load/(weight_of(model)*friction*sin(angle)), verdict%friction_reserve%value, close)
+      call judge(model, given(0.9_wp*load), verdict)
+      call assertEqual(answer_no, verdict%answer, message='too heavy for the rig')
+      call assertEqual(limit_rig, verdict%limit)
+   end subroutine test_rig
+
+   !> Torque f W sin a times the radius of the string.
+   subroutine test_top_drive()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      real(wp) :: torque
+      call build(model, operation_rotary_drilling, 0.0_wp)
+      torque = friction*weight_of(model)*sin(angle)*0.5_wp*model%strings(1)%components(1)%od
+      model%rig%given = .true.
+      model%rig%max_torque = given(1.25_wp*torque)
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_yes, verdict%answer)
+      call assertEqual(limit_top_drive, verdict%limit)
+      call assertRelativelyEqual(0.8_wp, verdict%used%value, close)
+      call assertRelativelyEqual(1.25_wp, verdict%friction_reserve%value, close)
+      model%rig%max_torque = given(0.8_wp*torque)
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(limit_top_drive, verdict%limit)
+   end subroutine test_top_drive
+
+   !> Limits without a rating are named, those of turning only where the string turns.
+   subroutine test_not_checked()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      character(:), allocatable :: names
+      call build(model, operation_trip_out, 0.0_wp)
+      call judge(model, optional_real(), verdict)
+      call assertTrue(all(verdict%not_checked([limit_tension, limit_rig, limit_slips])))
+      call assertFalse(any(verdict%not_checked([limit_makeup, limit_joint_torsion, limit_top_drive, limit_fatigue])), &
+                       message='nothing turns')
+      model%cases(1)%operation = operation_rotary_drilling
+      model%strings(1)%components(1)%yield = 700.0e6_wp
+      model%rig%max_torque = given(1.0e6_wp)
+      call judge(model, given(1.0e7_wp), verdict)
+      allocate (character(0) :: names)
+      names = unchecked_codes(verdict)
+      call assertEqual('joint_torsion make_up_torque slips fatigue', names)
+      names = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(names, 'Not checked: joint torsion, make-up torque, slips, fatigue') > 0, message=names)
+   end subroutine test_not_checked
+
+   !> A string that is locked up cannot be done, and its weight on bit is told.
+   subroutine test_locked_up()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(verdict_type) :: verdict
+      type(design_factors_type) :: factors
+      real(wp) :: most
+      call build(model, operation_sliding_drilling, 0.0_wp)
+      most = weight_of(model)*(cos(angle) - friction*sin(angle))
+      model%cases(1)%wob = 2.0_wp*most
+      result%case_index = 1
+      result%status = result_locked_up
+      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(limit_lock_up, verdict%limit)
+      call assertRelativelyEqual(most, verdict%most_wob%value, close)
+      model%cases(1)%operation = operation_trip_out
+      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)
+   end subroutine test_locked_up
+
+   !> A case that has not converged has no answer.
+   subroutine test_no_solution()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(verdict_type) :: verdict
+      type(design_factors_type) :: factors
+      call build(model, operation_static, 0.0_wp)
+      result%case_index = 1
+      result%status = result_not_converged
+      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call assertEqual(answer_unknown, verdict%answer)
+      call assertEqual('', verdict_reason(si_units(), model%cases(1), verdict))
+   end subroutine test_no_solution
+
+   !> Names in files are separated by blanks: none has one inside, and none is used twice.
+   subroutine test_codes()
+      character(:), allocatable :: code
+      integer :: i, k
+      allocate (character(0) :: code)
+      do i = 1, every_limit_count
+         code = trim(limit_code(i))
+         call assertEqual(0, scan(code, ' -'), message=code)
+         do k = 1, i - 1
+            call assertFalse(code == limit_code(k), message=code)
+         end do
+      end do
+   end subroutine test_codes
+end module dg_test_verdict
