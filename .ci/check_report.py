@@ -37,15 +37,31 @@ def faults_of_summary(folder, page):
     if not short:
         return ["the page does not begin in short"]
     told = html.unescape(re.sub(r"<[^>]*>", "", short.group(1)))
-    limits = [row for row in rows_of(folder / "limits.csv") if row["model"] == "mcge" and row["governing_utilisation_pct"]]
     solved = [row for row in rows_of(folder / "summary.csv") if row["model"] == "mcge" and row["status"] == "converged"]
-    most = max(limits, key=lambda row: float(row["governing_utilisation_pct"]))
     loads = sorted(solved, key=lambda row: float(row["hookload_kN"]))
     worst = max((row for row in solved if row["error_pct"]), key=lambda row: float(row["error_pct"]))
-    wanted = [f"Nearest to a limit: {most['case']} (", f"{most['governing_limit']}, {float(most['governing_utilisation_pct']):.3g} % used",
-              f"from {float(loads[0]['hookload_kN']):.4g} kN ({loads[0]['case']}) to {float(loads[-1]['hookload_kN']):.4g} kN",
+    wanted = [f"from {float(loads[0]['hookload_kN']):.4g} kN ({loads[0]['case']}) to {float(loads[-1]['hookload_kN']):.4g} kN",
               f"met within {float(worst['error_pct']):.3g} %; the worst is {worst['case']}"]
     return [f"in short, the page does not tell '{text}'" for text in wanted if text not in told]
+
+
+def faults_of_answers(folder, page):
+    """The first block of the page: an answer for each row of mcge, with the limit that decides and what was not checked."""
+    first = re.search(r"<h2>(.*?)</h2>(.*?)<h2>", page, re.S)
+    if not first or not first.group(1).startswith("Can it be done?"):
+        return ["the page does not begin with 'Can it be done?'"]
+    rows = [html.unescape(re.sub(r"<[^>]*>", " ", row)) for row in re.findall(r"<tr>(.*?)</tr>", first.group(2), re.S)]
+    cases = [row for row in rows_of(folder / "summary.csv") if row["model"] == "mcge"]
+    faults = [] if len(rows) == len(cases) else [f"{len(rows)} answers for {len(cases)} rows of summary.csv"]
+    for case, told in zip(cases, rows):
+        answer = {"no": "NO"}.get(case["can_be_done"], case["can_be_done"])
+        wanted = [f" {case['case']} ", f" {answer} "]
+        if case["can_be_done"] == "yes":
+            wanted += [f"{float(case['used_pct']):.3g} % used"] + (["Not checked: "] if case["not_checked"] else [])
+        else:
+            wanted += [case["reason"]]
+        faults += [f"the answer for {case['case']} does not tell '{text}': {told}" for text in wanted if text not in told]
+    return faults
 
 
 def faults_of_files(folder):
@@ -76,6 +92,7 @@ def faults_of_files(folder):
     if "prefers-color-scheme:dark" not in page:
         faults.append("no dark form")
     faults += faults_of_summary(folder, page)
+    faults += faults_of_answers(folder, page)
     for word in ("<h2>Limits</h2>", "<h3>Assumptions</h3>", "<h2>Deck</h2>", "&amp;load_case"):
         if word not in page:
             faults.append(f"the page lacks {word}")

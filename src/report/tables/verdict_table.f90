@@ -1,7 +1,7 @@
 !> The block 'Can it be done?' on standard output: one entry a load case, before all tables.
 module dg_verdict_table
    use dg_case_result, only: case_result_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type
    use dg_number_text, only: left_aligned
    use dg_text, only: append_text, text_type
@@ -11,7 +11,7 @@ module dg_verdict_table
    use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
    private
-   public :: verdict_table, verdict_title, answer_word
+   public :: verdict_table, verdict_heading, unlike_text, answer_word
 
    character(*), parameter :: verdict_title = 'Can it be done?'
    !> Width of names, and of the answer.
@@ -19,15 +19,15 @@ module dg_verdict_table
 
 contains
 
-   !> Title of the run and the lines of the block, models one after another.
+   !> Title of the run and the lines of the block: answers of the leading model, then those of other models that differ.
    pure function verdict_table(job, model, results, wholes) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: heading
-      integer :: i, k, width
+      character(:), allocatable :: other
+      integer :: i, k, width, shown
       allocate (lines(0))
       if (allocated(job%title)) then
          if (job%title /= '') call append_text(lines, job%title)
@@ -36,22 +36,52 @@ contains
       do k = 1, size(results)
          width = max(width, min(len(model%cases(results(k)%case_index)%name), most_name) + 2)
       end do
+      shown = leading_model(job)
+      call append_text(lines, '')
+      call append_text(lines, verdict_heading(job))
+      do k = 1, size(results)
+         if (results(k)%model /= shown) cycle
+         associate (load_case => model%cases(results(k)%case_index))
+            call append_wrapped(lines, left_aligned(load_case%name, width)// &
+                                left_aligned(answer_word(wholes(k)%verdict%answer), answer_width), &
+                                verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.', page_width)
+         end associate
+      end do
       do i = 1, size(job%models)
-         if (.not. any(results%model == job%models(i))) cycle
-         heading = verdict_title
-         if (size(job%models) > 1) heading = heading//' Model '//trim(model_name(job%models(i)))
-         call append_text(lines, '')
-         call append_text(lines, heading)
-         do k = 1, size(results)
-            if (results(k)%model /= job%models(i)) cycle
-            associate (load_case => model%cases(results(k)%case_index))
-               call append_wrapped(lines, left_aligned(load_case%name, width)// &
-                                   left_aligned(answer_word(wholes(k)%verdict%answer), answer_width), &
-                                   verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.', page_width)
-            end associate
-         end do
+         other = unlike_text(job, model, results, wholes, job%models(i))
+         if (other /= '') call append_wrapped(lines, '', other, page_width)
       end do
    end function verdict_table
+
+   !> Heading of the block, with the model where there are several.
+   pure function verdict_heading(job) result(heading)
+      type(job_type), intent(in) :: job
+      character(:), allocatable :: heading
+      heading = verdict_title
+      if (size(job%models) > 1) heading = heading//' By model '//trim(model_name(leading_model(job)))
+   end function verdict_heading
+
+   !> Cases that another model answers otherwise than the leading one; '' where there are none.
+   pure function unlike_text(job, model, results, wholes, number) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      integer, intent(in) :: number                      !< of the other model
+      character(:), allocatable :: text
+      integer :: i, k
+      text = ''
+      do i = 1, size(results)
+         if (results(i)%model /= number) cycle
+         do k = 1, size(results)
+            if (results(k)%model /= leading_model(job) .or. results(k)%case_index /= results(i)%case_index) cycle
+            if (wholes(k)%verdict%answer == wholes(i)%verdict%answer) cycle
+            if (text /= '') text = text//', '
+            text = text//model%cases(results(i)%case_index)%name//' '//answer_word(wholes(i)%verdict%answer)
+         end do
+      end do
+      if (text /= '') text = 'Model '//trim(model_name(number))//' answers otherwise: '//text//'.'
+   end function unlike_text
 
    !> The answer as a reader sees it: NO stands out.
    pure function answer_word(answer) result(word)

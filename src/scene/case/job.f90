@@ -6,7 +6,7 @@ module dg_job
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name
+   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name, leading_model
 
    integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
    integer, parameter :: model_soft = 2  !< flexible: soft string
@@ -40,4 +40,14 @@ module dg_job
       logical :: again = .false.               !< points that did not converge are solved again, with other settings of the solver
       integer :: threads = 0                   !< cases solved at a time; 0: all cores
    end type job_type
+
+contains
+
+   !> Number of the model whose answers come first: beams with gap elements where they are asked for, else the first of the deck.
+   pure function leading_model(job) result(model)
+      type(job_type), intent(in) :: job
+      integer :: model
+      model = job%models(1)
+      if (any(job%models == model_mcge)) model = model_mcge
+   end function leading_model
 end module dg_job
