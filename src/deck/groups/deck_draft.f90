@@ -27,6 +27,7 @@ module dg_deck_draft
       logical :: sound = .false.               !< all of its own values are legal
       logical :: has_top = .false.             !< md_top is given
       logical :: has_bottom = .false.          !< md_bottom is given
+      logical :: friction_given = .false.      !< friction of some way is given
       integer :: line = 0
       integer :: line_top = 0, line_bottom = 0 !< of md_top and md_bottom; of the group where not given
    end type draft_hole_type
@@ -44,6 +45,7 @@ module dg_deck_draft
       character(:), allocatable :: string
       logical :: sound = .false.
       logical :: connected = .false.           !< its connection is named
+      logical :: mass_given = .false.          !< by the deck or the catalogue
       integer :: line = 0
       integer :: line_length = 0, line_diameter = 0, line_density = 0 !< line_diameter: of what touches first
       integer :: line_opened = 0               !< of opened_od

@@ -44,6 +44,8 @@ contains
       hole%has_bottom = is_given(group, 'md_bottom')
       hole%sound = is_whole(group)
       friction = real_of(group, 'friction', 0.0_wp)
+      hole%friction_given = is_given(group, 'friction') .or. is_given(group, 'friction_axial') .or. &
+                            is_given(group, 'friction_rotary')
       hole%section%name = text_of(group, 'name', 'hole '//to_text(number))
       hole%section%md_top = real_of(group, 'md_top', 0.0_wp)
       hole%section%md_bottom = real_of(group, 'md_bottom', 0.0_wp)
@@ -89,6 +91,7 @@ contains
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
          part%yield = real_of(group, 'yield', part%yield)
          part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
+         item%mass_given = is_given(group, 'mass')
          call draft_friction()
          select case (text_of(group, 'wear_class', 'new'))
          case ('premium'); part%wall_left = premium_wall

@@ -29,6 +29,7 @@ module dg_open_deck
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, lower_case, suggestion, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
+   use dg_unusual_input, only: note_unusual
    use dg_units, only: unit_system_type, si_units, field_units
    implicit none
    private
@@ -90,10 +91,14 @@ contains
       type(model_type), intent(out) :: model
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(fault_list_type), intent(inout) :: faults
+      logical :: fitted
       job%inputs = deck%inputs
       if (faults%count == 0) call build_model(deck%draft, model, faults)
       if (faults%count > 0) return
       if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
+      fitted = .false.
+      if (allocated(deck%estimates)) fitted = size(deck%estimates) > 0
+      call note_unusual(deck%draft, fitted, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
    end subroutine close_deck

@@ -1,0 +1,274 @@
+!> Numbers of a deck that are legal and far from what is usual: mostly another unit, or something left out. Each has one note: what
+!> is unusual, where, what is usual.
+module dg_unusual_input
+   use dg_kinds, only: wp
+   use dg_component, only: is_bit, opens
+   use dg_constants, only: degree, pi
+   use dg_deck_draft, only: draft_component_type, draft_type
+   use dg_load_case, only: load_case_type, operation_static
+   use dg_survey, only: tangent_of
+   use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_mass, unit_moment, &
+                           unit_stress
+   implicit none
+   private
+   public :: note_unusual
+
+   !> Usual range of a key.
+   type :: usual_type
+      character(12) :: key
+      integer :: unit
+      real(wp) :: low, high        !< [SI]
+      character(72) :: source
+   end type usual_type
+
+   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4
+   type(usual_type), parameter :: usual(4) = [ &
+      usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
+      usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
+      usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
+      usual_type('density', 0, 0.0_wp, 2700.0_wp, 'heaviest kill mud 22.5 lbm/gal')]
+
+   !> Longest solid bar among drill tools [m].
+   real(wp), parameter :: longest_bar = 15.0_wp
+   !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
+   !> 16 to 20 deg/30 m, short radius in 6 in: 60.
+   real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp
+   !> Angle to both neighbours from which a station that points another way is a slip [rad].
+   real(wp), parameter :: spike = 25.0_wp*degree
+   !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
+   real(wp), parameter :: largest_radian = 1.6_wp*degree, least_radian = 0.5_wp*degree, near_right_angle = 0.005_wp*degree
+   !> A string that is longer than the hole by more than this [m].
+   real(wp), parameter :: above_surface = 1.0_wp
+   integer, parameter :: few_digits = 3, digits = 4, depth_digits = 6
+
+contains
+
+   !> Adds a note for each matter.
+   subroutine note_unusual(draft, fitted, notes)
+      type(draft_type), intent(in) :: draft
+      logical, intent(in) :: fitted       !< a study of the deck finds the friction
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      call note_inclinations(draft, notes)
+      call note_doglegs(draft, notes)
+      if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
+                                                    'about 15 % off its weight')
+      do i = 1, size(draft%fluids)
+         call note_range('group &fluid', usual_density, draft%fluids(i)%fluid%density, &
+                         to_text(draft%fluids(i)%fluid%density/draft%units%density, digits))
+      end do
+      if (.not. fitted) call note_friction(draft, notes)
+      do i = 1, size(draft%components)
+         call note_component(i)
+      end do
+      call note_order(draft, notes)
+      call note_length(draft, notes)
+      do i = 1, size(draft%cases)
+         associate (load_case => draft%cases(i)%load_case)
+            call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_wob, load_case%wob, &
+                            trim(in_units(draft%units, unit_force, load_case%wob, digits)))
+            call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_tob, load_case%tob, &
+                            trim(in_units(draft%units, unit_moment, load_case%tob, digits)))
+         end associate
+      end do
+
+   contains
+
+      !> Yield strength, and a bar where a pipe was meant.
+      subroutine note_component(number)
+         integer, intent(in) :: number
+         associate (item => draft%components(number), part => draft%components(number)%component, units => draft%units)
+            if (part%yield > 0.0_wp) &
+               call note_range('group &component in line '//to_text(item%line)//': '//quoted(part%name), usual_yield, &
+                               part%yield, trim(in_units(units, unit_stress, part%yield, digits)))
+            if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
+            if (index(lower_case(part%kind), 'rod') > 0) return
+            call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
+                             ' is a solid bar of '//trim(in_units(units, unit_mass, part%mass, digits))// &
+                             ', as it has no id and no mass. Give the inside diameter')
+         end associate
+      end subroutine note_component
+
+      !> A value out of its usual range.
+      subroutine note_range(what, number, value, told)
+         character(*), intent(in) :: what
+         integer, intent(in) :: number       !< of the range
+         real(wp), intent(in) :: value       !< [SI]
+         character(*), intent(in) :: told    !< the value in units
+         character(:), allocatable :: range
+         if (value >= usual(number)%low .and. value <= usual(number)%high) return
+         if (number == usual_density) then
+            range = to_text(usual(number)%high/draft%units%density, digits)
+         else if (value > usual(number)%high) then
+            range = trim(in_units(draft%units, usual(number)%unit, usual(number)%high, digits))
+         else
+            range = trim(in_units(draft%units, usual(number)%unit, usual(number)%low, digits))
+         end if
+         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//told//' is unusual. Usual is '// &
+                          trim(merge('at most ', 'at least', value > usual(number)%high))//' '//range// &
+                          '. Check the unit')
+      end subroutine note_range
+   end subroutine note_unusual
+
+   !> Inclinations that look like radians.
+   subroutine note_inclinations(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: largest
+      logical :: builds, one_way
+      associate (inclination => draft%stations%inclination, azimuth => draft%stations%azimuth)
+         largest = maxval(inclination)
+         if (largest > largest_radian .or. largest < least_radian) return
+         builds = all(inclination(2:) >= inclination(:size(inclination) - 1))
+         one_way = maxval(azimuth, mask=inclination > 0.0_wp) - minval(azimuth, mask=inclination > 0.0_wp) < least_radian
+         if (.not. (abs(largest - 0.5_wp*pi*degree) < near_right_angle .or. (builds .and. one_way))) return
+         call append_text(notes, 'group &trajectory: the largest inclination is '//to_text(largest/degree, digits)// &
+                          ' deg. Are the inclinations in radians? They are read as degrees')
+      end associate
+   end subroutine note_inclinations
+
+   !> The sharpest dogleg, where it is sharp for its hole, and stations that point another way than both neighbours.
+   subroutine note_doglegs(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: angles(size(draft%stations%md)), dogleg, worst, limit, usual_here
+      integer :: i, place
+      associate (stations => draft%stations, units => draft%units)
+         angles(1) = 0.0_wp
+         worst = 1.0_wp
+         place = 0
+         do i = 2, size(stations%md)
+            angles(i) = between(i - 1, i)
+            dogleg = angles(i)/(stations%md(i) - stations%md(i - 1))
+            limit = max(least_dogleg, usual_dogleg*(usual_hole/diameter_at(stations%md(i)))**3)
+            if (dogleg <= worst*limit) cycle
+            worst = dogleg/limit
+            usual_here = limit
+            place = i
+         end do
+         if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
+            to_text(worst*usual_here/units%curvature, digits)//' '//dogleg_label()//' at '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Usual in a hole of '// &
+            trim(in_units(units, unit_diameter, diameter_at(stations%md(place)), digits))//' is at most '// &
+            to_text(usual_here/units%curvature, few_digits)// &
+            '. Check depths, angles and their units')
+         place = 0
+         worst = 0.5_wp
+         do i = 2, size(stations%md) - 1
+            if (min(angles(i), angles(i + 1)) <= spike) cycle
+            dogleg = between(i - 1, i + 1)/min(angles(i), angles(i + 1))
+            if (dogleg >= worst) cycle
+            worst = dogleg
+            place = i
+         end do
+         if (place > 0) call append_text(notes, 'group &trajectory: inclination goes from '//degrees(place - 1)//' to '// &
+            degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is that station mistyped?')
+      end associate
+   contains
+      !> Angle between the directions of two stations [rad].
+      function between(one, other) result(angle)
+         integer, intent(in) :: one, other
+         real(wp) :: angle
+         associate (stations => draft%stations)
+            angle = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(tangent_of(stations%inclination(one), stations%azimuth(one)) - &
+                                                          tangent_of(stations%inclination(other), stations%azimuth(other)))))
+         end associate
+      end function between
+
+      !> Diameter of the hole at a depth [m].
+      pure function diameter_at(md) result(diameter)
+         real(wp), intent(in) :: md      !< [m]
+         real(wp) :: diameter
+         integer :: k
+         do k = size(draft%holes), 2, -1
+            if (draft%holes(k)%section%md_top < md) exit
+         end do
+         diameter = draft%holes(k)%section%diameter
+      end function diameter_at
+
+      function degrees(station) result(text)
+         integer, intent(in) :: station
+         character(:), allocatable :: text
+         text = to_text(draft%stations%inclination(station)/degree, digits)
+      end function degrees
+
+      function dogleg_label() result(text)
+         character(:), allocatable :: text
+         text = 'deg/30 m'
+         if (draft%units%name == 'field') text = 'deg/100 ft'
+      end function dogleg_label
+   end subroutine note_doglegs
+
+   !> Hole sections without any friction that a moving case relies on.
+   subroutine note_friction(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do k = 1, size(draft%cases)
+         if (.not. relies(draft%cases(k)%load_case)) cycle
+         do i = 1, size(draft%holes)
+            associate (hole => draft%holes(i))
+               if (hole%friction_given .or. hole%section%md_top >= draft%cases(k)%load_case%bit_depth) cycle
+               call append_text(notes, 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)// &
+                                ' has no friction. Drag and torque there are zero. Give friction')
+            end associate
+         end do
+         return
+      end do
+   contains
+      !> True where a load case takes its friction from the hole.
+      pure function relies(load_case) result(does)
+         type(load_case_type), intent(in) :: load_case
+         logical :: does
+         does = load_case%operation /= operation_static .and. .not. load_case%friction_axial%present
+      end function relies
+   end subroutine note_friction
+
+   !> A bit above other components of its string: the string is listed from the top.
+   subroutine note_order(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do i = 2, size(draft%components)
+         associate (item => draft%components(i))
+            if (.not. is_bit(item%component) .or. opens(item%component)) cycle
+            k = first_of(item)
+            if (k == i) cycle
+            call append_text(notes, 'group &component in line '//to_text(item%line)//': bit '//quoted(item%component%name)// &
+                             ' stands above '//quoted(draft%components(k)%component%name)// &
+                             '. List components from the bit upwards')
+         end associate
+      end do
+   contains
+      !> Lowest component of the string of a component.
+      pure function first_of(item) result(place)
+         type(draft_component_type), intent(in) :: item
+         integer :: place
+         do place = 1, size(draft%components)
+            if (draft%components(place)%string == item%string) return
+         end do
+      end function first_of
+   end subroutine note_order
+
+   !> A string longer than the hole, whose last component has a length.
+   subroutine note_length(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: length, depth
+      integer :: i, k
+      depth = draft%stations%md(size(draft%stations%md))
+      do i = 1, size(draft%components)
+         if (any([(draft%components(k)%string == draft%components(i)%string, k=i + 1, size(draft%components))])) cycle
+         if (.not. draft%components(i)%component%length > 0.0_wp) cycle
+         length = sum([(merge(draft%components(k)%component%length, 0.0_wp, &
+                              draft%components(k)%string == draft%components(i)%string), k=1, i)])
+         if (length <= depth + above_surface) cycle
+         call append_text(notes, 'String '//quoted(draft%components(i)%string)//' is '// &
+                          trim(in_units(draft%units, unit_length, length, depth_digits))//' long, the hole ends at '// &
+                          trim(in_units(draft%units, unit_length, depth, depth_digits))// &
+                          '. What stands above surface is left out. Leave out the length of the last component')
+      end do
+   end subroutine note_length
+end module dg_unusual_input

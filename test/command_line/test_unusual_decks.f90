@@ -1,0 +1,87 @@
+!> Decks that are legal and hardly meant: each mistake has its note, and with what the note advises the note is gone.
+module dg_test_unusual_decks
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: replaced, run_deck_text, run_type
+   implicit none
+   private
+   public :: unusual_decks_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function unusual_decks_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('unusual_decks')
+      call suite%addTest(TestMethod('nothing_unusual', test_nothing_unusual))
+      call suite%addTest(TestMethod('survey', test_survey))
+      call suite%addTest(TestMethod('string', test_string))
+      call suite%addTest(TestMethod('fluid_and_friction', test_fluid_and_friction))
+      call suite%addTest(TestMethod('loads', test_loads))
+   end function unusual_decks_suite
+
+   !> A lateral in field units.
+   function deck() result(text)
+      character(:), allocatable :: text
+      text = "&job units = 'field', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 2000, 8200, 9200, 12000, 15000'//newline// &
+         '  inc = 0, 0, 0, 90, 91, 90, azi = 178, 178, 178, 178, 178, 178 /'//newline// &
+         "&hole name = 'casing', md_bottom = 8000, diameter = 8.681, friction = 0.20, cased = .true. /"//newline// &
+         "&hole name = 'open', diameter = 8.5, friction = 0.30 /"//newline// &
+         '&fluid density = 9.6 /'//newline// &
+         "&component name = 'bit', kind = 'bit', length = 1, od = 6.0, joint_od = 8.5 /"//newline// &
+         "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline// &
+         "&component name = 'DP', od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, yield = 135 /"//newline// &
+         "&load_case name = 'up', operation = 'up', bit_depth = 15000 /"//newline// &
+         "&load_case name = 'turn', operation = 'rotary', bit_depth = 15000, wob = 20, tob = 5 /"//newline
+   end function deck
+
+   !> A mistake has a note that holds `expected`. The sound deck has none.
+   subroutine mistake(sound, wrong, expected)
+      character(*), intent(in) :: sound, wrong     !< in the deck, and in its place
+      character(*), intent(in) :: expected
+      type(run_type) :: run
+      run = run_deck_text(replaced(deck(), sound, wrong), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, newline//'note ') > 0, message='a note: '//run%output)
+      call assertTrue(index(run%output, expected) > 0, message=expected//': '//run%output)
+   end subroutine mistake
+
+   subroutine test_nothing_unusual()
+      type(run_type) :: run
+      run = run_deck_text(deck(), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, newline//'note '), message=run%output)
+   end subroutine test_nothing_unusual
+
+   !> Radians, a mistyped station, metres read as feet.
+   subroutine test_survey()
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 1.5708, 1.5708, 1.5708', 'Are the inclinations in radians?')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 9, 90', 'from 90 to 9 and back to 90 deg at 12000 ft')
+      call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
+                   'the dogleg is 30 deg/100 ft at 8500 ft')
+   end subroutine test_survey
+
+   !> A bar, the wrong order, too long, yield in MPa.
+   subroutine test_string()
+      call mistake('od = 5, id = 4.276, mass = 20.87', 'od = 5', '''DP'' is a solid bar of 66.82 lbm/ft')
+      call mistake("'DP', od", "'DP', length = 16000, od", 'is 16091 ft long, the hole ends at 15000 ft')
+      call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi')
+      call mistake("&component name = 'bit', kind = 'bit', length = 1,", &
+                   "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
+                   "&component name = 'bit', kind = 'bit', length = 1,", 'bit ''bit'' stands above ''low''')
+   end subroutine test_string
+
+   !> Left out: fluid, friction.
+   subroutine test_fluid_and_friction()
+      call mistake('&fluid density = 9.6 /'//newline, '', 'There is no &fluid')
+      call mistake('diameter = 8.5, friction = 0.30', 'diameter = 8.5', '''open'' has no friction')
+      call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.53')
+   end subroutine test_fluid_and_friction
+
+   !> Pounds and foot-pounds.
+   subroutine test_loads()
+      call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
+      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
+   end subroutine test_loads
+end module dg_test_unusual_decks
