@@ -19,6 +19,7 @@ program main
    use dg_standard_output, only: guard_descriptors, output_failed
    use dg_text, only: text_type
    use dg_version, only: program_name, program_version
+   use dg_well_head, only: well_head
    use dg_written_files, only: check_inputs, check_links
    implicit none
    type(arguments_type) :: arguments
@@ -120,6 +121,7 @@ contains
       type(text_type), allocatable :: lines(:), before(:), after(:)
       integer :: i
       call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
+      call print_lines(well_head(job%units, model))
       call echo_studies(studies, job, before, after)
       call echo_lines(job, model, before, after, lines)
       call print_lines(lines)

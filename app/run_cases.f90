@@ -16,7 +16,7 @@ module dg_run_cases
    use dg_model, only: model_type
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_hole_view, write_string_view
-   use dg_printed_text, only: print_lines
+   use dg_printed_text, only: print_line, print_lines
    use dg_profile_file, only: write_profile
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
@@ -35,6 +35,7 @@ module dg_run_cases
    use dg_verdict, only: verdict_type
    use dg_verdict_table, only: verdict_table
    use dg_warnings_table, only: warnings_table
+   use dg_well_head, only: well_head
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -67,6 +68,8 @@ contains
       end if
       call print_lines(verdict_table(run%job, run%model, run%results, wholes))
       call print_lines(warnings_table(run%job, run%model, run%results))
+      call print_line('')
+      call print_lines(well_head(run%job%units, run%model))
       call print_lines(result_table(run%job, run%model, run%results, wholes))
       call print_lines(model_table(run%job, run%model, run%results))
       call limits_table(run%job, run%model, run%results, wholes, lines)

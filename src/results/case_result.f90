@@ -20,8 +20,7 @@ module dg_case_result
    !> Names in files, in the order of the numbers above.
    character(*), parameter :: result_status_name(3) = [character(13) :: 'converged', 'not_converged', 'locked_up']
    !> Said of a hook load below zero, by more than this part of the largest axial force: round-off is a thousandth of that [-].
-   character(*), parameter :: push_needed = 'The hook load is below zero. The string would have to be pushed at surface, '// &
-                                            'or held down where it floats'
+   character(*), parameter :: push_needed = 'The hook load is below zero. The string must be pushed at surface'
    real(wp), parameter :: pushed_from = 1.0e-6_wp
 
    !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not watched; the energy's

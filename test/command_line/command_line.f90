@@ -15,6 +15,7 @@ contains
       use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
       use dg_test_bounds, only: bounds_suite
+      use dg_test_can_be_done, only: can_be_done_suite
       use dg_test_output_folder, only: output_folder_suite
       use dg_test_standard_output, only: standard_output_suite
       use dg_test_odd_decks, only: odd_decks_suite
@@ -46,6 +47,7 @@ contains
       call suite%addTest(odd_decks_suite())
       call suite%addTest(unusual_decks_suite())
       call suite%addTest(program_suite())
+      call suite%addTest(can_be_done_suite())
       call suite%addTest(followed_faults_suite())
       call suite%addTest(followed_advice_suite())
       call suite%addTest(output_folder_suite())

@@ -101,6 +101,7 @@ contains
       call note_unusual(deck%draft, fitted, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
+      job%notes = notes
    end subroutine close_deck
 
    !> Groups: known, of this version, not given twice where once is enough, none missing.

@@ -113,7 +113,7 @@ contains
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
    end subroutine start_page
 
-   !> Messages of load cases, those without a solution first.
+   !> Notes on the deck, then messages of load cases, those without a solution first.
    subroutine append_warnings(lines, job, model, results)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -121,14 +121,18 @@ contains
       type(case_result_type), intent(in) :: results(:)
       character(:), allocatable :: head
       integer, allocatable :: order(:)
-      integer :: i
-      if (size(results) == 0) return
+      integer :: i, notes
       allocate (order, source=warning_order(results))
-      if (size(order) == 0) then
-         call add_line(lines, '<p>No warnings of load cases.</p>')
+      notes = 0
+      if (allocated(job%notes)) notes = size(job%notes)
+      if (size(order) + notes == 0) then
+         call add_line(lines, '<p>No warnings.</p>')
          return
       end if
-      call add_line(lines, '<h2>Warnings ('//to_text(size(order))//')</h2><ul>')
+      call add_line(lines, '<h2>Warnings ('//to_text(size(order) + notes)//')</h2><ul>')
+      do i = 1, notes
+         call add_line(lines, '<li>Deck: '//html_safe(job%notes(i)%text)//'.</li>')
+      end do
       do i = 1, size(order)
          associate (result => results(order(i)))
             head = model%cases(result%case_index)%name

@@ -10,7 +10,8 @@ module dg_limits_table
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -18,7 +19,8 @@ module dg_limits_table
    public :: limits_table
 
    integer, parameter :: head_width = 30
-   integer, parameter :: number_width = 16
+   integer, parameter :: number_width = 16, few = 3
+   character(*), parameter :: jar_kind = 'jar'
 
    !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
    real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
@@ -106,7 +108,36 @@ contains
                           to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' ('// &
                           to_text(anint(wholes(i)%coil_turns))//' turns)')
       end do
+      do i = 1, size(results)
+         call append_jars(lines, units, model, results(i), names(i)%text)
+      end do
    end subroutine append_block
+
+   !> Axial force at each jar: a jar near the neutral point works badly and wears.
+   pure subroutine append_jars(lines, units, model, result, name)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      character(*), intent(in) :: name                 !< of the case
+      real(wp) :: md, axial
+      integer :: i
+      md = model%cases(result%case_index)%bit_depth
+      associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
+         do i = 1, size(string%components)
+            associate (part => string%components(i))
+               if (lower_case(part%kind) == jar_kind .and. part%length > 0.0_wp) then
+                  axial = result%profile%axial(minloc(abs(result%profile%md - (md - 0.5_wp*part%length)), dim=1))
+                  call append_text(lines, '  Jar '//part%name//' in '//name//': '// &
+                     trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
+                     trim(in_units(units, unit_force, abs(axial), few))//' at '// &
+                     to_text(anint((md - 0.5_wp*part%length)/units%length))//' '//trim(units%length_label))
+               end if
+               md = md - part%length
+            end associate
+         end do
+      end associate
+   end subroutine append_jars
 
    !> Whether a case runs a string with centralisers, whose standoff is looked for.
    pure function has_centralizers(model, case_index) result(has)

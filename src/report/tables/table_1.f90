@@ -53,6 +53,8 @@ contains
       logical, intent(in) :: marked(:)         !< rows that cannot be done, or have no solution
       type(text_type), allocatable :: label(:)
       type(layout_type) :: layout
+      type(optional_real) :: other(size(cases))
+      real(wp) :: load(size(cases))
       integer :: first, last, row
       layout = layout_of(units, cases, results, any(marked))
       call append_head(lines, units, layout)
@@ -72,13 +74,16 @@ contains
       end do
       call append_text(lines, repeat('-', width_of(layout)))
       if (any(marked)) call append_text(lines, row_mark//' cannot be done, or no solution')
+      load = as_measured(results%hookload, results%weight_indicator)
+      other = cases%measured_hookload
       call append_error(lines, trim(merge('Weight indicator', 'Hook load       ', layout%shown(col_indicator)))// &
-                        ' against measurement', cases, results, &
-                        percent_error(as_measured(results%hookload, results%weight_indicator), cases%measured_hookload))
-      call append_error(lines, 'Hook load against reference', cases, results, &
-                        percent_error(results%hookload, cases%reference_hookload))
-      call append_error(lines, 'Torque against measurement', cases, results, &
-                        percent_error(results%torque, cases%measured_torque))
+                        ' against measurement', cases, results, load, other)
+      load = results%hookload
+      other = cases%reference_hookload
+      call append_error(lines, 'Hook load against reference', cases, results, load, other)
+      load = results%torque
+      other = cases%measured_torque
+      call append_error(lines, 'Torque against measurement', cases, results, load, other)
    end subroutine append_table_1
 
    !> Columns that have something to show. Where the page is too narrow names are cut, then labels of sections.
@@ -243,29 +248,35 @@ contains
       if (i <= size(label)) cell = label(i)%text
    end function label_cell
 
-   !> Mean and worst of the errors that are there, over the cases that were solved; nothing where no case
-   !> has anything to compare with.
-   pure subroutine append_error(lines, what, cases, results, errors)
+   !> Mean and worst of the errors that are there, over the cases that were solved, and by how much the calculated values are too
+   !> high or too low on average; nothing where no case has anything to compare with.
+   pure subroutine append_error(lines, what, cases, results, calculated, other)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: what
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
-      type(optional_real), intent(in) :: errors(:) !< [%]
-      logical :: counted(size(errors))
-      real(wp) :: mean
+      real(wp), intent(in) :: calculated(:)
+      type(optional_real), intent(in) :: other(:)      !< measured, or of another calculation
+      type(optional_real) :: errors(size(other))       ! [%]
+      logical :: counted(size(other))
+      real(wp) :: mean, bias
       integer :: n, worst
       character(:), allocatable :: line
+      errors = percent_error(calculated, other)
       if (.not. any(errors%present)) return
       counted = errors%present .and. results%status == result_converged
       n = count(counted)
       line = what//': '
       if (n > 0) then
          mean = sum(errors%value, mask=counted)/real(n, wp)
+         bias = sum(sign(errors%value, calculated - other%value), mask=counted)/real(n, wp)
          worst = maxloc(errors%value, mask=counted, dim=1)
          line = line//'mean error '//trim(adjustl(fixed_cell(mean, 12, 2)))//' %, worst '// &
             trim(adjustl(fixed_cell(errors(worst)%value, 12, 2)))//' % ('//cases(worst)%name//'), '//to_text(n)
          if (n == 1) line = line//' case'
          if (n /= 1) line = line//' cases'
+         line = line//', '//trim(adjustl(fixed_cell(abs(bias), 12, 2)))//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
+         if (n > 1) line = line//' on average'
       else
          line = line//'no case solved'
       end if

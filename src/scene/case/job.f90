@@ -30,6 +30,7 @@ module dg_job
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
       type(design_factors_type) :: design      !< of strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record
+      type(text_type), allocatable :: notes(:) !< what is legal in the deck but hardly meant
       logical :: profiles = .true.             !< write profiles along the string
       logical :: hdf5 = .true.                 !< write results.h5
       logical :: plots = .true.                !< write files to look at

@@ -1,0 +1,123 @@
+!> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud. A slip of units shows here
+!> at a glance.
+module dg_well_head
+   use dg_kinds, only: wp
+   use dg_component, only: buoyed_weight, component_type
+   use dg_drillstring, only: drillstring_type
+   use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_model, only: model_type
+   use dg_survey, only: tangent_of
+   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_trajectory, only: top_md, true_vertical_depth
+   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: well_head
+
+   !> Longest piece whose fluids are those at its middle [m].
+   real(wp), parameter :: longest_piece = 50.0_wp
+   integer, parameter :: few = 3, digits = 5
+   !> Kinds that are no collars: their weight is not put on the bit.
+   character(*), parameter :: pipe_kinds(2) = [character(9) :: 'drillpipe', 'hwdp']
+
+contains
+
+   !> The lines. Each string stands with the bit at its deepest load case.
+   pure function well_head(units, model) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable :: lines(:)
+      real(wp) :: deepest, air, mud, collars
+      character(:), allocatable :: line
+      integer :: i, k
+      allocate (lines(0))
+      call append_text(lines, path_line(units, model))
+      do i = 1, size(model%strings)
+         deepest = 0.0_wp
+         do k = 1, size(model%cases)
+            if (model%cases(k)%string == model%strings(i)%name) deepest = max(deepest, model%cases(k)%bit_depth)
+         end do
+         if (.not. deepest > top_md(model%trajectory)) cycle
+         call weigh(model, model%strings(i), deepest, air, mud, collars)
+         line = 'String '//model%strings(i)%name//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
+            trim(in_units(units, unit_force, air, few))//' in air, '//trim(in_units(units, unit_force, mud, few))//' in mud'
+         if (collars > 0.0_wp .and. collars < mud) line = line//', below the drill pipe '// &
+            trim(in_units(units, unit_force, collars, few))
+         call append_text(lines, line)
+      end do
+   end function well_head
+
+   !> Depths, the largest inclination and the sharpest dogleg with where they are.
+   pure function path_line(units, model) result(line)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      character(:), allocatable :: line
+      real(wp) :: angle, dogleg, sharpest
+      integer :: i, steepest, place
+      associate (path => model%trajectory)
+         steepest = maxloc(path%inclination, dim=1)
+         sharpest = 0.0_wp
+         place = 1
+         do i = 2, size(path%md)
+            angle = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(tangent_of(path%inclination(i), path%azimuth(i)) - &
+                                                          tangent_of(path%inclination(i - 1), path%azimuth(i - 1)))))
+            dogleg = angle/(path%md(i) - path%md(i - 1))
+            if (dogleg <= sharpest) cycle
+            sharpest = dogleg
+            place = i
+         end do
+         i = size(path%md)
+         line = 'Well to '//trim(in_units(units, unit_length, path%md(i), digits))//', true vertical depth '// &
+            trim(in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits))//'. Largest inclination '// &
+            to_text(path%inclination(steepest)/units%angle, few)//' deg at '// &
+            trim(in_units(units, unit_length, path%md(steepest), digits))
+         if (sharpest > 0.0_wp) line = line//', dogleg '//to_text(sharpest/units%curvature, few)//' '// &
+            trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))//' at '// &
+            trim(in_units(units, unit_length, path%md(place), digits))
+      end associate
+   end function path_line
+
+   !> Weights of a string in the hole [N], what stands above the first station left out: in air, in its fluids, and in its fluids of
+   !> all below the lowest drill pipe.
+   pure subroutine weigh(model, string, bit, air, mud, collars)
+      type(model_type), intent(in) :: model
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: bit              !< measured depth of the bit [m]
+      real(wp), intent(out) :: air, mud, collars
+      real(wp) :: upper, lower, length, piece, middle, weight
+      logical :: below_pipe
+      integer :: i, k, pieces
+      air = 0.0_wp
+      mud = 0.0_wp
+      collars = 0.0_wp
+      lower = bit
+      below_pipe = .true.
+      do i = 1, size(string%components)
+         associate (part => string%components(i))
+            upper = top_md(model%trajectory)
+            if (part%length > 0.0_wp .and. i < size(string%components)) upper = max(lower - part%length, upper)
+            length = lower - upper
+            pieces = max(1, ceiling(length/longest_piece))
+            piece = length/real(pieces, wp)
+            below_pipe = below_pipe .and. .not. is_pipe(part)
+            do k = 1, pieces
+               middle = lower - (real(k, wp) - 0.5_wp)*piece
+               weight = piece*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &
+                                            density_at(model%mud, side_inside, middle, bit), model%gravity)
+               mud = mud + weight
+               if (below_pipe) collars = collars + weight
+            end do
+            air = air + length*part%mass*model%gravity
+            lower = upper
+         end associate
+      end do
+   end subroutine weigh
+
+   !> True for drill pipe, heavy or not, which carries no weight on bit.
+   pure function is_pipe(part) result(is)
+      type(component_type), intent(in) :: part
+      logical :: is
+      is = any(pipe_kinds == lower_case(part%kind))
+   end function is_pipe
+end module dg_well_head

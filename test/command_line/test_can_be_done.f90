@@ -1,0 +1,131 @@
+!> The answer to 'can it be done?' as a run prints and writes it: terminal, summary.csv, sweep, page, exit status.
+module dg_test_can_be_done
+   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type
+   use dg_result_rows, only: field, lines_of
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: can_be_done_suite
+
+   character(*), parameter :: newline = achar(10)
+   integer, parameter :: col_hookload = 8, col_torque = 14, col_status = 16, col_answer = 31
+
+contains
+
+   function can_be_done_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('can_be_done')
+      call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
+      call suite%addTest(TestMethod('advice_followed', test_advice))
+      call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
+      call suite%addTest(TestMethod('sweep', test_sweep))
+      call suite%addTest(TestMethod('page', test_page))
+      call suite%addTest(TestMethod('head_and_jar', test_head))
+   end function can_be_done_suite
+
+   !> A lateral in field units by the soft string. `loads` stand in the load case of sliding.
+   function deck(loads, plots) result(text)
+      character(*), intent(in) :: loads
+      logical, intent(in) :: plots
+      character(:), allocatable :: text
+      text = "&job units = 'field', models = 'soft', hdf5 = .false., profiles = .false., plots = "// &
+         trim(merge('.true. ', '.false.', plots))//' /'//newline// &
+         '&trajectory md = 0, 2000, 8200, 9200, 12000, 15000'//newline// &
+         '  inc = 0, 0, 0, 90, 90, 90, azi = 178, 178, 178, 178, 178, 178 /'//newline// &
+         "&hole name = 'casing', md_bottom = 8000, diameter = 8.681, friction = 0.20, cased = .true. /"//newline// &
+         "&hole name = 'open', diameter = 8.5, friction = 0.30 /"//newline// &
+         '&fluid density = 9.6 /'//newline// &
+         '&rig max_hookload = 500, max_torque = 30 /'//newline// &
+         "&component name = 'bit', kind = 'bit', length = 1, od = 6.0, joint_od = 8.5 /"//newline// &
+         "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline// &
+         "&component name = 'jar', kind = 'jar', length = 30, od = 6.5, id = 2.75 /"//newline// &
+         "&component name = 'DP', od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, yield = 135 /"//newline// &
+         "&load_case name = 'up', operation = 'up', bit_depth = 15000 /"//newline// &
+         "&load_case name = 'slide', bit_depth = 15000, "//loads//' /'//newline
+   end function deck
+
+   !> A no is an answer: exit status 0, the reason with numbers, a mark in Table 1.
+   subroutine test_terminal()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      run = run_deck_text(deck("operation = 'sliding', wob = 150", .false.))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Can it be done?') < index(run%output, 'Model soft'), message='first: '//run%output)
+      call assertTrue(index(run%output, newline//'slide  NO       String weight alone brings ') > 0, message=run%output)
+      call assertTrue(index(run%output, newline//'up     yes ') > 0, message=run%output)
+      call assertTrue(index(run%output, newline//'! cannot be done') > 0, message=run%output)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      call assertEqual('can_be_done', field(rows(1)%text, col_answer))
+      call assertTrue(index(rows(2)%text, ',yes,') > 0, message=rows(2)%text)
+      call assertTrue(index(rows(3)%text, ',no,"String weight alone brings ') > 0, message=rows(3)%text)
+      call assertTrue(index(rows(3)%text, ' to the bit, 150 klbf asked",') > 0, message=rows(3)%text)
+   end subroutine test_terminal
+
+   !> 'Turn the string' is followed, and it can be done.
+   subroutine test_advice()
+      type(run_type) :: run
+      run = run_deck_text(deck("operation = 'sliding', wob = 50, friction = 0.5", .false.))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Turn the string') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.3", .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+   end subroutine test_advice
+
+   !> By beams 20,000 klbf lock the string up: no hook load, no torque.
+   subroutine test_locked_up()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      run = run_deck_text(replaced(deck("operation = 'rotary', wob = 20000", .false.), "models = 'soft'", "models = 'mcge'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      call assertEqual('locked_up', field(rows(3)%text, col_status))
+      call assertEqual('', field(rows(3)%text, col_hookload), message='hook load')
+      call assertEqual('', field(rows(3)%text, col_torque), message='torque')
+      call assertTrue(index(rows(3)%text, ',no,') > 0, message=rows(3)%text)
+   end subroutine test_locked_up
+
+   !> The depth from which it cannot be done, and the rows that say so.
+   subroutine test_sweep()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      integer :: i, no
+      run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.)// &
+         "&sweep name = 'b', operations = 'sliding', bit_depth_from = 9500, bit_depth_step = 500, frictions = 0.5, wob = 20 /"// &
+         newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Cannot be done from ') > 0, message=run%output)
+      allocate (rows, source=lines_of(results_path//'/sweep_b.csv'))
+      if (anyExceptions()) return
+      no = 0
+      do i = 2, size(rows)
+         if (index(rows(i)%text, ',no,') > 0) no = no + 1
+      end do
+      call assertTrue(no > 0 .and. no < size(rows) - 1, message='rows that cannot be done')
+      call assertTrue(index(rows(2)%text, ',yes,') > 0, message=rows(2)%text)
+   end subroutine test_sweep
+
+   !> The page begins with the answer.
+   subroutine test_page()
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text(deck("operation = 'sliding', wob = 150", .true.))
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '<h2>') == index(page, '<h2>Can it be done?</h2>'), message='the first heading')
+      call assertTrue(index(page, '<b class="no">NO</b>') > 0)
+   end subroutine test_page
+
+   !> Depths and weights, and the axial force at a jar.
+   subroutine test_head()
+      type(run_type) :: run
+      run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.))
+      call assertTrue(index(run%output, 'Well to 15000 ft, true vertical depth 8836.6 ft. '// &
+                            'Largest inclination 90 deg at 9200 ft, dogleg 9 deg/100 ft at 9200 ft') > 0, message=run%output)
+      call assertTrue(index(run%output, 'String main, bit at 15000 ft: ') > 0, message=run%output)
+      call assertTrue(index(run%output, '  Jar jar in slide: compression of ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.), '--check')
+      call assertTrue(index(run%output, newline//'Well to 15000 ft') > 0, message=run%output)
+   end subroutine test_head
+end module dg_test_can_be_done
