@@ -70,7 +70,7 @@ contains
       if (.not. allocated(model%cases)) return
       call assertEqual([model_mcge], job%models)
       call assertEqual('output/test_deck_model', job%output_dir)
-      call assertEqual(0, size(notes))
+      call assertEqual(1, size(notes), message='no fluid')
       call assertEqual(90.0_wp*degree, model%trajectory%inclination(2), rounding)
       call assertEqual(0.0_wp, model%holes(1)%md_top)
       call assertEqual(1000.0_wp, model%holes(1)%md_bottom, message='to the last station')
@@ -152,7 +152,7 @@ contains
       call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' in_plane='auto' /")
       call read_text(lines, model, job, notes)
       if (.not. allocated(model%cases)) return
-      call assertEqual(1, size(notes), message='string main is used by no case')
+      call assertEqual(3, size(notes), message='no fluid, a solid bar, string main is used by no case')
       call assertEqual(2, job%threads)
       call assertEqual('x/y', job%output_dir)
       call assertFalse(job%profiles)

@@ -115,7 +115,7 @@ contains
       type(text_type), allocatable :: lines(:)
       type(job_type) :: job
       call append_text(lines, '&trajectory md = 0, 1000, 2000, inc = 60, 60, 60, azi = 0, 0, 0 /')
-      call append_text(lines, '&hole diameter = 311 /')
+      call append_text(lines, '&hole diameter = 311 friction = 0.2 /')
       call append_text(lines, '&component od = 244.5 id = 220.5 yield = 550 /')
       call append_text(lines, "&load_case name='a' operation='up' bit_depth=2000 pump_pressure = 15 /")
       call append_text(lines, fluids)

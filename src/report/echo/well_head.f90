@@ -1,5 +1,4 @@
-!> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud. A slip of units shows here
-!> at a glance.
+!> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
 module dg_well_head
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, component_type
