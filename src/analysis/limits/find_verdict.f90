@@ -121,6 +121,7 @@ contains
          end if
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
+         if (passed == 0 .and. rotates(load_case%operation)) return
          ! The soft string may lock up where beams do not: the limit is reached then, not passed.
          share = 0.0_wp
          if (load_case%wob > 0.0_wp) share = min(load_case%wob/max(wob_lockup%value, tiny(share)), 1.0_wp)

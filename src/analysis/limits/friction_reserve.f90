@@ -9,7 +9,7 @@ module dg_friction_reserve
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
    use dg_job, only: model_soft
-   use dg_load_case, only: given, load_case_type, optional_real
+   use dg_load_case, only: given, load_case_type, optional_real, rotates
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
@@ -66,7 +66,8 @@ contains
       type(soft_type), intent(out) :: soft
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
-      soft%coiled = result%model /= model_soft
+      ! A string that turns as it goes down was found to come farther than the soft string with the friction of coils.
+      soft%coiled = result%model /= model_soft .and. .not. rotates(model%cases(result%case_index)%operation)
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(coiled=soft%coiled))
       if (totals%runaway) return

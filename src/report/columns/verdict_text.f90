@@ -66,7 +66,7 @@ contains
          text = nearest_text(units, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp) &
             text = text//'. Largest WOB '//force_text(units, max(verdict%most_wob%value, load_case%wob))
-         if (verdict%friction_reserve%present) text = text//'. Friction may be '// &
+         if (verdict%friction_reserve%present) text = text//'. Friction may be about '// &
             to_text(verdict%friction_reserve%value, shown_factor)//' times as high'
          if (any(verdict%not_checked)) text = text//'. Not checked: '//unchecked_text(verdict)
       else

@@ -241,7 +241,7 @@ contains
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
-         call add_remarks(model%units, mesh, model%numerics, numerics, in_plane, result)
+         call add_remarks(model%units, mesh, model%numerics, numerics, result)
          if (.not. (result%status == result_converged .and. moments)) return
          deallocate (string%state)
          call keep_for_moments(string%work)

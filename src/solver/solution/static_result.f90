@@ -3,7 +3,7 @@ module dg_static_result
    use dg_kinds, only: wp
    use dg_assembly, only: load_type
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
-                             result_locked_up, result_not_converged, way_left
+                             result_locked_up, result_not_converged
    use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
@@ -241,14 +241,11 @@ contains
    end subroutine tell_unlike_contact
 
    !> What a result tells of how it was found.
-   subroutine add_remarks(units, mesh, asked, numerics, in_plane, result)
+   subroutine add_remarks(units, mesh, asked, numerics, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: asked, numerics     !< settings of the deck, and of the last attempt
-      integer, intent(in) :: in_plane                        !< iterations in the plane of the hole that found nothing
       type(case_result_type), intent(inout) :: result
-      if (result%status == result_converged .and. result%way == way_left) call add_message(result, 'Solved in space, as '// &
-         to_text(in_plane)//' iterations in the plane of the hole found no equilibrium that lasts')
       if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) then
          call add_message(result, "Converged only with gap_location = '"// &
                           trim(gap_location_name(numerics%gap_location))// &
