@@ -139,6 +139,7 @@ contains
                                                                               any(abs(mesh%md(n) - bends) < tilted_within)))
       end do
       depths = graded(mesh%md, longest, edge_growth)
+      depths = halved_pieces(mesh, depths)
       if (size(depths) == mesh%nodes) return
       call new_mesh(model, load_case, depths, finer)
       coarse = 1
@@ -148,6 +149,26 @@ contains
       end do
       mesh = finer
    end subroutine cut_edges
+
+   !> Depths [m] with one more in the middle of every whole piece between two edges that has less clearance than both its
+   !> neighbours: a short blade, or a ring. Such a piece rests on both its ends, and an element has one gap.
+   pure function halved_pieces(mesh, depths) result(finer)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: depths(:)    !< those of the mesh, and others between them [m]
+      real(wp), allocatable :: finer(:)
+      real(wp) :: longest(size(depths) - 1)
+      integer :: e, i
+      longest = depths(2:) - depths(:size(depths) - 1)
+      i = 1
+      do e = 2, mesh%elements - 1
+         do while (depths(i) < mesh%md(e))
+            i = i + 1
+         end do
+         if (depths(i + 1) < mesh%md(e + 1) .or. mesh%clearance(e) >= min(mesh%clearance(e - 1), mesh%clearance(e + 1))) cycle
+         if (is_edge(mesh, e) .and. is_edge(mesh, e + 1)) longest(i) = 0.5_wp*longest(i)
+      end do
+      finer = subdivided(depths, longest)
+   end function halved_pieces
 
    !> Whether the diameter that touches changes at a node, as at a blade's end, or the string is bent on one side of it alone. Tool
    !> joints and centralizers that touch one by one have their contact in the middle of their element.
