@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('packed_rotating', test_packed_rotating))
       call suite%addTest(TestMethod('bent_motor', test_bent_motor))
       call suite%addTest(TestMethod('blades_of_5_mm', test_short_blades))
+      call suite%addTest(TestMethod('tight_short_blades', test_tight_short_blades))
       call suite%addTest(TestMethod('blade_lengths', test_blade_lengths))
       call suite%addTest(TestMethod('default_wall', test_default_wall))
       call suite%addTest(TestMethod('two_analyses', test_two_analyses))
@@ -112,6 +113,31 @@ contains
       call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 290 /")
       call compare(deck, 168412.6_wp, 0.0_wp, 133958.8_wp)
    end subroutine test_short_blades
+
+   !> Blades of 20 mm next to the bit with 0.4 and 1 mm of clearance, and one of 100 mm above, pulled along a stiffer wall (1e7
+   !> kN/m2 throughout). What is expected is of the rod of `.ci/rod.py`. The contact sum was 0.22 % too small: each short blade had
+   !> one contact point, and the bit's support gave way by 9 micrometres.
+   subroutine test_tight_short_blades()
+      type(text_type), allocatable :: deck(:)
+      type(case_result_type) :: result
+      real(wp), parameter :: hookload = 185386.1_wp, contact = 206785.1_wp, side_force = 87271.2_wp, moment = 47385.4_wp
+      allocate (deck(0))
+      call start_packed(deck)
+      call add_blades(deck, 0.02_wp, [215.1_wp], [3.0_wp])
+      call add_blades(deck, 0.02_wp, [213.9_wp], [6.0_wp])
+      call add_blades(deck, 0.1_wp, [211.9_wp], [0.0_wp])
+      call add_upper_part(deck)
+      call append_text(deck, "&load_case name = 'a', operation = 'trip_out', bit_depth = 290 /")
+      call append_text(deck, '&solver gk_contact = 1.0e7, gk_max = 1.0e7 /')
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call note('sum of contact over that of the rod, less one', result%normal_force/contact - 1.0_wp)
+      call note('hook load over that of the rod, less one', result%hookload/hookload - 1.0_wp)
+      call note('side force over that of the rod, less one', result%bit_side_force/side_force - 1.0_wp)
+      call assertRelativelyEqual(contact, result%normal_force, 1.0e-3_wp, message='sum of contact')
+      call assertRelativelyEqual(hookload, result%hookload, 3.0e-4_wp, message='hook load')
+      call assertRelativelyEqual(side_force, result%bit_side_force, 3.0e-3_wp, message='side force of the bit')
+      call assertRelativelyEqual(moment, maxval(result%profile%bending), 6.0e-3_wp, message='largest moment')
+   end subroutine test_tight_short_blades
 
    !> A blade of 1.6 mm of clearance holds collars of a horizontal string that is pushed, however short it is: moment and bit force
    !> change smoothly down to a blade of 1 mm. At 0.02 m the string once lay 25 mm off the axis there.
