@@ -53,7 +53,7 @@ contains
       if (words /= '') words = 'rows skipped: '//words
    end function skipped_words
 
-   !> What separates the fields of a header: ; , tab or blanks. Brackets do not count.
+   !> What separates the fields of a header: ; , | tab or blanks. Brackets do not count.
    pure function find_separator(header) result(separator)
       character(*), intent(in) :: header
       character :: separator
@@ -63,6 +63,7 @@ contains
       if (index(bare, tab) > 0) separator = tab
       if (index(bare, ',') > 0) separator = ','
       if (index(bare, ';') > 0) separator = ';'
+      if (index(bare, '|') > 0) separator = '|'
    end function find_separator
 
    !> Name and bracketed unit of a heading, both lower case: 'MD (m)' gives md and m.

@@ -1,0 +1,381 @@
+!> Rows of a survey table: stations, lines that are none and are counted by kind, and lines that may be damaged stations.
+module dg_survey_rows
+   use dg_constants, only: degree
+   use dg_deck_number, only: read_real
+   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_kinds, only: wp
+   use dg_missing, only: is_missing, missing
+   use dg_survey_cells, only: split_cells
+   use dg_survey_columns, only: layout_type
+   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name
+   use dg_survey_layout, only: is_rule, is_unit_row
+   use dg_survey_stations, only: station_list_type
+   use dg_table_number, only: marks_type, plain_number, read_cell
+   use dg_table_text, only: content_length, row_type, skipped_rows_type, split_row
+   use dg_text, only: lower_case, quoted, text_type, to_text
+   implicit none
+   private
+   public :: read_rows, kind_names
+
+   !> Kinds of lines without a station.
+   integer, parameter :: above = 1, commented = 2, empty = 3, note = 4, rule = 5, header = 6, without_azimuth = 7, kinds = 7
+   character(*), parameter :: kind_names(kinds) = [character(44) :: 'above the header', 'that begin with #', 'without a value', &
+      'of text', 'of dashes', 'with the header or its units again', 'without azimuth where the hole is vertical']
+   !> Inclination below which a station needs no azimuth [rad].
+   real(wp), parameter :: vertical = 0.5_wp*degree
+   !> Cells for no value.
+   character(*), parameter :: no_values(12) = [character(4) :: '', '-', '--', '---', '----', 'n/a', 'na', 'nan', 'none', 'null', &
+                                               '*', '.']
+   character(*), parameter :: digits = '0123456789'
+
+contains
+
+   !> The rows below the header. A row whose depth, inclination or azimuth is what stands for no value has no station; where the
+   !> hole is vertical the azimuth may be absent.
+   subroutine read_rows(lines, layout, stations, n, marks, skipped, sound, faults)
+      type(text_type), intent(in) :: lines(:)
+      type(layout_type), intent(in) :: layout
+      type(station_list_type), intent(inout) :: stations
+      integer, intent(inout) :: n                       !< stations found
+      type(marks_type), intent(inout) :: marks
+      type(skipped_rows_type), intent(out) :: skipped(kinds)
+      logical, intent(inout) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      type(row_type) :: row
+      real(wp) :: numbers(3)
+      integer :: line, length, column
+      logical :: legal(3), null(3), needed(3)
+      needed = layout%place(:3) > 0
+      do line = 1, min(layout%first_row - 1, size(lines))
+         if (all_numbers(lines(line)%text, layout)) call skipped(above)%add(line)
+      end do
+      do line = layout%first_row, size(lines)
+         length = content_length(lines(line)%text)
+         if (length == 0) then
+            if (has_station(lines(line)%text, layout)) call skipped(commented)%add(line)
+            if (is_error_cell(lines(line)%text)) call fault('the row begins with an error of a spreadsheet')
+            cycle
+         end if
+         if (is_rule(lines(line)%text(:length))) then
+            call skipped(rule)%add(line)
+            cycle
+         end if
+         call split_cells(lines(line)%text(:length), layout, row)
+         numbers = 0.0_wp
+         legal = .not. needed
+         null = .false.
+         do column = 1, 3
+            if (.not. needed(column) .or. layout%place(column) > row%count) cycle
+            call read_cell(cell(row, layout%place(column)), layout%separator == ',', line, marks, numbers(column), legal(column))
+            if (layout%has_null .and. legal(column)) null(column) = abs(numbers(column) - layout%null) <= spacing(layout%null)
+         end do
+         if (.not. all(legal)) then
+            if (is_header_again(lines, layout, line)) then
+               call skipped(header)%add(line)
+               cycle
+            else if (is_text(row, layout, legal)) then
+               call skipped(note)%add(line)
+               cycle
+            end if
+         end if
+         call take_vertical()
+         if (any(null)) then
+            call skipped(empty)%add(line)
+            cycle
+         end if
+         if (row%count /= layout%width) call check_width()
+         call check_cells()
+         n = n + 1
+         stations%md(n) = numbers(column_md)*layout%factor(column_md)
+         stations%inclination(n) = numbers(column_inc)*layout%factor(column_inc)
+         stations%azimuth(n) = missing
+         if (.not. is_missing(numbers(column_azi))) stations%azimuth(n) = numbers(column_azi)*layout%factor(column_azi)
+         stations%lines(n) = line
+         call take_others(row, layout, stations, n)
+      end do
+      call fill_azimuths(stations, n)
+
+   contains
+
+      !> A station without azimuth in a vertical hole is sound. Its azimuth is `missing` until others are known, unless the
+      !> inclination is zero.
+      subroutine take_vertical()
+         logical :: absent
+         if (.not. needed(column_azi) .or. .not. legal(column_inc) .or. null(column_inc) .or. .not. legal(column_md)) return
+         if (numbers(column_inc)*layout%factor(column_inc) >= vertical) return
+         absent = null(column_azi)
+         if (.not. legal(column_azi)) then
+            if (layout%place(column_azi) > row%count) then
+               absent = layout%separator /= ' '
+            else
+               absent = any(no_values == lower_case(cell(row, layout%place(column_azi))))
+            end if
+         end if
+         if (.not. absent) return
+         if (.not. null(column_azi)) call skipped(without_azimuth)%add(line)
+         null(column_azi) = .false.
+         legal(column_azi) = .true.
+         numbers(column_azi) = 0.0_wp
+         if (numbers(column_inc) > 0.0_wp) numbers(column_azi) = missing
+      end subroutine take_vertical
+
+      subroutine check_cells()
+         integer :: k, place
+         do k = 1, 3
+            place = layout%place(k)
+            if (place == 0 .or. legal(k)) cycle
+            if (place > row%count) then
+               call fault('no value for '//trim(column_name(k))//': the row has '//to_text(row%count)// &
+                          ' columns, the header puts it in column '//to_text(place))
+            else if (k == column_azi .and. is_quadrant(cell(row, place))) then
+               call fault('azi = '//quoted(cell(row, place))//' is a bearing by quadrants. Write azimuths from 0 to 360 deg')
+            else
+               call fault(trim(column_name(k))//' = '//quoted(cell(row, place))// &
+                          ' is no number. Put # before a line that is no station')
+            end if
+         end do
+      end subroutine check_cells
+
+      !> Numbers beyond the last heading, or between blanks fewer than headings, leave open which number belongs to which.
+      subroutine check_width()
+         real(wp) :: number
+         integer :: i
+         logical :: is_number
+         do i = layout%width + 1, row%count
+            call read_real(cell(row, i), number, is_number)
+            if (.not. is_number) cycle
+            call fault('the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
+                       ' columns; give each a name, and numbers with decimal points')
+            return
+         end do
+         if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count)) &
+            call fault('the row has '//to_text(row%count)//' columns, the header names '//to_text(layout%width)// &
+                       '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs')
+      end subroutine check_width
+
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         sound = .false.
+         call add_fault(faults, stations%file, line, 'survey: '//message)
+      end subroutine fault
+   end subroutine read_rows
+
+   pure function cell(row, place) result(text)
+      type(row_type), intent(in) :: row
+      integer, intent(in) :: place
+      character(row%last(place) - row%first(place) + 1) :: text
+      text = row%text(row%first(place):row%last(place))
+   end function cell
+
+   !> Positions of a station as the file lists them, and what other columns show for md, inc and azi; `missing` where a cell holds
+   !> no number.
+   subroutine take_others(row, layout, stations, n)
+      type(row_type), intent(in) :: row
+      type(layout_type), intent(in) :: layout
+      type(station_list_type), intent(inout) :: stations
+      integer, intent(in) :: n
+      integer :: k
+      do k = 1, 3
+         stations%listed(k, n) = value_at(layout%place(3 + k), layout%factor(3 + k))
+         stations%rival(k, n) = value_at(layout%rival(k), layout%rival_factor(k))
+      end do
+
+   contains
+
+      function value_at(place, factor) result(number)
+         integer, intent(in) :: place
+         real(wp), intent(in) :: factor
+         real(wp) :: number
+         logical :: legal
+         type(marks_type) :: unused
+         number = missing
+         if (place == 0 .or. place > row%count) return
+         call read_cell(cell(row, place), layout%separator == ',', 1, unused, number, legal)
+         if (.not. legal) number = missing
+         if (legal .and. layout%has_null) then
+            if (abs(number - layout%null) <= spacing(layout%null)) number = missing
+         end if
+         if (.not. is_missing(number)) number = number*factor
+      end function value_at
+   end subroutine take_others
+
+   !> Gives stations that are nearly vertical and without azimuth that of the next one below, or else above.
+   pure subroutine fill_azimuths(stations, n)
+      type(station_list_type), intent(inout) :: stations
+      integer, intent(in) :: n
+      integer :: i
+      do i = n - 1, 1, -1
+         if (is_missing(stations%azimuth(i))) stations%azimuth(i) = stations%azimuth(i + 1)
+      end do
+      do i = 2, n
+         if (is_missing(stations%azimuth(i))) stations%azimuth(i) = stations%azimuth(i - 1)
+      end do
+      if (n == 1 .and. is_missing(stations%azimuth(1))) stations%azimuth(1) = 0.0_wp
+   end subroutine fill_azimuths
+
+   !> Whether a line without all three numbers is text: a footer, a note, the title of a page. Where it may be a damaged station it
+   !> is none: two of the three numbers are there, or md is, numbers stand side by side, or a cell begins like a number.
+   pure function is_text(row, layout, legal) result(is)
+      type(row_type), intent(in) :: row
+      type(layout_type), intent(in) :: layout
+      logical, intent(in) :: legal(3)
+      logical :: is
+      integer :: numbers, k, place
+      is = .false.
+      if (row%count == 0 .or. .not. any_letters(row)) return
+      numbers = count(legal .and. layout%place(:3) > 0)
+      if (row%count == layout%width) then
+         if (numbers > merge(1, 0, layout%separator == ' ') .or. legal(column_md)) return
+         do k = 1, 3
+            place = layout%place(k)
+            if (place == 0 .or. legal(k)) cycle
+            if (may_be_number(cell(row, place))) return
+         end do
+      else
+         if (numbers > 1 .or. may_be_number(cell(row, 1))) return
+         if (legal(column_md) .and. layout%place(column_md) == 1) return
+      end if
+      is = longest_run(row) < 2
+   end function is_text
+
+   !> Whether a cell is a number that may be damaged: it begins like one, or is mostly digits, and is no date or time.
+   pure function may_be_number(text) result(may)
+      character(*), intent(in) :: text
+      logical :: may
+      integer :: first
+      may = .false.
+      if (len(text) == 0) return
+      first = 1
+      if (scan(text(1:1), '+-.,') == 1 .and. len(text) > 1) first = 2
+      may = scan(text(first:first), digits) == 1 .or. 3*count_in(text, digits) > 2*len(text)
+      if (index(text, ')') == len(text) .or. index(text, ' ') > 0) may = may .and. count_in(text, digits) > len(text)/2
+      if (first > 1) return
+      if (count_in(text, '/') == 2 .or. count_in(text, ':') > 0 .or. count_in(text, '-') == 2) may = .false.
+      if (count_in(text, '.') == 2 .and. verify(text, digits//'.') == 0) may = len(text) < 8 .or. len(text) > 10
+   end function may_be_number
+
+   pure function count_in(text, set) result(number)
+      character(*), intent(in) :: text, set
+      integer :: number
+      integer :: i
+      number = 0
+      do i = 1, len(text)
+         if (scan(text(i:i), set) == 1) number = number + 1
+      end do
+   end function count_in
+
+   !> Numbers that stand side by side in a row, the most.
+   pure function longest_run(row) result(longest)
+      type(row_type), intent(in) :: row
+      integer :: longest
+      integer :: i, run
+      real(wp) :: number
+      logical :: legal
+      longest = 0
+      run = 0
+      do i = 1, row%count
+         call read_real(plain_number(cell(row, i), .false.), number, legal)
+         run = merge(run + 1, 0, legal)
+         longest = max(longest, run)
+      end do
+   end function longest_run
+
+   pure function any_letters(row) result(any)
+      type(row_type), intent(in) :: row
+      logical :: any
+      integer :: i
+      any = .false.
+      do i = 1, row%count
+         any = any .or. scan(lower_case(cell(row, i)), 'abcdefghijklmnopqrstuvwxyz') > 0
+      end do
+   end function any_letters
+
+   !> Whether a line is one of the header, or of its units, once more.
+   pure function is_header_again(lines, layout, line) result(is)
+      type(text_type), intent(in) :: lines(:)
+      type(layout_type), intent(in) :: layout
+      integer, intent(in) :: line
+      logical :: is
+      integer :: i
+      is = .false.
+      do i = max(layout%first_header, 1), min(layout%first_row - 1, size(lines))
+         if (content_length(lines(i)%text) > 0) is = is .or. squeezed(lines(i)%text) == squeezed(lines(line)%text)
+      end do
+      if (.not. is) is = is_unit_row(lines(line)%text, layout)
+   end function is_header_again
+
+   pure function squeezed(text) result(tight)
+      character(*), intent(in) :: text
+      character(:), allocatable :: tight
+      integer :: i
+      tight = ''
+      do i = 1, len(text)
+         if (scan(text(i:i), ' '//achar(9)) == 0) tight = tight//lower_case(text(i:i))
+      end do
+   end function squeezed
+
+   !> Whether a line begins with what a spreadsheet shows for an error: #N/A, #REF!, ...
+   pure function is_error_cell(text) result(is)
+      character(*), intent(in) :: text
+      logical :: is
+      character(*), parameter :: errors(6) = [character(8) :: '#n/a', '#ref!', '#value!', '#num!', '#div/0!', '#name?']
+      character(:), allocatable :: plain
+      integer :: i
+      plain = lower_case(adjustl(text))
+      is = .false.
+      do i = 1, size(errors)
+         is = is .or. index(plain, trim(errors(i))) == 1
+      end do
+   end function is_error_cell
+
+   !> Whether a text is a bearing such as N 45 E.
+   pure function is_quadrant(text) result(is)
+      character(*), intent(in) :: text
+      logical :: is
+      character(len(text)) :: plain
+      plain = lower_case(text)
+      is = .false.
+      if (len(text) > 1) is = scan(plain(1:1), 'ns') == 1 .and. (scan(plain, digits) > 0 .or. scan(trim(plain), 'ew') > 0)
+   end function is_quadrant
+
+   !> Whether a line that is a comment would be a station without its mark.
+   function has_station(text, layout) result(has)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      logical :: has
+      type(row_type) :: row
+      type(marks_type) :: unused
+      real(wp) :: number
+      integer :: first, column, place
+      logical :: is_number
+      has = .false.
+      first = verify(text, '# '//achar(9))
+      if (first == 0 .or. index(text, '#') == 0) return
+      call split_row(text(first:), layout%separator, row)
+      do column = column_md, column_inc
+         place = layout%place(column)
+         if (place > row%count) return
+         call read_cell(cell(row, place), layout%separator == ',', 1, unused, number, is_number)
+         if (.not. is_number) return
+      end do
+      has = .true.
+   end function has_station
+
+   !> Whether a line holds nothing but numbers, two or more.
+   function all_numbers(text, layout) result(all_are)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      logical :: all_are
+      type(row_type) :: row
+      real(wp) :: number
+      integer :: i
+      all_are = .false.
+      if (content_length(text) == 0) return
+      call split_row(text(:content_length(text)), layout%separator, row)
+      do i = 1, row%count
+         call read_real(cell(row, i), number, all_are)
+         if (.not. all_are) return
+      end do
+      all_are = row%count > 1
+   end function all_numbers
+end module dg_survey_rows
