@@ -7,11 +7,11 @@ module dg_survey_file
    use dg_survey_columns, only: column_names_type, layout_type, missing_columns
    use dg_survey_heading, only: column_azi
    use dg_survey_layout, only: find_layout
-   use dg_survey_rows, only: kind_names, read_rows
+   use dg_survey_rows, only: kind_names, read_rows, without_azimuth
    use dg_survey_stations, only: cut_stations, order_stations, rival_words, station_list_type
    use dg_table_number, only: doubt, doubtful_line, marks_type
    use dg_table_text, only: skipped_rows_type, skipped_words
-   use dg_text, only: text_type
+   use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -92,11 +92,18 @@ contains
          call add_fault(faults, stations%file, layout%first_row - 1, 'survey: '//problem)
       end if
       call order_stations(stations, turned, again%count, again%first_line)
-      stations%skipped = skipped_words([skipped, again], [character(len(kind_names)) :: kind_names, &
-                                                          'with a station again'])
-      if (turned) then
+      stations%skipped = skipped_words([skipped(:without_azimuth - 1), again], &
+                                       [character(len(kind_names)) :: kind_names(:without_azimuth - 1), 'with a station again'])
+      if (skipped(without_azimuth)%count > 0) call add(to_text(skipped(without_azimuth)%count)//' without azimuth '// &
+         'where the hole is vertical (first in line '//to_text(skipped(without_azimuth)%first_line)//'), read as stations')
+      if (turned) call add('deepest station first, order turned')
+
+   contains
+
+      subroutine add(words)
+         character(*), intent(in) :: words
          if (stations%skipped /= '') stations%skipped = stations%skipped//'. '
-         stations%skipped = stations%skipped//'The deepest station stands first; the order was turned'
-      end if
+         stations%skipped = stations%skipped//words
+      end subroutine add
    end subroutine finish_stations
 end module dg_survey_file

@@ -163,7 +163,7 @@ contains
       integer :: attempt, i, data_line
       data_line = next_data(lines, last + 1)
       separator = find_separator(lines(last)%text(:content_length(lines(last)%text)))
-      do attempt = 1, 2
+      do attempt = 1, 3
          layout%wide = .false.
          layout%separator = separator
          if (allocated(layout%extent)) deallocate (layout%extent)
@@ -180,8 +180,16 @@ contains
             call read_heading(texts(i)%text, headings(i))
          end do
          call choose_columns(headings, names, units, layout)
-         if (is_complete(layout) .or. separator == tab .or. index(lines(last)%text, tab) == 0) exit
-         separator = tab           ! commas inside of headings
+         if (is_complete(layout) .or. separator == ' ') exit
+         ! commas inside of headings
+         if (separator /= tab .and. index(lines(last)%text, tab) > 0) then
+            separator = tab
+         else if (data_line > 0) then
+            if (index(lines(data_line)%text, separator) > 0) exit
+            separator = ' '
+         else
+            exit
+         end if
       end do
    end subroutine read_block
 

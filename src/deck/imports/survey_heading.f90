@@ -138,11 +138,13 @@ contains
       type(text_type), allocatable, intent(inout) :: words(:)
       integer, allocatable, intent(inout) :: roles(:)
       character(:), allocatable, intent(inout) :: unit
+      integer, allocatable :: kept(:)      ! what the words behind the unit say of the quantity
       integer :: first, i
       first = 0
       do i = size(words), 2, -1
          if (roles(i) == role_unit) first = i
-         if (.not. any(roles(i) == [role_unit, role_datum, role_sea, role_true, role_grid, role_magnetic, role_letter])) exit
+         if (.not. any(roles(i) == [role_unit, role_datum, role_sea, role_true, role_grid, role_magnetic, role_letter, role_md, &
+                                    role_tvd])) exit
       end do
       if (first == 0) return
       do i = first, size(words)
@@ -150,7 +152,8 @@ contains
          unit = unit//words(i)%text
       end do
       words = words(:first - 1)
-      roles = roles(:first - 1)
+      kept = pack(roles(first:), roles(first:) == role_md .or. roles(first:) == role_tvd .or. roles(first:) == role_sea)
+      roles = [roles(:first - 1), kept]
    end subroutine take_unit_words
 
    !> The quantity that words name; none where one of them is unknown, of another quantity, or against the others.

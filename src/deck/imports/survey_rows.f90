@@ -15,7 +15,7 @@ module dg_survey_rows
    use dg_text, only: lower_case, quoted, text_type, to_text
    implicit none
    private
-   public :: read_rows, kind_names
+   public :: read_rows, kind_names, without_azimuth
 
    !> Kinds of lines without a station.
    integer, parameter :: above = 1, commented = 2, empty = 3, note = 4, rule = 5, header = 6, without_azimuth = 7, kinds = 7

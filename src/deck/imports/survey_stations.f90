@@ -4,7 +4,7 @@ module dg_survey_stations
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_survey_columns, only: layout_type
-   use dg_survey_heading, only: column_azi, column_md, column_name
+   use dg_survey_heading, only: column_azi, column_md, column_name, loose_rank
    use dg_text, only: quoted, to_text
    implicit none
    private
@@ -29,6 +29,7 @@ module dg_survey_stations
    real(wp), parameter :: same_depth = 1.0e-6_wp, same_angle = 1.0e-9_wp
    !> Largest difference at which two columns show the same depth, or the same angle [m], [rad].
    real(wp), parameter :: equal_depth = 0.05_wp, equal_angle = 0.011_wp*degree
+   character(*), parameter :: column_meaning(3) = [character(14) :: 'measured depth', 'inclination', 'azimuth']
    !> Inclination above which azimuths are compared [rad].
    real(wp), parameter :: inclined = 1.0_wp*degree
 
@@ -115,8 +116,9 @@ contains
       turn = modulo(one - other + pi, 2.0_wp*pi) - pi
    end function turn_between
 
-   !> Which of two columns was taken and how far they differ, for those of md, inc, azi of which the file has another; '' where it
-   !> has none that says anything else. `doubt` is a fault: two columns differ, and their headings do not tell which is meant.
+   !> Which heading was taken for a quantity that it does not surely name; and, of two columns for md, inc or azi, which was taken
+   !> and how far they differ. '' where there is nothing to tell. `doubt` is a fault: two columns differ, and their headings do not
+   !> tell which is meant.
    pure subroutine rival_words(stations, layout, words, doubt)
       type(station_list_type), intent(in) :: stations
       type(layout_type), intent(in) :: layout
@@ -126,6 +128,14 @@ contains
       words = ''
       doubt = ''
       do column = column_md, column_azi
+         if (layout%place(column) > 0) then
+            associate (taken => layout%headings(layout%place(column)))
+               if (taken%column == column .and. taken%rank >= loose_rank) then
+                  if (words /= '') words = words//'. '
+                  words = words//quoted(taken%text)//' is read as '//trim(column_meaning(column))
+               end if
+            end associate
+         end if
          if (layout%rival(column) == 0 .or. layout%place(column) == 0) cycle
          largest = 0.0_wp
          do i = 1, size(stations%md)
