@@ -205,6 +205,35 @@ contains
       line = 0
    end function next_data
 
+   !> The row below the header by which its columns are counted: one with as many fields as the header has words, or phrases; else
+   !> the longest that holds nothing but numbers; else the next.
+   subroutine find_example(lines, first_line, words, phrases, line)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: first_line           !< the next row; 0: none
+      integer, intent(in) :: words, phrases       !< of the header, on one line; 0: on several
+      integer, intent(out) :: line
+      type(row_type) :: row
+      integer, parameter :: most = 200
+      integer :: i, length, best, rank, best_rank
+      line = first_line
+      if (first_line == 0) return
+      best = 0
+      best_rank = 0
+      do i = first_line, min(size(lines), first_line + most)
+         if (count_numbers(lines(i)%text) < 2) cycle
+         length = content_length(lines(i)%text)
+         call split_row(lines(i)%text(:length), ' ', row)
+         rank = 0
+         if (count_numbers(lines(i)%text) == row%count) rank = 1
+         if (row%count == phrases) rank = 2
+         if (row%count == words) rank = 3
+         if (rank < best_rank .or. (rank == best_rank .and. (row%count <= best .or. rank == 0))) cycle
+         best_rank = rank
+         best = row%count
+         line = i
+      end do
+   end subroutine find_example
+
    !> Rows between blanks below a header between commas.
    pure subroutine find_row_separator(text, width, separator)
       character(*), intent(in) :: text
@@ -251,17 +280,22 @@ contains
 
    !> Headings between blanks. By their number where it is that of the row below, with blanks inside of names where two blanks
    !> separate them; else by the place of each word above the numbers.
-   subroutine stack_by_place(lines, first_line, last, data_line, layout, texts)
+   subroutine stack_by_place(lines, first_line, last, next_line, layout, texts)
       type(text_type), intent(in) :: lines(:)
-      integer, intent(in) :: first_line, last, data_line
+      integer, intent(in) :: first_line, last, next_line
       type(layout_type), intent(inout) :: layout
       type(text_type), allocatable, intent(out) :: texts(:)
       type(row_type) :: words, phrases, row, wide_row
       character(:), allocatable :: header, data_text
-      integer :: i
+      integer :: i, data_line
       header = close_brackets(lines(last)%text(:content_length(lines(last)%text)))
       call split_row(header, ' ', words)
       call part_phrases(header, phrases)
+      if (first_line == last) then
+         call find_example(lines, next_line, words%count, phrases%count, data_line)
+      else
+         call find_example(lines, next_line, 0, 0, data_line)
+      end if
       data_text = ''
       if (data_line > 0) data_text = lines(data_line)%text(:content_length(lines(data_line)%text))
       call split_row(data_text, ' ', row)

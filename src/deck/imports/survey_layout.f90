@@ -7,7 +7,7 @@ module dg_survey_layout
    use dg_survey_cells, only: split_cells
    use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
    use dg_survey_header, only: find_header
-   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, read_heading
+   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, read_heading
    use dg_table_text, only: content_length, row_type, without_comment
    use dg_table_unit, only: resembles_unit
    use dg_text, only: lower_case, quoted, text_type
@@ -169,6 +169,8 @@ contains
          call read_heading(curves(i)%text, headings(i))
          headings(i)%unit = las_units(i)%text
       end do
+      ! the index curve is the measured depth
+      if (headings(1)%column == column_md .and. headings(1)%rank > loose_rank) headings(1)%rank = loose_rank - 1
       call choose_columns(headings, names, units, layout)
       if (layout%unknown /= '') call fault(layout%unknown)
       if (any(layout%place(:column_inc) == 0) .and. layout%unknown == '') call fault(missing_columns(layout, .false.))

@@ -127,6 +127,8 @@ contains
             if (place > row%count) then
                call fault('no value for '//trim(column_name(k))//': the row has '//to_text(row%count)// &
                           ' columns, the header puts it in column '//to_text(place))
+            else if (cell(row, place) == '') then
+               call fault('no value for '//trim(column_name(k))//'. Put # before a line that is no station')
             else if (k == column_azi .and. is_quadrant(cell(row, place))) then
                call fault('azi = '//quoted(cell(row, place))//' is a bearing by quadrants. Write azimuths from 0 to 360 deg')
             else
