@@ -61,24 +61,36 @@ contains
       call classify(roles, words, heading)
    end subroutine read_heading
 
-   !> Whether all words of a text are those of headings, and one of them is no unit: such a line belongs to the header.
+   !> Whether all words of a text are those of headings, and one of them tells a quantity, or a north without a unit: such a line
+   !> belongs to the header.
    pure function is_heading_text(text) result(is)
       character(*), intent(in) :: text
       logical :: is
       type(text_type), allocatable :: words(:)
       character(:), allocatable :: name, inside
       integer :: i, role
-      logical :: any_word
+      logical :: quantity, north, unit
       call part_brackets(text, name, inside)
       call words_of(name, words)
       is = .true.
-      any_word = .false.
+      quantity = .false.
+      north = .false.
+      unit = .false.
       do i = 1, size(words)
          role = role_of(words(i)%text)
          is = is .and. role /= role_unknown
-         any_word = any_word .or. (role /= role_unit .and. role /= role_datum)
+         select case (role)
+         case (role_unit)
+            unit = .true.
+         case (role_true, role_grid, role_magnetic)
+            north = .true.
+         case (role_datum, role_letter, role_sea)
+            continue
+         case default
+            quantity = .true.
+         end select
       end do
-      is = is .and. any_word
+      is = is .and. (quantity .or. (north .and. .not. unit))
    end function is_heading_text
 
    !> The text outside of brackets, and what they hold. A sign in brackets, as in N(+)/S(-), is no unit.

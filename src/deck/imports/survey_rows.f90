@@ -105,11 +105,8 @@ contains
          if (numbers(column_inc)*layout%factor(column_inc) >= vertical) return
          absent = null(column_azi)
          if (.not. legal(column_azi)) then
-            if (layout%place(column_azi) > row%count) then
-               absent = layout%separator /= ' '
-            else
-               absent = any(no_values == lower_case(cell(row, layout%place(column_azi))))
-            end if
+            if (layout%place(column_azi) > row%count) return       ! a row that is cut off
+            absent = any(no_values == lower_case(cell(row, layout%place(column_azi))))
          end if
          if (.not. absent) return
          if (.not. null(column_azi)) call skipped(without_azimuth)%add(line)
