@@ -109,7 +109,8 @@ contains
       call accept('words of a line', 'Measured Depth Hole Angle Corrected Azimuth;0 0 0;500 10 90;1200 45 100')
       call accept('a title above', 'True North;MD,Inc,Azi;0,0,0;500,10,90;1200,45,100')
       call accept('in a comment', '# Well 3;# MD Inc Azi;0 0 0;500 10 90;1200 45 100')
-      call refuse('vertical above depth', 'Vertical;   Depth   Inc   Azi;    0.0   0.0   0.0;  500.0  10.0  90.0', "'Vertical Depth'")
+      call refuse('vertical above depth', 'Vertical;   Depth   Inc   Azi;    0.0   0.0   0.0;  500.0  10.0  90.0', &
+                  "'Vertical Depth'")
       call refuse('true vertical', 'True Vertical,,;Depth,Inc,Azi;0,0,0;500,10,90', 'the header names no md. Headings seen')
    end subroutine test_lines
 

@@ -66,7 +66,7 @@ contains
          associate (stations => draft%stations, units => draft%units)
             length = stations%md(1) - added(size(added))
             text = 'group &trajectory: the survey begins at '//depth(stations%md(1))//' with '// &
-                   to_text(stations%inclination(1)/degree, few_digits)//' deg; the hole is taken as '
+                   to_text(stations%inclination(1)/degree, few_digits)//' deg. The hole is taken as '
             if (straight) then
                text = text//'straight up to surface, in the direction of the first station (a station added there)'
                return
@@ -78,7 +78,7 @@ contains
             else
                text = text//' (a station added there)'
             end if
-            text = text//'; from there to the first station it turns by '// &
+            text = text//'. From there to the first station it turns by '// &
                    to_text(stations%inclination(1)/degree, few_digits)//' deg, '// &
                    curvature_words(units, stations%inclination(1)/length)
             if (begins_vertical(stations%inclination(1)) .or. stations%inclination(1)/length <= sharpest_tie) return

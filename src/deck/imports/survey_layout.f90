@@ -81,6 +81,9 @@ contains
          layout%first_row = line + 1
       end do
       first_station = min(line, size(lines) + 1)
+      do line = 1, layout%first_header - 1
+         if (.not. layout%told(column_md)) call take_petrel_unit(lower_case(lines(line)%text), layout)
+      end do
       do line = 4, size(layout%factor)       ! positions are in the unit of depth where they have none
          if (.not. layout%told(line)) layout%factor(line) = layout%factor(column_md)
       end do
@@ -188,6 +191,19 @@ contains
          call add_fault(faults, path, layout%first_row - 1, 'survey: '//message)
       end subroutine fault
    end subroutine find_las_layout
+
+   !> The unit of depth of a well trace by Petrel: 'DEPTH (Z, TVD) GIVEN IN ft-UNITS'.
+   pure subroutine take_petrel_unit(title, layout)
+      character(*), intent(in) :: title           !< in small letters
+      type(layout_type), intent(inout) :: layout
+      character(*), parameter :: before = 'depth (z, tvd) given in ', behind = '-units'
+      integer :: first, last
+      first = index(title, before)
+      last = index(title, behind)
+      if (first == 0 .or. last <= first) return
+      first = first + len(before)
+      if (scan(title(first:last - 1), ' ') == 0) call take_unit(layout, column_md, title(first:last - 1))
+   end subroutine take_petrel_unit
 
    !> The lines of a file without the mark of comments at their beginning.
    pure function bared(lines) result(bare)

@@ -124,6 +124,7 @@ contains
       type(layout_type), intent(in) :: layout
       character(:), allocatable, intent(out) :: words, doubt
       real(wp) :: difference, largest, unit
+      logical :: differ
       integer :: column, i
       words = ''
       doubt = ''
@@ -137,7 +138,7 @@ contains
             end associate
          end if
          if (layout%rival(column) == 0 .or. layout%place(column) == 0) cycle
-         largest = 0.0_wp
+         largest = -1.0_wp        ! no station compared
          do i = 1, size(stations%md)
             if (is_missing(stations%rival(column, i))) cycle
             select case (column)
@@ -153,12 +154,13 @@ contains
          end do
          associate (taken => layout%headings(layout%place(column)), other => layout%headings(layout%rival(column)))
             unit = merge(1.0_wp, degree, column == column_md)
-            if (largest > merge(equal_depth, equal_angle, column == column_md) .and. taken%rank == other%rank) then
+            differ = largest > merge(equal_depth, equal_angle, column == column_md)
+            if (differ .and. taken%rank == other%rank) then
                if (doubt /= '') doubt = doubt//'. '
                doubt = doubt//'two columns may be '//trim(column_name(column))//', '//quoted(taken%text)//' and '// &
                        quoted(other%text)//'. They differ by up to '//amount()//'. Name one in &trajectory: '// &
                        trim(column_name(column))//'_column = '//quoted(taken%text)
-            else if (column == column_azi .or. largest > merge(equal_depth, equal_angle, column == column_md)) then
+            else if (differ .or. (column == column_azi .and. largest >= 0.0_wp)) then
                if (words /= '') words = words//'. '
                words = words//trim(column_name(column))//' is column '//quoted(taken%text)//', not '//quoted(other%text)// &
                        '. They differ by up to '//amount()//'. To take another: '//trim(column_name(column))//'_column'
