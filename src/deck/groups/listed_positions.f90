@@ -4,7 +4,6 @@ module dg_listed_positions
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_survey_file, only: station_list_type
-   use dg_text, only: to_text
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at, trajectory_type
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
@@ -62,14 +61,22 @@ contains
       end do
       if (words == '') return
       if (largest <= same) then
-         words = words//' agree with those of the file within '//shown(same)
+         words = words//verb(' agree')//' with those of the file within '//shown(same)
       else
-         words = words//' differ from those of the file by up to '//shown(largest)//', '//trim(names(worst_k))//' at '// &
+         words = words//verb(' differ')//' from those of the file by up to '//shown(largest)//', '//trim(names(worst_k))//' at '// &
                  trim(in_units(units, unit_length, stations%md(worst), depth_digits))
          if (largest > far) words = words//'. Warning: check columns, units and the north of the azimuths'
       end if
 
    contains
+      !> A verb that goes with one quantity or several.
+      function verb(plural) result(text)
+         character(*), intent(in) :: plural
+         character(:), allocatable :: text
+         text = plural
+         if (index(words, ',') == 0) text = plural//'s'
+      end function verb
+
       function shown(length) result(text)
          real(wp), intent(in) :: length
          character(:), allocatable :: text

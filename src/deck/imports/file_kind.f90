@@ -1,5 +1,6 @@
 !> Files that are no text tables, told by their first bytes.
 module dg_file_kind
+   use dg_file_begin, only: file_begin
    use dg_text, only: lower_case
    implicit none
    private
@@ -14,20 +15,10 @@ contains
    function foreign_kind(path) result(kind)
       character(*), intent(in) :: path
       character(:), allocatable :: kind
-      character(first_bytes) :: begin
-      integer :: unit, status, length
-      logical :: exists
+      character(:), allocatable :: begin
       kind = ''
-      begin = ''
-      inquire (file=path, exist=exists, size=length)
-      if (.not. exists .or. length <= 0) return
-      length = min(length, first_bytes)
-      open (newunit=unit, file=path, status='old', action='read', access='stream', form='unformatted', iostat=status)
-      if (status /= 0) return
-      read (unit, iostat=status) begin(:length)
-      close (unit)
-      if (status /= 0) return
-      kind = kind_of(begin(:length))
+      begin = file_begin(path, first_bytes)
+      if (begin /= '') kind = kind_of(begin)
    end function foreign_kind
 
    pure function kind_of(begin) result(kind)

@@ -7,7 +7,7 @@ module dg_survey_columns
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: layout_type, column_names_type, choose_columns, take_unit, seen_headings, missing_columns, known_names
+   public :: layout_type, column_names_type, choose_columns, take_unit, missing_columns
 
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type

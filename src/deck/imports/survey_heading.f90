@@ -8,8 +8,7 @@ module dg_survey_heading
    implicit none
    private
    public :: heading_type, read_heading, is_heading_text
-   public :: column_md, column_inc, column_azi, column_tvd, column_north, column_east, column_name, &
-             no_column, loose_rank
+   public :: column_md, column_inc, column_azi, column_name, loose_rank
 
    integer, parameter :: no_column = 0, column_md = 1, column_inc = 2, column_azi = 3, column_tvd = 4, column_north = 5, &
                          column_east = 6

@@ -7,7 +7,7 @@ module dg_survey_layout
    use dg_survey_cells, only: split_cells
    use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
    use dg_survey_header, only: find_header
-   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, read_heading
+   use dg_survey_heading, only: column_inc, column_md, column_name, heading_type, loose_rank, read_heading
    use dg_table_text, only: content_length, row_type, without_comment
    use dg_table_unit, only: resembles_unit
    use dg_text, only: lower_case, quoted, text_type

@@ -53,7 +53,7 @@ contains
          length = content_length(lines(line)%text)
          if (length == 0) then
             if (has_station(lines(line)%text, layout)) call skipped(commented)%add(line)
-            if (is_error_cell(lines(line)%text)) call fault('the row begins with an error of a spreadsheet')
+            if (is_error_cell(lines(line)%text)) call fault('the row begins with an error of a spreadsheet. Give its number')
             cycle
          end if
          if (is_rule(lines(line)%text(:length))) then
@@ -83,8 +83,10 @@ contains
             call skipped(empty)%add(line)
             cycle
          end if
-         if (row%count /= layout%width) call check_width()
-         call check_cells()
+         if (row%count /= layout%width) call fault(width_fault(row, layout))
+         do column = 1, 3
+            call fault(cell_fault(row, layout, legal, column))
+         end do
          n = n + 1
          stations%md(n) = numbers(column_md)*layout%factor(column_md)
          stations%inclination(n) = numbers(column_inc)*layout%factor(column_inc)
@@ -116,48 +118,59 @@ contains
          if (numbers(column_inc) > 0.0_wp) numbers(column_azi) = missing
       end subroutine take_vertical
 
-      subroutine check_cells()
-         integer :: k, place
-         do k = 1, 3
-            place = layout%place(k)
-            if (place == 0 .or. legal(k)) cycle
-            if (place > row%count) then
-               call fault('no value for '//trim(column_name(k))//': the row has '//to_text(row%count)// &
-                          ' columns, the header puts it in column '//to_text(place))
-            else if (cell(row, place) == '') then
-               call fault('no value for '//trim(column_name(k))//'. Put # before a line that is no station')
-            else if (k == column_azi .and. is_quadrant(cell(row, place))) then
-               call fault('azi = '//quoted(cell(row, place))//' is a bearing by quadrants. Write azimuths from 0 to 360 deg')
-            else
-               call fault(trim(column_name(k))//' = '//quoted(cell(row, place))// &
-                          ' is no number. Put # before a line that is no station')
-            end if
-         end do
-      end subroutine check_cells
-
-      !> Numbers beyond the last heading, or between blanks fewer than headings, leave open which number belongs to which.
-      subroutine check_width()
-         real(wp) :: number
-         integer :: i
-         logical :: is_number
-         do i = layout%width + 1, row%count
-            call read_real(cell(row, i), number, is_number)
-            if (.not. is_number) cycle
-            call fault('the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
-                       ' columns; give each a name, and numbers with decimal points')
-            return
-         end do
-         if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count)) &
-            call fault('the row has '//to_text(row%count)//' columns, the header names '//to_text(layout%width)// &
-                       '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs')
-      end subroutine check_width
-
       subroutine fault(message)
-         character(*), intent(in) :: message
+         character(*), intent(in) :: message        !< '': none
+         if (message == '') return
          sound = .false.
          call add_fault(faults, stations%file, line, 'survey: '//message)
       end subroutine fault
    end subroutine read_rows
+
+   !> Fault of the cell for md, inc or azi that holds no number; '' where there is none.
+   pure function cell_fault(row, layout, legal, column) result(message)
+      type(row_type), intent(in) :: row
+      type(layout_type), intent(in) :: layout
+      logical, intent(in) :: legal(3)
+      integer, intent(in) :: column
+      character(:), allocatable :: message
+      integer :: place
+      message = ''
+      place = layout%place(column)
+      if (place == 0 .or. legal(column)) return
+      if (place > row%count) then
+         message = 'no value for '//trim(column_name(column))//': the row has '//to_text(row%count)// &
+                   ' columns, the header puts it in column '//to_text(place)
+      else if (cell(row, place) == '') then
+         message = 'no value for '//trim(column_name(column))//'. Put # before a line that is no station'
+      else if (column == column_azi .and. is_quadrant(cell(row, place))) then
+         message = 'azi = '//quoted(cell(row, place))//' is a bearing by quadrants. Write azimuths from 0 to 360 deg'
+      else
+         message = trim(column_name(column))//' = '//quoted(cell(row, place))// &
+                   ' is no number. Put # before a line that is no station'
+      end if
+   end function cell_fault
+
+   !> Numbers beyond the last heading, or between blanks fewer than headings, leave open which number belongs to which; '' where it
+   !> is clear.
+   pure function width_fault(row, layout) result(message)
+      type(row_type), intent(in) :: row
+      type(layout_type), intent(in) :: layout
+      character(:), allocatable :: message
+      real(wp) :: number
+      integer :: i
+      logical :: is_number
+      message = ''
+      do i = layout%width + 1, row%count
+         call read_real(cell(row, i), number, is_number)
+         if (.not. is_number) cycle
+         message = 'the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
+                   ' columns; give each a name, and numbers with decimal points'
+         return
+      end do
+      if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count)) &
+         message = 'the row has '//to_text(row%count)//' columns, the header names '//to_text(layout%width)// &
+                   '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs'
+   end function width_fault
 
    pure function cell(row, place) result(text)
       type(row_type), intent(in) :: row

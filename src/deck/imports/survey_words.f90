@@ -4,7 +4,7 @@ module dg_survey_words
    use dg_text, only: append_text, lower_case, text_type
    implicit none
    private
-   public :: words_of, role_of, plain_letters
+   public :: words_of, role_of
    public :: role_unknown, role_md, role_depth, role_measured, role_along, role_total, role_inc, role_drift, role_angle, &
              role_azi, role_direction, role_tvd, role_vertical, role_true, role_grid, role_corrected, role_magnetic, role_datum, &
              role_sea, role_station, role_neutral, role_plan, role_north, role_east, role_letter, role_map, role_minutes, &
