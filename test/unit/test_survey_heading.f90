@@ -38,15 +38,17 @@ contains
 
    !> A heading by itself: md, inc, azi, tvd, north, east or none.
    subroutine test_single()
-      character(*), parameter :: md(31) = [character(34) :: 'MD', 'Measured Depth', 'Meas. Depth', 'MEASURED_DEPTH', &
+      character(*), parameter :: md(37) = [character(34) :: 'MD', 'Measured Depth', 'Meas. Depth', 'MEASURED_DEPTH', &
          'MeasuredDepth', 'Survey MD', 'Total MD', 'Depth', 'Hole Depth', 'Survey Depth', 'Station Depth', 'Svy Depth', 'DEPT', &
          'Drilled Depth', 'Depth MD (m)', 'Depth m MD', 'MD RKB (m)', 'MDRT', 'md_rkb', 'Along Hole Depth', 'AH_DEPTH', 'AHD', &
          'DMEA', 'Survey Point MD', 'STATION_MD', 'Depth (measured)', 'Planned MD', 'Bohrteufe', 'Profondeur mesuree', &
-         'Profundidad Medida', 'Gemeten diepte']
-      character(*), parameter :: inc(24) = [character(34) :: 'Inc', 'INCL', 'Inclination (deg)', 'Inc Angle', 'Incl. deg', &
+         'Profundidad Medida', 'Gemeten diepte', 'M.D. (ft)', 'M. Depth', 'Measured Depth (MD)', 'Depth below RKB (m)', &
+         'MD (from RKB)', 'Measured Depth From RT']
+      character(*), parameter :: inc(27) = [character(34) :: 'Inc', 'INCL', 'Inclination (deg)', 'Inc Angle', 'Incl. deg', &
          'Angle of Inclination (Degrees)', 'Deviation Angle', 'DEVIATION_ANGLE', 'DEVI', 'Dev', 'Drift', 'Drift Angle', &
          'Hole Angle', 'Angle', 'HDEV', 'Deviation from vertical', 'Survey Inclination', 'InclinationAngle', 'incl_deg', &
-         'Corrected Inclination', 'Inklinasjon', 'Neigung', 'Inclinaison', 'Plan Inc']
+         'Corrected Inclination', 'Inklinasjon', 'Neigung', 'Inclinaison', 'Plan Inc', &
+         'Inclination (INC)', 'Incl (deg from vertical)', 'Well Inclination']
       character(*), parameter :: azi(25) = [character(34) :: 'Azi', 'AZIMUTH', 'Azm', 'Az', 'HAZI', 'Corrected Azimuth', &
          'AZIM_TN', &
          'AZIM_GN', 'Azi (GN)', 'Azimuth (deg TN)', 'AzimuthAngle', 'Bearing', 'Hole Direction', 'Drift Direction', &
@@ -58,8 +60,8 @@ contains
          'Depth (MSL)', 'Depth msl', 'Inc error', 'Azi Error', 'Delta Inc', 'MD TVD', 'Inc Azi', 'Foo', 'Comments', 'Well', &
          'Elevation', 'X', 'Y', 'Z', 'Drift distance', 'Horizontal Displacement', 'Grid Convergence', 'Magnetic Declination', &
          'Depth From Top', 'Vertical', 'Measured', 'Section', 'Vertical Angle', 'Inc 2', 'Survey']
-      character(*), parameter :: tvd(8) = [character(34) :: 'TVD', 'True Vertical Depth', 'Vertical Depth (m)', 'TVD RKB', &
-         'TV_DEPTH', 'Depth (TVD)', 'Depth TVD', 'True Depth']
+      character(*), parameter :: tvd(9) = [character(34) :: 'TVD', 'True Vertical Depth', 'Vertical Depth (m)', 'TVD RKB', &
+         'TV_DEPTH', 'Depth (TVD)', 'Depth TVD', 'True Depth', 'T.V.D.']
       character(*), parameter :: north(9) = [character(34) :: 'North', 'N/S', '+N/-S', 'NS (ft)', 'N-S', 'Northing (m)', 'DY', &
          'Y Offset', 'Local N']
       character(*), parameter :: east(9) = [character(34) :: 'East', 'E/W', '+E/-W', 'EW (ft)', 'E-W', 'Easting (m)', 'DX', &
@@ -109,6 +111,8 @@ contains
       call accept('words of a line', 'Measured Depth Hole Angle Corrected Azimuth;0 0 0;500 10 90;1200 45 100')
       call accept('a title above', 'True North;MD,Inc,Azi;0,0,0;500,10,90;1200,45,100')
       call accept('in a comment', '# Well 3;# MD Inc Azi;0 0 0;500 10 90;1200 45 100')
+      call accept('a number sign', 'Stn#,MD,Inc,Azi;1,0,0,0;2,500,10,90;3,1200,45,100')
+      call accept('a page feed', 'MD Inc Azi;0 0 0;500 10 90;'//achar(12)//'MD Inc Azi;1200 45 100;'//achar(26))
       call refuse('vertical above depth', 'Vertical;   Depth   Inc   Azi;    0.0   0.0   0.0;  500.0  10.0  90.0', &
                   "'Vertical Depth'")
       call refuse('true vertical', 'True Vertical,,;Depth,Inc,Azi;0,0,0;500,10,90', 'the header names no md. Headings seen')
@@ -132,6 +136,8 @@ contains
       character(*), parameter :: table = 'Foo,Bar (deg),Baz,TVD,Baz true;0,0,0,0,0;500,10,90,1,2;1200,45,100,1,2'
       call accept('as they stand', table, names=['Foo      ', 'Bar (deg)', 'Baz      '])
       call accept('without unit, other letters', table, names=['foo', 'BAR', 'baz'])
+      call accept('another script', char(208)//char(147)//',Inc,Azi;0,0,0;500,10,90;1200,45,100', &
+                  names=[char(208)//char(147), '  ', '  '])
       call accept('one of them', 'MD,Inc,Azi,A1;0,0,9,0;500,10,9,90;1200,45,9,100', names=['  ', '  ', 'A1'])
       call accept('two words on two lines', 'Foo,Inc,Azi;Number 7,,;0,0,0;500,10,90;1200,45,100', &
                   names=['Foo Number 7', '            ', '            '])

@@ -161,14 +161,14 @@ contains
       end select
    end function is_alike
 
-   !> Small letters without blanks, tabs and quotes.
+   !> Small letters without blanks, tabs, quotes and underscores.
    pure function squeezed(text) result(tight)
       character(*), intent(in) :: text
       character(:), allocatable :: tight
       integer :: i
       tight = ''
       do i = 1, len(text)
-         if (scan(text(i:i), ' "'//achar(9)) == 0) tight = tight//lower_case(text(i:i))
+         if (scan(text(i:i), ' "_'//achar(9)) == 0) tight = tight//lower_case(text(i:i))
       end do
    end function squeezed
 

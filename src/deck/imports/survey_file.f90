@@ -52,6 +52,7 @@ contains
       failure = foreign_kind(path)
       allocate (lines(0))
       if (failure == '') call read_lines(path, lines, failure)
+      call blank_controls(lines)
       n = size(lines)
       allocate (stations%md(n), stations%inclination(n), stations%azimuth(n), stations%listed(3, n), stations%rival(3, n), &
                 stations%lines(n))
@@ -75,6 +76,25 @@ contains
       call cut_stations(stations, n)
       if (sound) call finish_stations(layout, skipped, stations, sound, faults)
    end subroutine read_survey_file
+
+   !> Makes blanks of feeds of pages, of marks of the end of a file, and of blanks that do not break a line (UTF-8).
+   pure subroutine blank_controls(lines)
+      type(text_type), intent(inout) :: lines(:)
+      character(*), parameter :: no_break = char(194)//char(160), controls = achar(11)//achar(12)//achar(26)
+      integer :: i, at
+      do i = 1, size(lines)
+         do
+            at = index(lines(i)%text, no_break)
+            if (at == 0) exit
+            lines(i)%text(at:at + 1) = ' '
+         end do
+         do
+            at = scan(lines(i)%text, controls)
+            if (at == 0) exit
+            lines(i)%text(at:at) = ' '
+         end do
+      end do
+   end subroutine blank_controls
 
    !> Stations in order, each once, with what is to be told of the file.
    subroutine finish_stations(layout, skipped, stations, sound, faults)

@@ -46,6 +46,9 @@ contains
       do i = 1, size(words)
          roles(i) = role_of(words(i)%text)
       end do
+      if (size(words) > 1) then
+         if (words(1)%text == 'm' .and. roles(min(2, size(roles))) == role_depth) roles(1) = role_measured    ! M. Depth
+      end if
       heading%unit = ''
       call take_unit_words(words, roles, heading%unit)
       rest = unit_text(inside)
@@ -57,7 +60,7 @@ contains
       do i = 1, size(bracket_words)
          if (tells_quantity(role_of(bracket_words(i)%text))) roles = [roles, role_of(bracket_words(i)%text)]
       end do
-      call classify(roles, words, heading)
+      call classify(roles, words, index(lower_case(text), 'from') > 0, heading)
    end subroutine read_heading
 
    !> Whether all words of a text are those of headings, and one of them tells a quantity, or a north without a unit: such a line
@@ -114,6 +117,9 @@ contains
          end if
       end do
       inside = trim(adjustl(lower_case(inside)))
+      do i = 1, len(inside)
+         if (inside(i:i) == '_') inside(i:i) = ' '
+      end do
       if (inside == '-') inside = ''
    end subroutine part_brackets
 
@@ -122,7 +128,7 @@ contains
       integer, intent(in) :: role
       logical :: tells
       tells = any(role == [role_md, role_measured, role_along, role_tvd, role_vertical, role_true, role_grid, role_corrected, &
-                           role_magnetic, role_sea, role_plan])
+                           role_magnetic, role_sea, role_plan, role_inc, role_azi])
    end function tells_quantity
 
    !> The text in brackets without words that are no part of a unit: (corr), (planned).
@@ -138,7 +144,8 @@ contains
          word = inside(first:last)
          first = last + 2
          if (word == '') cycle
-         if (any(role_of(word) == [role_corrected, role_magnetic, role_plan, role_measured, role_along])) cycle
+         if (any(role_of(word) == [role_corrected, role_magnetic, role_plan, role_measured, role_along, role_md, role_depth, &
+                                   role_inc, role_drift, role_azi, role_direction, role_angle, role_vertical, role_neutral])) cycle
          if (unit /= '') unit = unit//' '
          unit = unit//word
       end do
@@ -168,9 +175,10 @@ contains
    end subroutine take_unit_words
 
    !> The quantity that words name; none where one of them is unknown, of another quantity, or against the others.
-   subroutine classify(roles, words, heading)
+   subroutine classify(roles, words, from_vertical, heading)
       integer, intent(in) :: roles(:)
       type(text_type), intent(in) :: words(:)
+      logical, intent(in) :: from_vertical         !< the heading says from where something counts
       type(heading_type), intent(inout) :: heading
       if (size(roles) == 0) return
       if (has(role_inc) .or. has(role_azi) .or. has(role_drift) .or. has(role_direction) .or. has(role_angle)) &
@@ -213,7 +221,7 @@ contains
       subroutine name_inclination()
          if (has(role_md) .or. has(role_depth) .or. has(role_tvd) .or. has(role_sea) .or. has(role_magnetic) .or. &
              has(role_north) .or. has(role_letter) .or. has(role_grid) .or. has(role_total)) return
-         if (has(role_vertical) .and. .not. any_word('from')) return
+         if (has(role_vertical) .and. .not. from_vertical) return
          heading%column = column_inc
          heading%rank = modified_rank
          if (size(roles) == 1) heading%rank = plain_rank

@@ -205,18 +205,19 @@ contains
       if (scan(title(first:last - 1), ' ') == 0) call take_unit(layout, column_md, title(first:last - 1))
    end subroutine take_petrel_unit
 
-   !> The lines of a file without the mark of comments at their beginning.
+   !> The first lines of a file with blanks for # and for other marks of comments at their beginning.
    pure function bared(lines) result(bare)
       type(text_type), intent(in) :: lines(:)
       type(text_type), allocatable :: bare(:)
-      integer, parameter :: most = 200
-      integer :: i, first
+      integer, parameter :: most = 250
+      integer :: i, k, first
       allocate (bare(min(size(lines), most)))
       do i = 1, size(bare)
-         first = verify(lines(i)%text, '#! '//achar(9))
          bare(i)%text = lines(i)%text
-         if (first > 1 .and. scan(lines(i)%text(:max(first - 1, 0)), '#!') > 0) &
-            bare(i)%text = repeat(' ', first - 1)//lines(i)%text(first:)
+         first = verify(bare(i)%text, '#!%/ '//achar(9))
+         do k = 1, len(bare(i)%text)
+            if (bare(i)%text(k:k) == '#' .or. (k < first .and. bare(i)%text(k:k) /= achar(9))) bare(i)%text(k:k) = ' '
+         end do
       end do
    end function bared
 

@@ -71,7 +71,8 @@ module dg_survey_words
       'vertikal', 'verticaal']
    character(longest), parameter :: true_words(*) = [character(longest) :: 'true', 'tn', 'tnorth', 'geographic', &
       'geodetic', 'truenorth']
-   character(longest), parameter :: grid_words(*) = [character(longest) :: 'grid', 'gn', 'gnorth', 'gridnorth']
+   character(longest), parameter :: grid_words(*) = [character(longest) :: 'grid', 'gn', 'gnorth', 'gridnorth', &
+      'grd']
    character(longest), parameter :: corrected_words(*) = [character(longest) :: 'corrected', 'corr', 'cor', &
       'final', 'definitive', 'crt', 'corrd', 'adjusted', 'sag']
    character(longest), parameter :: magnetic_words(*) = [character(longest) :: 'magnetic', 'mag', 'mn', 'magn', &
@@ -84,7 +85,7 @@ module dg_survey_words
       'stn', 'sta', 'point', 'pt', 'sensor', 'surveyed', 'actual', 'act', 'surveys']
    character(longest), parameter :: neutral_words(*) = [character(longest) :: 'hole', 'well', 'wellbore', &
       'borehole', 'bore', 'of', 'from', 'the', 'at', 'value', 'val', 'qty', 'below', 'to', 'table', 'bushing', &
-      'floor', 'rig', 'gyro', 'mwd', 'computed', 'calc', 'calculated', 'path', 'directional']
+      'floor', 'rig', 'gyro', 'mwd', 'computed', 'compass', 'calc', 'calculated', 'path', 'directional']
    character(longest), parameter :: plan_words(*) = [character(longest) :: 'plan', 'planned', 'proposed', 'design', &
       'proposal', 'pln']
    character(longest), parameter :: north_words(*) = [character(longest) :: 'north', 'ns', 'south', 'nord', &
@@ -134,7 +135,29 @@ contains
          if (last > first) call add_word(plain(first:last - 1), words)
          first = last + 1
       end do
+      call join_letters(words)
    end subroutine words_of
+
+   !> Joins letters that are written one by one: M.D. and T.V.D.
+   pure subroutine join_letters(words)
+      type(text_type), allocatable, intent(inout) :: words(:)
+      character(*), parameter :: known(3) = [character(3) :: 'md', 'tvd', 'ahd']
+      type(text_type), allocatable :: joined(:)
+      character(:), allocatable :: letters
+      integer :: i
+      letters = ''
+      do i = 1, size(words)
+         if (len(words(i)%text) > 1) exit
+         letters = letters//words(i)%text
+      end do
+      if (.not. any(known == letters)) return
+      allocate (joined(0))
+      call append_text(joined, letters)
+      do i = len(letters) + 1, size(words)
+         call append_text(joined, words(i)%text)
+      end do
+      call move_alloc(joined, words)
+   end subroutine join_letters
 
    !> Adds a word, or the words that it is written together from.
    pure subroutine add_word(word, words)
