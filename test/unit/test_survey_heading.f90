@@ -179,6 +179,8 @@ contains
       end do
       call refuse('between blanks', 'MD Inc Azi;0 0 0;500 1O.0 90;1200 45 100', "inc = '1O.0' is no number")
       call refuse('text before numbers', 'MD Inc Azi;0 0 0;Tie 500 10 90;1200 45 100', 'survey: ')
+      call refuse('another well', 'Well,MD,Inc,Azi;A,0,0,0;A,500,10,90;B,1200,45,100', &
+                  "the row is of well 'B', rows above are of 'A'")
       call refuse('bearings', 'MD,Inc,Bearing;0,0,0;500,10,N45E', 'Write azimuths from 0 to 360 deg')
    end subroutine test_damaged
 
@@ -188,6 +190,7 @@ contains
                   '1200.00 45.00  100.00  1.50')
       call accept('no remark', '     MD   Inc     Azi   DLS;   0.00  0.00    0.00; 500.00 10.00   90.00  0.60;'// &
                   '1200.00 45.00  100.00  1.50')
+      call accept('remarks behind some', 'MD Inc Azi Remark;0 0 0 tie-on;500 10 90;1200 45 100 TD')
       call refuse('no inclination', '     MD   Inc     Azi   DLS;   0.00  0.00    0.00  0.00; 500.00         90.00  0.60;'// &
                   '1200.00 45.00  100.00  1.50', 'no value for inc')
    end subroutine test_places

@@ -8,11 +8,19 @@ module dg_survey_cells
    use dg_text, only: text_type
    implicit none
    private
-   public :: count_numbers, find_extents, part_phrases, split_cells
+   public :: cell, count_numbers, find_extents, part_phrases, split_cells
 
    character, parameter :: tab = achar(9)
 
 contains
+
+   !> The text in a cell of a row.
+   pure function cell(row, place) result(text)
+      type(row_type), intent(in) :: row
+      integer, intent(in) :: place
+      character(row%last(place) - row%first(place) + 1) :: text
+      text = row%text(row%first(place):row%last(place))
+   end function cell
 
    !> Numbers in a line, whatever separates them.
    pure function count_numbers(text) result(numbers)

@@ -21,6 +21,7 @@ module dg_survey_columns
       type(heading_type), allocatable :: headings(:)
       integer :: place(6) = 0                    !< column of md, inc, azi, tvd, north, east; 0: none
       integer :: rival(3) = 0                    !< another column that might be md, inc, azi; 0: none
+      integer :: well = 0                        !< column of the name of the well; 0: none
       integer :: width = 0                       !< columns that the header names
       real(wp) :: factor(6) = 1.0_wp
       real(wp) :: rival_factor(3) = 1.0_wp
@@ -33,6 +34,10 @@ module dg_survey_columns
       character(:), allocatable :: unknown       !< what is wrong with a name in the deck, for a message; '': nothing
    end type layout_type
 
+   !> Headings of the name of a well, without blanks and marks.
+   character(*), parameter :: well_names(17) = [character(16) :: 'well', 'wellname', 'wellbore', 'wellborename', 'borehole', &
+      'boreholename', 'uwi', 'api', 'apino', 'apinumber', 'apiwellno', 'apiwellnumber', 'wellno', 'wellid', 'wellboreid', &
+      'wellnumber', 'holeid']
    character(*), parameter :: known_names(3) = [character(130) :: &
       'MD, Measured Depth, Depth, Survey Depth, Hole Depth, Along Hole Depth, AHD, Total MD', &
       'Inc, Incl, Inclination, Deviation, Devi, Drift, Hole Angle, Deviation Angle', &
@@ -57,6 +62,10 @@ contains
       layout%told = .false.
       layout%foreign = ''
       layout%unknown = ''
+      layout%well = 0
+      do i = size(headings), 1, -1
+         if (any(well_names == headings(i)%name)) layout%well = i
+      end do
       do column = 1, size(layout%place)
          named = .false.
          if (column <= column_azi) named = names%names(column)%text /= ''

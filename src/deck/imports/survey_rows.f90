@@ -5,12 +5,13 @@ module dg_survey_rows
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
-   use dg_survey_cells, only: split_cells
+   use dg_survey_cells, only: cell, split_cells
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name
-   use dg_survey_layout, only: is_rule, is_unit_row
+   use dg_survey_layout, only: is_rule
+   use dg_survey_lines, only: is_error_cell, is_header_again, is_quadrant, is_text, longest_run
    use dg_survey_stations, only: station_list_type
-   use dg_table_number, only: marks_type, plain_number, read_cell
+   use dg_table_number, only: marks_type, read_cell
    use dg_table_text, only: content_length, row_type, skipped_rows_type, split_row
    use dg_text, only: lower_case, quoted, text_type, to_text
    implicit none
@@ -26,7 +27,6 @@ module dg_survey_rows
    !> Cells for no value.
    character(*), parameter :: no_values(12) = [character(4) :: '', '-', '--', '---', '----', 'n/a', 'na', 'nan', 'none', 'null', &
                                                '*', '.']
-   character(*), parameter :: digits = '0123456789'
 
 contains
 
@@ -44,7 +44,9 @@ contains
       type(row_type) :: row
       real(wp) :: numbers(3)
       integer :: line, length, column
-      logical :: legal(3), null(3), needed(3)
+      logical :: legal(3), null(3), needed(3), several
+      character(:), allocatable :: well        ! that the first row names
+      several = .false.
       needed = layout%place(:3) > 0
       do line = 1, min(layout%first_row - 1, size(lines))
          if (all_numbers(lines(line)%text, layout)) call skipped(above)%add(line)
@@ -84,6 +86,7 @@ contains
             cycle
          end if
          if (row%count /= layout%width) call fault(width_fault(row, layout))
+         call check_well()
          do column = 1, 3
             call fault(cell_fault(row, layout, legal, column))
          end do
@@ -117,6 +120,17 @@ contains
          numbers(column_azi) = 0.0_wp
          if (numbers(column_inc) > 0.0_wp) numbers(column_azi) = missing
       end subroutine take_vertical
+
+      !> Rows of several wells make no survey: the first row of another one is at fault.
+      subroutine check_well()
+         if (layout%well == 0 .or. layout%well > row%count .or. several) return
+         if (.not. allocated(well)) well = cell(row, layout%well)
+         if (cell(row, layout%well) == '') return
+         if (well == '') well = cell(row, layout%well)
+         several = well /= cell(row, layout%well)
+         if (several) call fault('the row is of well '//quoted(cell(row, layout%well))//', rows above are of '//quoted(well)// &
+                                 '. Keep the rows of one well')
+      end subroutine check_well
 
       subroutine fault(message)
          character(*), intent(in) :: message        !< '': none
@@ -167,17 +181,22 @@ contains
                    ' columns; give each a name, and numbers with decimal points'
          return
       end do
-      if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count)) &
+      if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count) .and. &
+          .not. lacks_remark(row, layout)) &
          message = 'the row has '//to_text(row%count)//' columns, the header names '//to_text(layout%width)// &
                    '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs'
    end function width_fault
 
-   pure function cell(row, place) result(text)
+   !> Whether a row of numbers alone lacks nothing but the remark that the last column is for.
+   pure function lacks_remark(row, layout) result(lacks)
       type(row_type), intent(in) :: row
-      integer, intent(in) :: place
-      character(row%last(place) - row%first(place) + 1) :: text
-      text = row%text(row%first(place):row%last(place))
-   end function cell
+      type(layout_type), intent(in) :: layout
+      logical :: lacks
+      character(*), parameter :: remarks(7) = [character(10) :: 'remark', 'remarks', 'comment', 'comments', 'note', 'notes', &
+                                               'annotation']
+      lacks = row%count == layout%width - 1 .and. longest_run(row) == row%count
+      if (lacks) lacks = any(remarks == layout%headings(layout%width)%name)
+   end function lacks_remark
 
    !> Positions of a station as the file lists them, and what other columns show for md, inc and azi; `missing` where a cell holds
    !> no number.
@@ -224,131 +243,6 @@ contains
       end do
       if (n == 1 .and. is_missing(stations%azimuth(1))) stations%azimuth(1) = 0.0_wp
    end subroutine fill_azimuths
-
-   !> Whether a line without all three numbers is text: a footer, a note, the title of a page. Where it may be a damaged station it
-   !> is none: two of the three numbers are there, or md is, numbers stand side by side, or a cell begins like a number.
-   pure function is_text(row, layout, legal) result(is)
-      type(row_type), intent(in) :: row
-      type(layout_type), intent(in) :: layout
-      logical, intent(in) :: legal(3)
-      logical :: is
-      integer :: numbers, k, place
-      is = .false.
-      if (row%count == 0 .or. .not. any_letters(row)) return
-      numbers = count(legal .and. layout%place(:3) > 0)
-      if (row%count == layout%width) then
-         if (numbers > merge(1, 0, layout%separator == ' ') .or. legal(column_md)) return
-         do k = 1, 3
-            place = layout%place(k)
-            if (place == 0 .or. legal(k)) cycle
-            if (may_be_number(cell(row, place))) return
-         end do
-      else
-         if (numbers > 1 .or. may_be_number(cell(row, 1))) return
-         if (legal(column_md) .and. layout%place(column_md) == 1) return
-      end if
-      is = longest_run(row) < 2
-   end function is_text
-
-   !> Whether a cell is a number that may be damaged: it begins like one, or is mostly digits, and is no date or time.
-   pure function may_be_number(text) result(may)
-      character(*), intent(in) :: text
-      logical :: may
-      integer :: first
-      may = .false.
-      if (len(text) == 0) return
-      first = 1
-      if (scan(text(1:1), '+-.,') == 1 .and. len(text) > 1) first = 2
-      may = scan(text(first:first), digits) == 1 .or. 3*count_in(text, digits) > 2*len(text)
-      if (index(text, ')') == len(text) .or. index(text, ' ') > 0) may = may .and. count_in(text, digits) > len(text)/2
-      if (first > 1) return
-      if (count_in(text, '/') == 2 .or. count_in(text, ':') > 0 .or. count_in(text, '-') == 2) may = .false.
-      if (count_in(text, '.') == 2 .and. verify(text, digits//'.') == 0) may = len(text) < 8 .or. len(text) > 10
-   end function may_be_number
-
-   pure function count_in(text, set) result(number)
-      character(*), intent(in) :: text, set
-      integer :: number
-      integer :: i
-      number = 0
-      do i = 1, len(text)
-         if (scan(text(i:i), set) == 1) number = number + 1
-      end do
-   end function count_in
-
-   !> Numbers that stand side by side in a row, the most.
-   pure function longest_run(row) result(longest)
-      type(row_type), intent(in) :: row
-      integer :: longest
-      integer :: i, run
-      real(wp) :: number
-      logical :: legal
-      longest = 0
-      run = 0
-      do i = 1, row%count
-         call read_real(plain_number(cell(row, i), .false.), number, legal)
-         run = merge(run + 1, 0, legal)
-         longest = max(longest, run)
-      end do
-   end function longest_run
-
-   pure function any_letters(row) result(any)
-      type(row_type), intent(in) :: row
-      logical :: any
-      integer :: i
-      any = .false.
-      do i = 1, row%count
-         any = any .or. scan(lower_case(cell(row, i)), 'abcdefghijklmnopqrstuvwxyz') > 0
-      end do
-   end function any_letters
-
-   !> Whether a line is one of the header, or of its units, once more.
-   pure function is_header_again(lines, layout, line) result(is)
-      type(text_type), intent(in) :: lines(:)
-      type(layout_type), intent(in) :: layout
-      integer, intent(in) :: line
-      logical :: is
-      integer :: i
-      is = .false.
-      do i = max(layout%first_header, 1), min(layout%first_row - 1, size(lines))
-         if (content_length(lines(i)%text) > 0) is = is .or. squeezed(lines(i)%text) == squeezed(lines(line)%text)
-      end do
-      if (.not. is) is = is_unit_row(lines(line)%text, layout)
-   end function is_header_again
-
-   pure function squeezed(text) result(tight)
-      character(*), intent(in) :: text
-      character(:), allocatable :: tight
-      integer :: i
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), ' '//achar(9)) == 0) tight = tight//lower_case(text(i:i))
-      end do
-   end function squeezed
-
-   !> Whether a line begins with what a spreadsheet shows for an error: #N/A, #REF!, ...
-   pure function is_error_cell(text) result(is)
-      character(*), intent(in) :: text
-      logical :: is
-      character(*), parameter :: errors(6) = [character(8) :: '#n/a', '#ref!', '#value!', '#num!', '#div/0!', '#name?']
-      character(:), allocatable :: plain
-      integer :: i
-      plain = lower_case(adjustl(text))
-      is = .false.
-      do i = 1, size(errors)
-         is = is .or. index(plain, trim(errors(i))) == 1
-      end do
-   end function is_error_cell
-
-   !> Whether a text is a bearing such as N 45 E.
-   pure function is_quadrant(text) result(is)
-      character(*), intent(in) :: text
-      logical :: is
-      character(len(text)) :: plain
-      plain = lower_case(text)
-      is = .false.
-      if (len(text) > 1) is = scan(plain(1:1), 'ns') == 1 .and. (scan(plain, digits) > 0 .or. scan(trim(plain), 'ew') > 0)
-   end function is_quadrant
 
    !> Whether a line that is a comment would be a station without its mark.
    function has_station(text, layout) result(has)
