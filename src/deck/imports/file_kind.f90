@@ -1,6 +1,6 @@
 !> Files that are no text tables, told by their first bytes.
 module dg_file_kind
-   use dg_file_begin, only: file_begin
+   use dg_file_lines, only: file_begin
    use dg_text, only: lower_case
    implicit none
    private

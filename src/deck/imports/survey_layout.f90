@@ -37,30 +37,21 @@ contains
       type(layout_type), intent(out) :: layout
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
-      type(layout_type) :: commented
-      integer :: line, header, first_station, other_line
-      logical :: found, found_commented
+      integer :: line, header, first_station
+      logical :: found
       sound = .true.
       layout%foreign = ''
       if (is_las(lines)) then
          call find_las_layout(path, lines, names, units, layout, sound, faults)
          return
       end if
-      call find_header(lines, names, units, layout, line, found)
-      if (.not. found) then
-         call find_header(bared(lines), names, units, commented, other_line, found_commented)
-         if (found_commented) then
-            layout = commented
-            line = other_line
-            found = .true.
-         end if
-      end if
+      call locate_header(lines, names, units, layout, line, found)
       if (line == 0) then
          sound = .false.
          call add_fault(faults, path, 0, 'survey file is empty; it needs a header naming md, inc, azi')
          return
       end if
-      if (layout%unknown /= '') call fault(layout%unknown)
+      call fault(layout%unknown)
       if (.not. sound) return
       if (.not. found) then
          call fault(missing_columns(layout, .false.))
@@ -68,8 +59,8 @@ contains
       end if
       header = line
       layout%first_row = header + 1
-      call check_headings()
-      if (layout%foreign /= '') call fault(layout%foreign)
+      call fault(heading_fault(layout, names))
+      call fault(layout%foreign)
       do line = 1, layout%first_header - 1
          call take_unit_row()
       end do
@@ -98,32 +89,8 @@ contains
          if (.not. is_unit_row(lines(line)%text, layout)) return
          layout%foreign = ''
          call take_units(lines(line)%text, layout)
-         if (layout%foreign /= '') call fault(layout%foreign)
+         call fault(layout%foreign)
       end subroutine take_unit_row
-
-      !> Whether the header names a column twice by its own name, or angles by degrees and minutes.
-      subroutine check_headings()
-         integer :: i, column, times
-         do column = 1, 3
-            times = 0
-            if (layout%place(column) == 0) cycle
-            if (names%names(column)%text /= '') cycle
-            do i = 1, layout%width
-               associate (heading => layout%headings(i))
-                  if (heading%name == column_name(column) .and. heading%unit == layout%headings(layout%place(column))%unit) &
-                     times = times + 1
-               end associate
-            end do
-            if (times > 1) call fault('the header names '//trim(column_name(column))//' twice; keep one')
-         end do
-         do i = 1, layout%width
-            if (layout%headings(i)%minutes) then
-               call fault('the column '//quoted(layout%headings(i)%text)//' gives minutes or a quadrant of an angle. '// &
-                          'Write inclination and azimuth in decimal degrees, one column each')
-               return
-            end if
-         end do
-      end subroutine check_headings
 
       !> A title, comment or heading of another column that names another unit than the numbers would be read in.
       subroutine check_title(title)
@@ -140,11 +107,60 @@ contains
       end subroutine check_title
 
       subroutine fault(message)
-         character(*), intent(in) :: message
+         character(*), intent(in) :: message      !< '': none
+         if (message == '') return
          sound = .false.
          call add_fault(faults, path, line, 'survey: '//message)
       end subroutine fault
    end subroutine find_layout
+
+   !> Header and columns by lines that are no comments; else by comments, too.
+   subroutine locate_header(lines, names, units, layout, line, found)
+      type(text_type), intent(in) :: lines(:)
+      type(column_names_type), intent(in) :: names
+      type(unit_system_type), intent(in) :: units
+      type(layout_type), intent(inout) :: layout
+      integer, intent(out) :: line              !< last of the header; 0: the file is empty
+      logical, intent(out) :: found
+      type(layout_type) :: commented
+      integer :: other_line
+      logical :: found_commented
+      call find_header(lines, names, units, layout, line, found)
+      if (found) return
+      call find_header(bared(lines), names, units, commented, other_line, found_commented)
+      if (.not. found_commented) return
+      layout = commented
+      line = other_line
+      found = .true.
+   end subroutine locate_header
+
+   !> Fault of a header that names a column twice by its own name, or angles by degrees and minutes; '' where there is none.
+   pure function heading_fault(layout, names) result(message)
+      type(layout_type), intent(in) :: layout
+      type(column_names_type), intent(in) :: names
+      character(:), allocatable :: message
+      integer :: i, column, times
+      message = ''
+      do column = 1, 3
+         times = 0
+         if (layout%place(column) == 0) cycle
+         if (names%names(column)%text /= '') cycle
+         do i = 1, layout%width
+            associate (heading => layout%headings(i))
+               if (heading%name == column_name(column) .and. heading%unit == layout%headings(layout%place(column))%unit) &
+                  times = times + 1
+            end associate
+         end do
+         if (times > 1) message = 'the header names '//trim(column_name(column))//' twice; keep one'
+         if (times > 1) return
+      end do
+      do i = 1, layout%width
+         if (.not. layout%headings(i)%minutes) cycle
+         message = 'the column '//quoted(layout%headings(i)%text)//' gives minutes or a quadrant of an angle. '// &
+                   'Write inclination and azimuth in decimal degrees, one column each'
+         return
+      end do
+   end function heading_fault
 
    !> The same of a LAS file, whose curves have names and units.
    subroutine find_las_layout(path, lines, names, units, layout, sound, faults)

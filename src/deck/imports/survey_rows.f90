@@ -44,9 +44,9 @@ contains
       type(row_type) :: row
       real(wp) :: numbers(3)
       integer :: line, length, column
-      logical :: legal(3), null(3), needed(3), several
+      logical :: legal(3), null(3), needed(3)
       character(:), allocatable :: well        ! that the first row names
-      several = .false.
+      well = ''
       needed = layout%place(:3) > 0
       do line = 1, min(layout%first_row - 1, size(lines))
          if (all_numbers(lines(line)%text, layout)) call skipped(above)%add(line)
@@ -86,7 +86,7 @@ contains
             cycle
          end if
          if (row%count /= layout%width) call fault(width_fault(row, layout))
-         call check_well()
+         call fault(well_fault(row, layout, well))
          do column = 1, 3
             call fault(cell_fault(row, layout, legal, column))
          end do
@@ -121,17 +121,6 @@ contains
          if (numbers(column_inc) > 0.0_wp) numbers(column_azi) = missing
       end subroutine take_vertical
 
-      !> Rows of several wells make no survey: the first row of another one is at fault.
-      subroutine check_well()
-         if (layout%well == 0 .or. layout%well > row%count .or. several) return
-         if (.not. allocated(well)) well = cell(row, layout%well)
-         if (cell(row, layout%well) == '') return
-         if (well == '') well = cell(row, layout%well)
-         several = well /= cell(row, layout%well)
-         if (several) call fault('the row is of well '//quoted(cell(row, layout%well))//', rows above are of '//quoted(well)// &
-                                 '. Keep the rows of one well')
-      end subroutine check_well
-
       subroutine fault(message)
          character(*), intent(in) :: message        !< '': none
          if (message == '') return
@@ -139,6 +128,23 @@ contains
          call add_fault(faults, stations%file, line, 'survey: '//message)
       end subroutine fault
    end subroutine read_rows
+
+   !> Fault of a row that is of another well than the rows above; '' where it is of the same. `well` is theirs, '' before the first.
+   function well_fault(row, layout, well) result(message)
+      type(row_type), intent(in) :: row
+      type(layout_type), intent(in) :: layout
+      character(:), allocatable, intent(inout) :: well
+      character(:), allocatable :: message
+      character(*), parameter :: several = '?'      ! was told already
+      message = ''
+      if (layout%well == 0 .or. layout%well > row%count .or. well == several) return
+      if (cell(row, layout%well) == '') return
+      if (well == '') well = cell(row, layout%well)
+      if (well == cell(row, layout%well)) return
+      message = 'the row is of well '//quoted(cell(row, layout%well))//', rows above are of '//quoted(well)// &
+                '. Keep the rows of one well'
+      well = several
+   end function well_fault
 
    !> Fault of the cell for md, inc or azi that holds no number; '' where there is none.
    pure function cell_fault(row, layout, legal, column) result(message)
