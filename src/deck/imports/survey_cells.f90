@@ -170,10 +170,8 @@ contains
             column(i) = k
          end do
          if (times /= 1) return
-         if (i > 1) then
-            if (column(i) <= column(i - 1)) return
-         end if
       end do
+      if (any(column(2:) <= column(:row%count - 1))) return
       start = 1
       finish = 0
       do i = 1, row%count

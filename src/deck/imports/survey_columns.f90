@@ -52,7 +52,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(layout_type), intent(inout) :: layout
       integer :: column, i
-      logical :: named
+      logical :: named(size(layout%place))       ! by the deck
       layout%headings = headings
       layout%width = size(headings)
       layout%place = 0
@@ -66,16 +66,17 @@ contains
       do i = size(headings), 1, -1
          if (any(well_names == headings(i)%name)) layout%well = i
       end do
+      named = .false.
+      do column = 1, column_azi
+         if (names%names(column)%text == '') cycle
+         named(column) = .true.
+         call find_named(column)
+      end do
       do column = 1, size(layout%place)
-         named = .false.
-         if (column <= column_azi) named = names%names(column)%text /= ''
-         if (named) then
-            call find_named(column)
-         else
-            do i = 1, size(headings)
-               if (headings(i)%column == column .and. .not. is_taken(i)) call put_candidate(column, i)
-            end do
-         end if
+         do i = 1, size(headings)
+            if (headings(i)%column /= column .or. named(column) .or. is_taken(i)) cycle
+            call put_candidate(column, i)
+         end do
          if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
       end do
       do column = 1, column_azi
