@@ -126,6 +126,7 @@ contains
       call accept('feet beside metres', 'MD (m),MD (ft),Inc,Azi;0,0,0,0;500,1640.42,10,90;1200,3937.008,45,100', columns='')
       call accept('depth beside md', 'Depth,MD,Inc,Azi;9,0,0,0;9,500,10,90;9,1200,45,100', columns='')
       call accept('depth by itself', 'Depth,Inc,Azi;0,0,0;500,10,90;1200,45,100', columns="'Depth' is read as measured depth")
+      call refuse('depth beside an md of unknown words', 'Depth,MD foo,Inc,Azi;0,0,0,0;500,490,10,90', 'the header names no md')
       call refuse('two azimuths', 'MD,Inc,Azimuth,Azi;0,0,0,0;500,10,90,91;1200,45,100,103', &
                   "two columns may be azi, 'Azimuth' and 'Azi'. They differ by up to 3 deg. Name one")
       call refuse('two depths', 'Depth,Depth,Inc,Azi;0,0,0,0;500,490,10,90;1200,1100,45,100', 'two columns may be md')

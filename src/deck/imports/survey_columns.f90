@@ -1,7 +1,7 @@
 !> Which columns of a survey table are measured depth, inclination and azimuth, by their headings or as the deck names them.
 module dg_survey_columns
    use dg_kinds, only: wp
-   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, read_heading
+   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
    use dg_table_unit, only: read_unit
    use dg_text, only: lower_case, nearest_name, quoted, text_type
    use dg_units, only: unit_system_type
@@ -77,6 +77,7 @@ contains
             if (headings(i)%column /= column .or. named(column) .or. is_taken(i)) cycle
             call put_candidate(column, i)
          end do
+         if (column <= column_azi) call drop_loose(column)
          if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
       end do
       do column = 1, column_azi
@@ -120,6 +121,19 @@ contains
             layout%rival(wanted) = other
          end if
       end subroutine put_candidate
+
+      !> A heading that is only likely is not taken where another speaks of the quantity in words that are not known: the user
+      !> must choose.
+      subroutine drop_loose(wanted)
+         integer, intent(in) :: wanted
+         integer :: k
+         if (layout%place(wanted) == 0 .or. named(wanted)) return
+         if (headings(layout%place(wanted))%rank < loose_rank) return
+         do k = 1, size(headings)
+            if (headings(k)%speaks(wanted) .and. headings(k)%column == no_column) layout%place(wanted) = 0
+            if (layout%place(wanted) == 0) return
+         end do
+      end subroutine drop_loose
 
       !> The column that the deck names: its heading as it stands, else without regard to capitals, blanks and unit.
       subroutine find_named(wanted)

@@ -8,7 +8,7 @@ module dg_survey_heading
    implicit none
    private
    public :: heading_type, read_heading, is_heading_text
-   public :: column_md, column_inc, column_azi, column_name, loose_rank
+   public :: column_md, column_inc, column_azi, column_name, no_column, loose_rank
 
    integer, parameter :: no_column = 0, column_md = 1, column_inc = 2, column_azi = 3, column_tvd = 4, column_north = 5, &
                          column_east = 6
@@ -23,6 +23,7 @@ module dg_survey_heading
       integer :: column = no_column             !< the quantity
       integer :: rank = 0                       !< low where the heading is a usual one
       logical :: minutes = .false.              !< minutes of an angle
+      logical :: speaks(3) = .false.            !< words of md, inc, azi stand in it, whatever it is
       character(:), allocatable :: text         !< as it stands in the file
       character(:), allocatable :: name         !< small letters without unit
       character(:), allocatable :: unit         !< small letters; '': none
@@ -183,6 +184,7 @@ contains
       if (size(roles) == 0) return
       if (has(role_inc) .or. has(role_azi) .or. has(role_drift) .or. has(role_direction) .or. has(role_angle)) &
          heading%minutes = has(role_minutes)
+      heading%speaks = [has(role_md) .or. (has(role_measured) .and. has(role_depth)), has(role_inc), has(role_azi)]
       call find_position(roles, words, heading)
       if (heading%column /= no_column) return
       if (any(roles == role_unknown) .or. has(role_other) .or. has(role_minutes) .or. has(role_map) .or. has(role_axis) .or. &
