@@ -70,7 +70,7 @@ contains
       do column = 1, column_azi
          if (names%names(column)%text == '') cycle
          named(column) = .true.
-         call find_named(column)
+         call find_named(headings, names%names(column)%text, column, layout)
       end do
       do column = 1, size(layout%place)
          do i = 1, size(headings)
@@ -81,7 +81,7 @@ contains
          if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
       end do
       do column = 1, column_azi
-         if (layout%rival(column) > 0) call take_rival_unit(column)
+         if (layout%rival(column) > 0) call take_rival_unit(headings, column, layout)
       end do
 
    contains
@@ -134,41 +134,47 @@ contains
             if (layout%place(wanted) == 0) return
          end do
       end subroutine drop_loose
-
-      !> The column that the deck names: its heading as it stands, else without regard to capitals, blanks and unit.
-      subroutine find_named(wanted)
-         integer, intent(in) :: wanted
-         type(heading_type) :: asked
-         integer :: k, attempt, times
-         call read_heading(names%names(wanted)%text, asked)
-         do attempt = 1, 3
-            times = 0
-            do k = size(headings), 1, -1
-               if (.not. is_alike(headings(k), asked, attempt)) cycle
-               times = times + 1
-               layout%place(wanted) = k
-            end do
-            if (times > 1) layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)// &
-               ' stands twice in the header. Rename one of them'
-            if (times > 0) return
-         end do
-         layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is no heading of the file. '// &
-                          seen_headings(headings)//nearest_heading(asked%text, headings)
-      end subroutine find_named
-
-      subroutine take_rival_unit(wanted)
-         integer, intent(in) :: wanted
-         real(wp) :: value
-         logical :: known
-         layout%rival_factor(wanted) = layout%factor(wanted)
-         call read_unit(headings(layout%rival(wanted))%unit, wanted /= column_md, value, known)
-         if (.not. known) then
-            layout%rival(wanted) = 0          ! a heading with such a unit is another quantity
-         else if (value > 0.0_wp) then
-            layout%rival_factor(wanted) = value
-         end if
-      end subroutine take_rival_unit
    end subroutine choose_columns
+
+   !> The column that the deck names: its heading as it stands, else without regard to capitals, blanks and unit.
+   subroutine find_named(headings, name, wanted, layout)
+      type(heading_type), intent(in) :: headings(:)
+      character(*), intent(in) :: name          !< that the deck gives
+      integer, intent(in) :: wanted
+      type(layout_type), intent(inout) :: layout
+      type(heading_type) :: asked
+      integer :: k, attempt, times
+      call read_heading(name, asked)
+      do attempt = 1, 3
+         times = 0
+         do k = size(headings), 1, -1
+            if (.not. is_alike(headings(k), asked, attempt)) cycle
+            times = times + 1
+            layout%place(wanted) = k
+         end do
+         if (times > 1) layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)// &
+            ' stands twice in the header. Rename one of them'
+         if (times > 0) return
+      end do
+      layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is no heading of the file. '// &
+                       seen_headings(headings)//nearest_heading(asked%text, headings)
+   end subroutine find_named
+
+   !> The unit of a rival; a heading with an unknown unit is another quantity and no rival.
+   subroutine take_rival_unit(headings, wanted, layout)
+      type(heading_type), intent(in) :: headings(:)
+      integer, intent(in) :: wanted
+      type(layout_type), intent(inout) :: layout
+      real(wp) :: value
+      logical :: known
+      layout%rival_factor(wanted) = layout%factor(wanted)
+      call read_unit(headings(layout%rival(wanted))%unit, wanted /= column_md, value, known)
+      if (.not. known) then
+         layout%rival(wanted) = 0
+      else if (value > 0.0_wp) then
+         layout%rival_factor(wanted) = value
+      end if
+   end subroutine take_rival_unit
 
    !> Whether a heading is the one that was asked for, less strictly from attempt to attempt.
    pure function is_alike(heading, asked, attempt) result(alike)
