@@ -153,6 +153,8 @@ contains
                   skipped='rows skipped: 4 of text (first in line 6)')
       call accept('text between blanks', 'MD Inc Azi;0 0 0;500 10 90;Page 2 of 3;Total depth: 1200 m;1200 45 100', &
                   skipped='rows skipped: 2 of text (first in line 4)')
+      call accept('a page in as many words as columns', 'MD Inc Azi TVD;0 0 0 0;500 10 90 490;Page 2 of 3;1200 45 100 999', &
+                  skipped='rows skipped: 1 of text (first in line 4)')
       call accept('rules', 'MD Inc Azi;--- --- ---;0 0 0;500 10 90;======;1200 45 100', &
                   skipped='rows skipped: 2 of dashes (first in line 2)')
       call accept('headers', 'MD,Inc,Azi;m,deg,deg;0,0,0;500,10,90;MD,Inc,Azi;m,deg,deg;'//last, &
@@ -179,6 +181,8 @@ contains
          call refuse(damaged(i), head//trim(damaged(i))//';1500,45,100', 'survey: ')
       end do
       call refuse('between blanks', 'MD Inc Azi;0 0 0;500 1O.0 90;1200 45 100', "inc = '1O.0' is no number")
+      call refuse('one number left', 'MD Inc Azi;0 0 0;NaN 10.0 NaN;1200 45 100', "md = 'NaN' is no number")
+      call refuse('errors', 'MD Inc Azi;0 0 0;ERR 10.0 ERR;1200 45 100', "md = 'ERR' is no number")
       call refuse('text before numbers', 'MD Inc Azi;0 0 0;Tie 500 10 90;1200 45 100', 'survey: ')
       call refuse('another well', 'Well,MD,Inc,Azi;A,0,0,0;A,500,10,90;B,1200,45,100', &
                   "the row is of well 'B', rows above are of 'A'")

@@ -30,6 +30,7 @@ contains
       numbers = count(legal .and. layout%place(:3) > 0)
       if (row%count == layout%width) then
          if (numbers > merge(1, 0, layout%separator == ' ') .or. legal(column_md)) return
+         if (numbers == 1 .and. count_words(row) < 2) return
          do k = 1, 3
             place = layout%place(k)
             if (place == 0 .or. legal(k)) cycle
@@ -41,6 +42,21 @@ contains
       end if
       is = longest_run(row) < 2
    end function is_text
+
+   !> Cells that hold a word of two letters or more, other than those for a value that is absent or wrong.
+   pure function count_words(row) result(words)
+      type(row_type), intent(in) :: row
+      integer :: words
+      character(*), parameter :: no_words(9) = [character(5) :: 'na', 'nan', 'null', 'none', 'err', 'error', 'bad', 'fail', 'inf']
+      character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyz'
+      character(:), allocatable :: text
+      integer :: i
+      words = 0
+      do i = 1, row%count
+         text = lower_case(cell(row, i))
+         if (len(text) > 1 .and. verify(text, letters//':,.') == 0 .and. .not. any(no_words == text)) words = words + 1
+      end do
+   end function count_words
 
    !> Whether a cell is a number that may be damaged: it begins like one, or is mostly digits, and is no date or time.
    pure function may_be_number(text) result(may)
