@@ -31,6 +31,7 @@ contains
       use dg_test_changed_keys, only: changed_keys_suite
       use dg_test_opened_runs, only: opened_runs_suite
       use dg_test_path_runs, only: path_runs_suite
+      use dg_test_survey_runs, only: survey_runs_suite
       use dg_test_rig_runs, only: rig_runs_suite
       use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_followed_advice, only: followed_advice_suite
@@ -64,6 +65,7 @@ contains
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
       call suite%addTest(path_runs_suite())
+      call suite%addTest(survey_runs_suite())
       call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())

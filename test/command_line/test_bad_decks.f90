@@ -182,7 +182,7 @@ contains
    subroutine test_survey()
       call refuse("0.0, 500.0, 900.0", "0.0, 900.0, 500.0", 3, 'station 3 at 500 m is not below station 2 at 900 m')
       call refuse_text(replaced(replaced(good_deck(), "0.0, 500.0, 900.0", "100.0, 500.0, 900.0"), &
-                                "inc = 0.0, 0.0", "inc = 1.0, 0.0"), 3, 'the survey must begin at surface')
+                                "inc = 0.0, 0.0", "inc = 1.0, 0.0"), 3, 'the first station is at 100 m and inclined by 1 deg')
       call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0", 4, 'inc has 2 values, md has 3')
       call refuse("azi = 3*10.0", "", 2, 'key azi is missing')
       call refuse("md  = 0.0, 500.0, 900.0", "", 2, 'key md is missing')

@@ -64,9 +64,9 @@ contains
                   "  inc = 0.0, 0.0, 175"//newline//"  azi = 3*", "0.0, 500.0, 700.0, 900.0"//newline// &
                   "  inc = 0.0, 0.0, 90, 175"//newline//"  azi = 4*")
       call follow("0.0, 500.0, 900.0"//newline//"  inc = 0.0", "10.0, 500.0, 900.0"//newline//"  inc = 1.0", &
-                  "or give tie_on = 'vertical'", "azi =", "tie_on = 'vertical', azi =")
+                  "give tie_on = 'vertical'", "azi =", "tie_on = 'vertical', azi =")
       call follow("0.0, 500.0, 900.0"//newline//"  inc = 0.0", "10.0, 500.0, 900.0"//newline//"  inc = 1.0", &
-                  "must begin at surface", "10.0, 500", "0.0, 500")
+                  "give tie_on = 'straight'", "azi =", "tie_on = 'straight', azi =")
       call follow("md  =", "interpolation = 'spline', md  =", "or interpolation = 'minimum_curvature'", "'spline'", &
                   "'minimum_curvature'")
       call follow("&hole md_top = 0.0, md_bottom = 400.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &

@@ -165,13 +165,13 @@ contains
    end subroutine test_bad_tortuosity
 
    subroutine test_bad_tie_on()
-      call refuse_path("md = 100, 1000, inc = 0.6, 60, azi = 0, 0", "or give tie_on = 'vertical'")
+      call refuse_path("md = 100, 1000, inc = 0.6, 60, azi = 0, 0", "give tie_on = 'vertical', which makes 0.18 deg/30 m")
       call refuse_path("md = 100, 1000, inc = 0, 60, azi = 0, 0, kick_off = 50", "kick_off has no meaning without tie_on")
       call refuse_path("md = 100, 1000, inc = 5, 60, azi = 0, 0, tie_on = 'vertical', kick_off = 100", &
                        'kick_off is not above the first station, 100 m')
       call refuse_path("md = 0, 1000, inc = 5, 60, azi = 0, 0, tie_on = 'vertical', kick_off = 10", &
                        'kick_off is not above the first station, 0 m')
-      call refuse_path("md = 100, 1000, inc = 5, 60, azi = 0, 0, tie_on = 'straight'", "tie_on = 'straight' is unknown")
+      call refuse_path("md = 100, 1000, inc = 5, 60, azi = 0, 0, tie_on = 'sideways'", "tie_on = 'sideways' is unknown")
    contains
       subroutine refuse_path(keys, expected)
          character(*), intent(in) :: keys, expected

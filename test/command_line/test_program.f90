@@ -290,7 +290,7 @@ contains
                   'azi = -999.25 is out of range; needs a number, -360 to 720 deg')
       call survey(['md,inc,azi            ', '0,0,10                ', '60000,30,10           '], 3, &
                   'md = 60000 is out of range; needs a number, 0 to 50000 m')
-      call survey(['depth,inc,azi         ', '0,0,10                ', '900,30,10             '], 1, 'the header names no md')
+      call survey(['tvd,inc,azi           ', '0,0,10                ', '900,30,10             '], 1, 'the header names no md')
    end subroutine test_survey_file
 
    subroutine survey(rows, line, expected)

@@ -103,12 +103,12 @@ contains
                   '1640.419947507 10 90.25|4050.1968504 45.5 100')
       call refuse('wrapped', '~V|WRAP. YES :|~C|DEPT.M:|DEVI.DEG:|~A|0|0', 'wrapped rows')
       call refuse('no data', '~V|WRAP. NO :|~C|DEPT.M:|DEVI.DEG:', 'no section ~A')
-      call refuse('no deviation', '~V|WRAP. NO :|~C|DEPT.M:|GR.GAPI:|~A|0 0', 'name no inc')
+      call refuse('no deviation', '~V|WRAP. NO :|~C|DEPT.M:|GR.GAPI:|~A|0 0', 'names no inc')
    end subroutine test_las
 
    subroutine test_faults()
       call refuse('no header', '0,0,90|500,10,90', 'the header names no md')
-      call refuse('depth of what', 'depth,inc,azi|0,0,90', 'the header names no md')
+      call refuse('depth of what', 'depth msl,inc,azi|0,0,90', 'the header names no md')
       call refuse('twice', 'md,inc,md|0,0,0', 'the header names md twice')
       call refuse('short row', 'md,inc,azi|0,0', 'no value for azi')
       call refuse('no number', 'md,inc,azi|0,0,90|500,ten,90', "inc = 'ten' is no number")
@@ -240,7 +240,8 @@ contains
       call refuse('decimal commas between commas', 'md,inc,azi|0,0,0,0,90,0|500,5,10,5,90,25', 'number in column 4')
       call refuse('numbered rows', 'md,inc,azi|1,0,0,90|2,500,10,90', 'number in column 4')
       call refuse('an empty cell between blanks', 'md inc azi dls|0 0 90 0|500 90 1', 'has 3 columns, the header names 4')
-      call refuse('units among headings', 'MD m Inc deg TVD m|0 0 0|500 10 499', 'has 3 columns, the header names 6')
+      call accept('units among headings', 'MD m Inc deg Azi deg|0 0 90|500 10 90.25|1234.5 45.5 100')
+      call refuse('units among headings', 'MD m Inc deg TVD m|0 0|500 10', 'the header names no inc')
    end subroutine test_widths
 
    !> A row without a value has no station, whichever of the three it is; a vertical hole needs no azimuth.

@@ -1,15 +1,19 @@
-!> The stations of a deck: from &trajectory itself or from the survey file that it names.
+!> The stations of a deck: from &trajectory itself or from the survey file that it names, with those of the hole that it leaves.
 module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, text_of
+   use dg_constants, only: degree
    use dg_deck_keys, only: key_place, keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
+   use dg_listed_positions, only: position_words
    use dg_model_fault, only: model_faults_type
-   use dg_survey_check, only: begins_below, begins_vertical, check_station_order
-   use dg_survey_file, only: station_list_type, read_survey_file
-   use dg_text, only: to_text
+   use dg_parent_survey, only: join_parent
+   use dg_survey_check, only: begins_below, begins_vertical, check_station_order, curvature_words
+   use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
+   use dg_survey_heading, only: column_name
+   use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_factor, unit_length
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
@@ -19,23 +23,27 @@ module dg_deck_survey
    !> Inclination that counts as vertical where azimuths are missing [rad].
    real(wp), parameter :: vertical = 1.0e-12_wp
    !> Digits of a depth in a message.
-   integer, parameter :: depth_digits = 9
+   integer, parameter :: depth_digits = 9, few_digits = 4
 
 contains
 
-   !> Stations of the group &trajectory of the deck `path`, in SI units and fit for new_trajectory where
-   !> `sound`; every fault else.
-   subroutine read_stations(path, group, units, stations, sound, faults)
+   !> Stations of the group &trajectory of the deck `path`, in SI units and fit for new_trajectory where `sound`; every fault else.
+   !> `notes` gets what is to be told of the files that were read.
+   subroutine read_stations(path, group, units, stations, sound, notes, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
+      type(text_type), allocatable, intent(inout) :: notes(:)
       type(fault_list_type), intent(inout) :: faults
-      type(unit_system_type) :: file_units
+      character(*), parameter :: of_files(3) = [character(12) :: 'md_column', 'inc_column', 'azi_column']
       logical :: from_file
+      integer :: i
       sound = .false.
       stations%skipped = ''
+      stations%columns = ''
+      stations%headings = ''
       from_file = is_given(group, 'survey_file')
       if (from_file .and. is_given(group, 'md')) then
          call fault(path, line_of(group, 'survey_file'), 'both survey_file and md are given; keep one', sound, faults)
@@ -47,17 +55,131 @@ contains
             call fault(path, line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck', sound, faults)
             return
          end if
-         file_units = units
-         if (text_of(group, 'survey_units', '') == 'SI') file_units = si_units()
-         if (text_of(group, 'survey_units', '') == 'field') file_units = field_units()
-         call read_survey_file(beside(path, text_of(group, 'survey_file', '')), file_units, stations, sound, faults, &
-                               is_given(group, 'survey_units'), &
-                               fault_at(path, line_of(group, 'survey_file'), 'group &trajectory: survey_file'))
+         call read_table(path, group, 'survey_file', .true., units, stations, sound, faults)
       else
+         do i = 1, size(of_files)
+            if (.not. is_given(group, trim(of_files(i)))) cycle
+            call fault(path, line_of(group, trim(of_files(i))), &
+                       trim(of_files(i))//' has no meaning without survey_file. Leave it out', sound, faults)
+            return
+         end do
          call take_arrays(path, group, stations, sound, faults)
       end if
-      if (sound) call check_stations(path, group, units, stations, sound, faults)
+      if (sound) call check_stations(path, group, units, from_file, stations, sound, faults)
+      if (sound .and. from_file) call tell_file(stations, units, notes)
+      if (sound .and. is_given(group, 'parent_file')) call take_parent(path, group, units, stations, sound, notes, faults)
+      if (sound) call check_begin(path, group, units, from_file, stations, sound, faults)
    end subroutine read_stations
+
+   !> Reads the table that a key names. Headings that the deck names are those of the survey; the parent's may be others.
+   subroutine read_table(path, group, key, names_hold, units, stations, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key                  !< survey_file or parent_file
+      logical, intent(in) :: names_hold                !< the headings named are those of this file
+      type(unit_system_type), intent(in) :: units
+      type(station_list_type), intent(out) :: stations
+      logical, intent(out) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      type(unit_system_type) :: file_units
+      type(column_names_type) :: names
+      type(fault_list_type) :: unused
+      integer :: column
+      file_units = units
+      if (text_of(group, 'survey_units', '') == 'SI') file_units = si_units()
+      if (text_of(group, 'survey_units', '') == 'field') file_units = field_units()
+      do column = 1, 3
+         names%names(column)%text = trim(adjustl(text_of(group, trim(column_name(column))//'_column', '')))
+      end do
+      if (names_hold) then
+         call read_named(faults)
+      else
+         call read_named(unused)
+         if (sound) return
+         do column = 1, 3
+            names%names(column)%text = ''
+         end do
+         call read_named(faults)
+      end if
+
+   contains
+
+      subroutine read_named(found)
+         type(fault_list_type), intent(inout) :: found
+         call read_survey_file(beside(path, text_of(group, key, '')), file_units, stations, sound, found, &
+                               is_given(group, 'survey_units'), &
+                               fault_at(path, line_of(group, key), 'group &trajectory: '//key), names)
+      end subroutine read_named
+   end subroutine read_table
+
+   !> Rows skipped, columns chosen and positions compared, of a file that was read.
+   subroutine tell_file(stations, units, notes)
+      type(station_list_type), intent(in) :: stations
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: positions
+      positions = position_words(stations, units)
+      if (stations%skipped /= '') call append_text(notes, 'survey '//stations%file//': '//stations%skipped)
+      if (stations%columns /= '') call append_text(notes, 'survey '//stations%file//': '//stations%columns)
+      if (positions /= '') call append_text(notes, 'survey '//stations%file//': '//positions)
+   end subroutine tell_file
+
+   !> Puts the stations of the parent above those of the survey.
+   subroutine take_parent(path, group, units, stations, sound, notes, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      type(station_list_type), intent(inout) :: stations
+      logical, intent(inout) :: sound
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(fault_list_type), intent(inout) :: faults
+      type(station_list_type) :: parent
+      character(:), allocatable :: failure, words
+      sound = is_sound(group, 'parent_file')
+      if (.not. sound) return
+      if (text_of(group, 'parent_file', '') == '') then
+         call fault(path, line_of(group, 'parent_file'), 'parent_file is empty. Give a path relative to the deck', sound, faults)
+         return
+      end if
+      call read_table(path, group, 'parent_file', .false., units, parent, sound, faults)
+      if (sound) call check_stations(path, group, units, .true., parent, sound, faults)
+      if (.not. sound) return
+      call tell_file(parent, units, notes)
+      call join_parent(parent, units, stations, words, failure)
+      if (failure /= '') then
+         call fault(path, line_of(group, 'parent_file'), failure, sound, faults)
+      else
+         call append_text(notes, 'group &trajectory: '//words)
+      end if
+   end subroutine take_parent
+
+   !> Whether the hole above the first station is known: it is at surface, vertical there, or the deck tells.
+   subroutine check_begin(path, group, units, from_file, stations, sound, faults)
+      character(*), intent(in) :: path
+      type(checked_group_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
+      logical, intent(in) :: from_file
+      type(station_list_type), intent(in) :: stations
+      logical, intent(inout) :: sound
+      type(fault_list_type), intent(inout) :: faults
+      character(:), allocatable :: message
+      if (.not. begins_below(stations%md(1)) .or. begins_vertical(stations%inclination(1))) return
+      if (text_of(group, 'tie_on', 'none') /= 'none') return
+      message = 'the first station is at '//trim(in_units(units, unit_length, stations%md(1), depth_digits))// &
+                ' and inclined by '//to_text(stations%inclination(1)/degree, few_digits)// &
+                ' deg. The hole above it is not known. '// &
+                "For a sidetrack give parent_file = 'FILE', the survey of the hole that it leaves. "// &
+                "For a slant well or a river crossing give tie_on = 'straight', the direction of the first station up to "// &
+                "surface. For a hole that is vertical at surface give tie_on = 'vertical', which makes "// &
+                curvature_words(units, stations%inclination(1)/stations%md(1))// &
+                ' above the first station'
+      if (from_file) then
+         call add_fault(faults, stations%file, stations%lines(1), 'survey: '//message)
+         sound = .false.
+      else
+         call fault(path, stations%lines(1), message, sound, faults)
+      end if
+   end subroutine check_begin
 
    !> A fault of the group; what is read is then not sound.
    subroutine fault(path, line, message, sound, faults)
@@ -115,17 +237,16 @@ contains
    end subroutine take_arrays
 
    !> Whether stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
-   subroutine check_stations(path, group, units, stations, sound, faults)
+   subroutine check_stations(path, group, units, from_file, stations, sound, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
+      logical, intent(in) :: from_file
       type(station_list_type), intent(in) :: stations
       logical, intent(inout) :: sound
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
-      logical :: from_file
       integer :: i, n
-      from_file = is_given(group, 'survey_file')
       n = size(stations%md)
       if (n < 2) then
          if (from_file) then
@@ -136,11 +257,6 @@ contains
          end if
          return
       end if
-      if (begins_below(stations%md(1)) .and. .not. begins_vertical(stations%inclination(1)) .and. &
-          text_of(group, 'tie_on', 'none') == 'none') &
-         call station_fault(1, 'the first station is at '// &
-                            trim(in_units(units, unit_length, stations%md(1), depth_digits))//' and inclined; the survey must '// &
-                            "begin at surface, md = 0, or where the hole is still vertical; or give tie_on = 'vertical'")
       call check_station_order(stations%md, units, found)
       do i = 1, found%count
          call station_fault(found%items(i)%place, found%items(i)%message)
@@ -152,7 +268,7 @@ contains
       end if
       if (.not. sound .or. stations%has_azimuth .or. all(stations%inclination <= vertical)) return
       if (from_file) then
-         call station_fault(1, 'the table has no column azi, but the hole is inclined; give azimuths')
+         call station_fault(1, 'the hole is inclined, but '//stations%headings)
       else
          call missing(path, group, 'azi', sound, faults)
       end if

@@ -1,12 +1,12 @@
-!> A survey that begins below surface is tied on: the hole above its first station is taken as vertical, or as vertical down to a
-!> kick-off and one arc from there.
+!> A survey that begins below surface is tied on: the hole above its first station is taken as vertical, as vertical down to a
+!> kick-off and one arc from there, or as straight.
 module dg_deck_tie_on
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_survey_check, only: at_surface, begins_below
+   use dg_survey_check, only: at_surface, begins_below, begins_vertical, curvature_words, sharpest_tie
    use dg_text, only: append_text, to_text
    use dg_unit_kind, only: in_units, unit_length
    implicit none
@@ -17,7 +17,8 @@ module dg_deck_tie_on
 
 contains
 
-   !> Adds vertical stations, at surface and at the kick-off, to a survey that begins below surface, and notes what was added.
+   !> Adds stations, at surface and at the kick-off, to a survey that begins below surface, and notes what was added. They are
+   !> vertical, or with tie_on = 'straight' have the direction of the first one.
    !> Those of the survey stay as they are; between the lowest one added and the first of the survey the hole is the arc that
    !> `interpolation` makes of them.
    subroutine tie_on(group, draft, faults)
@@ -25,12 +26,14 @@ contains
       type(draft_type), intent(inout) :: draft           !< with stations that are without fault
       type(fault_list_type), intent(inout) :: faults
       real(wp), allocatable :: added(:)
-      real(wp) :: kick_off
+      real(wp) :: kick_off, inclination
       integer :: i
+      logical :: straight
+      straight = text_of(group, 'tie_on', 'none') == 'straight'
       kick_off = real_of(group, 'kick_off', 0.0_wp)
       associate (stations => draft%stations)
          if (is_given(group, 'kick_off') .and. is_sound(group, 'kick_off')) then
-            if (text_of(group, 'tie_on', 'none') == 'none') then
+            if (text_of(group, 'tie_on', 'none') /= 'vertical') then
                call fault("kick_off has no meaning without tie_on = 'vertical'; give both or none")
             else if (kick_off >= stations%md(1)) then
                call fault('kick_off is not above the first station, '//depth(stations%md(1))//'; needs a depth above it')
@@ -40,9 +43,10 @@ contains
          allocate (added(0))
          added = [0.0_wp]
          if (kick_off > at_surface) added = [0.0_wp, kick_off]
+         inclination = merge(stations%inclination(1), 0.0_wp, straight)
          call append_text(draft%path_notes, note())
          stations%md = [added, stations%md]
-         stations%inclination = [(0.0_wp, i=1, size(added)), stations%inclination]
+         stations%inclination = [(inclination, i=1, size(added)), stations%inclination]
          stations%azimuth = [(stations%azimuth(1), i=1, size(added)), stations%azimuth]
          stations%lines = [(stations%lines(1), i=1, size(added)), stations%lines]
       end associate
@@ -62,17 +66,26 @@ contains
          associate (stations => draft%stations, units => draft%units)
             length = stations%md(1) - added(size(added))
             text = 'group &trajectory: the survey begins at '//depth(stations%md(1))//' with '// &
-                   to_text(stations%inclination(1)/degree, few_digits)//' deg; the hole is taken as vertical at surface'
+                   to_text(stations%inclination(1)/degree, few_digits)//' deg. The hole is taken as '
+            if (straight) then
+               text = text//'straight up to surface, in the direction of the first station (a station added there)'
+               return
+            end if
+            text = text//'vertical at surface'
             if (size(added) > 1) text = text//' and down to '//depth(kick_off)
             if (size(added) > 1) then
                text = text//' (stations added at both)'
             else
                text = text//' (a station added there)'
             end if
-            text = text//'; from there to the first station it turns by '// &
+            text = text//'. From there to the first station it turns by '// &
                    to_text(stations%inclination(1)/degree, few_digits)//' deg, '// &
-                   to_text(stations%inclination(1)/length/units%curvature, few_digits)//' '//&
-                   trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))
+                   curvature_words(units, stations%inclination(1)/length)
+            if (begins_vertical(stations%inclination(1)) .or. stations%inclination(1)/length <= sharpest_tie) return
+            text = text//'. Warning: holes hardly turn by more than '// &
+                   curvature_words(units, sharpest_tie)// &
+                   ', so hook load and torque may be far off. For a sidetrack give parent_file, for a slant well '// &
+                   "or a river crossing tie_on = 'straight'"
          end associate
       end function note
 

@@ -163,6 +163,8 @@ contains
          if (groups(i)%name /= 'trajectory') cycle
          if (text_of(groups(i), 'survey_file', '') /= '') &
             call append_text(inputs, beside(path, text_of(groups(i), 'survey_file', '')))
+         if (text_of(groups(i), 'parent_file', '') /= '') &
+            call append_text(inputs, beside(path, text_of(groups(i), 'parent_file', '')))
       end do
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
    end function inputs_of
@@ -308,9 +310,7 @@ contains
             draft%trajectory_line = groups(i)%line
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
-            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, faults)
-            if (draft%stations%skipped /= '') &
-               call append_text(draft%path_notes, 'survey '//draft%stations%file//': '//draft%stations%skipped)
+            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
             if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1

@@ -1,12 +1,11 @@
 !> Rows and headings of tables as people have them: separators, quotes, comments, units behind names.
 module dg_table_text
    use dg_table_number, only: plain_number
-   use dg_table_unit, only: resembles_unit
    use dg_text, only: lower_case, text_type, to_text
    implicit none
    private
    public :: skipped_rows_type, skipped_words
-   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_heading, split_row, &
+   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, &
              split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
@@ -53,7 +52,7 @@ contains
       if (words /= '') words = 'rows skipped: '//words
    end function skipped_words
 
-   !> What separates the fields of a header: ; , tab or blanks. Brackets do not count.
+   !> What separates the fields of a header: ; , | tab or blanks. Brackets do not count.
    pure function find_separator(header) result(separator)
       character(*), intent(in) :: header
       character :: separator
@@ -63,6 +62,7 @@ contains
       if (index(bare, tab) > 0) separator = tab
       if (index(bare, ',') > 0) separator = ','
       if (index(bare, ';') > 0) separator = ';'
+      if (index(bare, '|') > 0) separator = '|'
    end function find_separator
 
    !> Name and bracketed unit of a heading, both lower case: 'MD (m)' gives md and m.
@@ -82,28 +82,6 @@ contains
          end if
       end if
    end subroutine split_unit
-
-   !> The same, for units behind _ or a blank too ('md_ft', 'Incl. deg', 'MD ft RKB'), the name without blanks and marks:
-   !> 'Meas. Depth [ft]' gives measdepth and ft.
-   pure subroutine split_heading(heading, name, unit)
-      character(*), intent(in) :: heading
-      character(:), allocatable, intent(out) :: name, unit
-      character(:), allocatable :: whole
-      integer :: cut, i
-      call split_unit(heading, whole, unit)
-      cut = len(whole) + 1
-      do while (unit == '')
-         cut = scan(whole(:cut - 1), ' _', back=.true.)
-         if (cut <= 1) exit
-         if (.not. (resembles_unit(whole(cut + 1:), .false.) .or. resembles_unit(whole(cut + 1:), .true.))) cycle
-         unit = whole(cut + 1:)
-         whole = whole(:cut - 1)
-      end do
-      name = ''
-      do i = 1, len(whole)
-         if (scan(whole(i:i), ' _.-,:;') == 0) name = name//whole(i:i)
-      end do
-   end subroutine split_heading
 
    !> The text with brackets and what they hold made blank.
    pure function blank_brackets(text) result(bare)

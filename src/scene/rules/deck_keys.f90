@@ -70,11 +70,15 @@ module dg_deck_keys
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
-   type(key_rule_type), parameter :: trajectory_keys(8) = [ &
+   type(key_rule_type), parameter :: trajectory_keys(12) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
       key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
          meaning='units of a survey file whose headings name none; default the deck''s'), &
+      key_rule_type('trajectory', 'md_column', kind_text, &
+         meaning='heading of the measured depth in survey_file, as it stands there; default: found by known headings'), &
+      key_rule_type('trajectory', 'inc_column', kind_text, meaning='heading of the inclination, likewise'), &
+      key_rule_type('trajectory', 'azi_column', kind_text, meaning='heading of the azimuth, likewise'), &
       key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
          meaning='measured depths of the stations'), &
       key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &
@@ -83,8 +87,10 @@ module dg_deck_keys
          meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
          meaning='path between stations; a spline wants them every 30 m or so where the hole bends'), &
-      key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical', &
-         meaning='a hole above the first station that the survey leaves out: none unless it begins vertical, or vertical'), &
+      key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical straight', &
+         meaning='hole above the first station that the survey leaves out; straight: in the direction of the first station'), &
+      key_rule_type('trajectory', 'parent_file', kind_text, &
+         meaning='survey of the hole that this one leaves; its stations above the first one here are taken'), &
       key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='depth down to which tie_on is vertical; from there an arc reaches the first station')]
 

@@ -8,12 +8,14 @@ module dg_survey_check
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: check_station_numbers, check_station_order, begins_below, begins_vertical, at_surface
+   public :: check_station_numbers, check_station_order, begins_below, begins_vertical, at_surface, sharpest_tie, curvature_words
 
    !> Depth within which the first station is at surface [m].
    real(wp), parameter :: at_surface = 1.0e-6_wp
    !> Inclination of a first station that is still vertical: what tools show in vertical holes [rad].
    real(wp), parameter :: still_vertical = 0.5_wp*degree
+   !> Curvature of a hole above a first station from which on that hole is hardly meant, 6 deg/30 m [rad/m].
+   real(wp), parameter :: sharpest_tie = 6.0_wp*degree/30.0_wp
 
 contains
 
@@ -76,4 +78,14 @@ contains
       logical :: vertical
       vertical = inclination < still_vertical
    end function begins_vertical
+
+   !> A curvature in the units of a deck, '4.5 deg/30 m'.
+   function curvature_words(units, curvature) result(words)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: curvature      !< [rad/m]
+      character(:), allocatable :: words
+      integer, parameter :: digits = 4
+      words = to_text(curvature/units%curvature, digits)//' '// &
+              trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))
+   end function curvature_words
 end module dg_survey_check

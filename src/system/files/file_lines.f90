@@ -1,11 +1,11 @@
-!> Reads a text file into lines.
+!> Reads a text file into lines, or the first bytes of any file.
 module dg_file_lines
    use, intrinsic :: iso_fortran_env, only: int64, iostat_end, iostat_eor
    use dg_file_identity, only: identity_of, identity_type
    use dg_text, only: text_type, to_text
    implicit none
    private
-   public :: read_lines, folder_of, beside
+   public :: read_lines, file_begin, folder_of, beside
 
    character(*), parameter :: carriage_return = achar(13), line_feed = achar(10)
    !> Mark that some editors put before a text in UTF-8.
@@ -54,6 +54,27 @@ contains
          end if
       end if
    end subroutine read_lines
+
+   !> The first bytes of a file, at most `most`; '' where it is empty, no file, or cannot be read. Pipes and devices are not read.
+   function file_begin(path, most) result(begin)
+      character(*), intent(in) :: path
+      integer, intent(in) :: most
+      character(:), allocatable :: begin
+      type(identity_type) :: found
+      integer(int64) :: bytes
+      integer :: unit, status
+      begin = ''
+      found = identity_of(path)
+      if (.not. (found%exists .and. found%is_regular)) return
+      inquire (file=path, size=bytes)
+      if (bytes <= 0) return
+      open (newunit=unit, file=path, status='old', action='read', access='stream', form='unformatted', iostat=status)
+      if (status /= 0) return
+      begin = repeat(' ', int(min(bytes, int(most, int64))))
+      read (unit, iostat=status) begin
+      close (unit)
+      if (status /= 0) begin = ''
+   end function file_begin
 
    !> Refuses what is no file. A path that leads nowhere is left to `open`, which knows the reason.
    subroutine check_kind(path, piped, failure)

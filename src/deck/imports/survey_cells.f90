@@ -1,0 +1,210 @@
+!> Cells of the rows of a survey table: between separators, or by their place below the headings.
+module dg_survey_cells
+   use dg_deck_number, only: read_real
+   use dg_kinds, only: wp
+   use dg_survey_columns, only: layout_type
+   use dg_table_number, only: plain_number
+   use dg_table_text, only: content_length, row_type, split_row
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: cell, count_numbers, find_extents, part_phrases, split_cells
+
+   character, parameter :: tab = achar(9)
+
+contains
+
+   !> The text in a cell of a row.
+   pure function cell(row, place) result(text)
+      type(row_type), intent(in) :: row
+      integer, intent(in) :: place
+      character(row%last(place) - row%first(place) + 1) :: text
+      text = row%text(row%first(place):row%last(place))
+   end function cell
+
+   !> Numbers in a line, whatever separates them.
+   pure function count_numbers(text) result(numbers)
+      character(*), intent(in) :: text
+      integer :: numbers
+      type(row_type) :: row
+      character(len(text)) :: plain
+      real(wp) :: number
+      logical :: legal
+      integer :: i
+      numbers = 0
+      if (content_length(text) == 0) return
+      plain = text
+      do i = 1, len(text)
+         if (scan(text(i:i), ';|"'//tab) == 1) plain(i:i) = ' '
+      end do
+      call split_row(plain(:content_length(plain)), ' ', row)
+      if (row%count == 1) then
+         do i = 1, len(plain)
+            if (plain(i:i) == ',') plain(i:i) = ' '
+         end do
+         call split_row(plain(:content_length(plain)), ' ', row)
+      end if
+      do i = 1, row%count
+         call read_real(plain_number(row%text(row%first(i):row%last(i)), .false.), number, legal)
+         if (legal) numbers = numbers + 1
+      end do
+   end function count_numbers
+
+   !> Fields between which two blanks or more stand, or tabs.
+   pure subroutine part_phrases(text, row)
+      character(*), intent(in) :: text
+      type(row_type), intent(inout) :: row
+      character(len(text)) :: marked
+      type(row_type) :: cells
+      integer :: i
+      marked = text
+      do i = 2, len(text)
+         if (text(i - 1:i) == '  ') marked(i - 1:i) = tab//tab
+      end do
+      ! a single blank joins; a run of tabs parts once
+      call split_row(marked, tab, cells)
+      row = cells
+      row%count = 0
+      do i = 1, cells%count
+         if (cells%last(i) < cells%first(i)) cycle
+         row%count = row%count + 1
+         row%first(row%count) = cells%first(i)
+         row%last(row%count) = cells%last(i)
+      end do
+   end subroutine part_phrases
+
+   !> First and last letters of the columns of rows that have as many fields as the first one; none where fields of neighbours
+   !> stand one above the other, or tabs stand between them.
+   pure subroutine find_extents(lines, first_line, width, extent)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: first_line      !< of the rows
+      integer, intent(in) :: width           !< fields of a row
+      integer, allocatable, intent(inout) :: extent(:, :)   !< (2, width), or (2, 0)
+      integer, parameter :: most = 200
+      integer :: found(2, width), line, k
+      logical :: has
+      if (allocated(extent)) deallocate (extent)
+      allocate (extent(2, width))
+      extent(1, :) = huge(0)
+      extent(2, :) = 0
+      do line = first_line, min(size(lines), first_line + most)
+         if (count_numbers(lines(line)%text) < 2) cycle
+         call find_fields(lines(line)%text, width, found, has)
+         if (.not. has) cycle
+         extent(1, :) = min(extent(1, :), found(1, :))
+         extent(2, :) = max(extent(2, :), found(2, :))
+      end do
+      do k = 2, width
+         if (extent(1, k) > extent(2, k - 1)) cycle
+         call find_fields(lines(first_line)%text, width, found, has)
+         if (has) then
+            extent = found
+         else
+            deallocate (extent)
+            allocate (extent(2, 0))
+         end if
+         return
+      end do
+      if (any(extent(2, :) == 0)) then
+         deallocate (extent)
+         allocate (extent(2, 0))
+      end if
+   end subroutine find_extents
+
+   !> First and last letters of the fields between blanks of a line; whether it has so many, and neither tabs nor quotes.
+   pure subroutine find_fields(text, width, found, has)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      integer, intent(out) :: found(2, width)
+      logical, intent(out) :: has
+      integer :: i, n, length
+      found = 0
+      has = .false.
+      length = content_length(text)
+      if (scan(text(:length), tab//'"') > 0) return
+      n = 0
+      do i = 1, length
+         if (text(i:i) == ' ') cycle
+         if (i == 1) then
+            n = n + 1
+         else if (text(i - 1:i - 1) == ' ') then
+            n = n + 1
+         end if
+         if (n > width) return
+         if (found(1, n) == 0) found(1, n) = i
+         found(2, n) = i
+      end do
+      has = n == width
+   end subroutine find_fields
+
+   !> Cells of a row. Between blanks, a row that has fewer fields than columns is read by the places of its fields, where each
+   !> stands below one column; one that has more because a name at its begin has several words is read from its end.
+   pure subroutine split_cells(text, layout, row)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      type(row_type), intent(inout) :: row
+      if (layout%wide) then
+         call part_phrases(text, row)
+         if (row%count == layout%width) return
+      end if
+      call split_row(text, layout%separator, row)
+      if (layout%separator /= ' ' .or. row%count == layout%width) return
+      if (row%count < layout%width .and. size(layout%extent, 2) == layout%width) call place_fields(text, layout, row)
+      if (row%count > layout%width .and. .not. layout%wide) call join_first(layout, row)
+   end subroutine split_cells
+
+   !> Gives each field the column below which it stands alone; leaves the row as it is where one stands below none or two.
+   pure subroutine place_fields(text, layout, row)
+      character(*), intent(in) :: text
+      type(layout_type), intent(in) :: layout
+      type(row_type), intent(inout) :: row
+      integer :: found(2, row%count), column(row%count), i, k, times, start(layout%width), finish(layout%width)
+      logical :: has
+      call find_fields(text, row%count, found, has)
+      if (.not. has) return
+      do i = 1, row%count
+         times = 0
+         do k = 1, layout%width
+            if (found(1, i) > layout%extent(2, k) .or. found(2, i) < layout%extent(1, k)) cycle
+            times = times + 1
+            column(i) = k
+         end do
+         if (times /= 1) return
+      end do
+      if (any(column(2:) <= column(:row%count - 1))) return
+      start = 1
+      finish = 0
+      do i = 1, row%count
+         start(column(i)) = row%first(i)
+         finish(column(i)) = row%last(i)
+      end do
+      if (size(row%first) < layout%width) then
+         deallocate (row%first, row%last)
+         allocate (row%first(layout%width), row%last(layout%width))
+      end if
+      row%count = layout%width
+      row%first(:layout%width) = start
+      row%last(:layout%width) = finish
+   end subroutine place_fields
+
+   !> Joins the words of a name in the first column, where all fields behind it are numbers.
+   pure subroutine join_first(layout, row)
+      type(layout_type), intent(in) :: layout
+      type(row_type), intent(inout) :: row
+      real(wp) :: number
+      integer :: i, more
+      logical :: legal
+      if (any(layout%place == 1) .or. layout%width < 2) return
+      more = row%count - layout%width
+      do i = more + 2, row%count
+         call read_real(plain_number(row%text(row%first(i):row%last(i)), .false.), number, legal)
+         if (.not. legal) return
+      end do
+      call read_real(row%text(row%first(1):row%last(1)), number, legal)
+      if (legal) return
+      row%last(1) = row%last(more + 1)
+      row%first(2:layout%width) = row%first(more + 2:row%count)
+      row%last(2:layout%width) = row%last(more + 2:row%count)
+      row%count = layout%width
+   end subroutine join_first
+end module dg_survey_cells

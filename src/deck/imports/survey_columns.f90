@@ -1,0 +1,280 @@
+!> Which columns of a survey table are measured depth, inclination and azimuth, by their headings or as the deck names them.
+module dg_survey_columns
+   use dg_kinds, only: wp
+   use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
+   use dg_table_unit, only: read_unit
+   use dg_text, only: lower_case, nearest_name, quoted, text_type
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: layout_type, column_names_type, choose_columns, take_unit, missing_columns
+
+   !> Headings that the deck names for md, inc, azi; '': none.
+   type :: column_names_type
+      type(text_type) :: names(3)
+   end type column_names_type
+
+   !> Columns of a table and the SI values of their units.
+   type :: layout_type
+      character :: separator = ' '               !< of the rows
+      logical :: wide = .false.                  !< two blanks or more separate the cells of a row, one does not
+      type(heading_type), allocatable :: headings(:)
+      integer :: place(6) = 0                    !< column of md, inc, azi, tvd, north, east; 0: none
+      integer :: rival(3) = 0                    !< another column that might be md, inc, azi; 0: none
+      integer :: well = 0                        !< column of the name of the well; 0: none
+      integer :: width = 0                       !< columns that the header names
+      real(wp) :: factor(6) = 1.0_wp
+      real(wp) :: rival_factor(3) = 1.0_wp
+      logical :: told(6) = .false.               !< the table itself names the unit
+      integer :: first_header = 0, first_row = 0 !< first line of the header, line below it and its units
+      integer, allocatable :: extent(:, :)       !< first and last letter of each column, (2, width); empty where not known
+      logical :: has_null = .false.
+      real(wp) :: null = 0.0_wp                  !< what stands for no value
+      character(:), allocatable :: foreign       !< what is wrong with a unit, for a message; '': nothing
+      character(:), allocatable :: unknown       !< what is wrong with a name in the deck, for a message; '': nothing
+   end type layout_type
+
+   !> Headings of the name of a well, without blanks and marks.
+   character(*), parameter :: well_names(17) = [character(16) :: 'well', 'wellname', 'wellbore', 'wellborename', 'borehole', &
+      'boreholename', 'uwi', 'api', 'apino', 'apinumber', 'apiwellno', 'apiwellnumber', 'wellno', 'wellid', 'wellboreid', &
+      'wellnumber', 'holeid']
+   character(*), parameter :: known_names(3) = [character(130) :: &
+      'MD, Measured Depth, Depth, Survey Depth, Hole Depth, Along Hole Depth, AHD, Total MD', &
+      'Inc, Incl, Inclination, Deviation, Devi, Drift, Hole Angle, Deviation Angle', &
+      'Azi, Azim, Azm, Azimuth, HAZI, Bearing, Direction, with or without Grid, True, Corrected, Magnetic']
+
+contains
+
+   !> Takes columns by their headings. Of several for one quantity that of the lowest rank is taken, the first of these.
+   subroutine choose_columns(headings, names, units, layout)
+      type(heading_type), intent(in) :: headings(:)
+      type(column_names_type), intent(in) :: names
+      type(unit_system_type), intent(in) :: units
+      type(layout_type), intent(inout) :: layout
+      integer :: column, i
+      logical :: named(size(layout%place))       ! by the deck
+      layout%headings = headings
+      layout%width = size(headings)
+      layout%place = 0
+      layout%rival = 0
+      layout%factor = units%length
+      layout%factor(column_inc:column_azi) = units%angle
+      layout%told = .false.
+      layout%foreign = ''
+      layout%unknown = ''
+      layout%well = 0
+      do i = size(headings), 1, -1
+         if (any(well_names == headings(i)%name)) layout%well = i
+      end do
+      named = .false.
+      do column = 1, column_azi
+         if (names%names(column)%text == '') cycle
+         named(column) = .true.
+         call find_named(headings, names%names(column)%text, column, layout)
+      end do
+      do column = 1, size(layout%place)
+         do i = 1, size(headings)
+            if (headings(i)%column /= column .or. named(column) .or. is_taken(i)) cycle
+            call put_candidate(column, i)
+         end do
+         if (column <= column_azi) call drop_loose(column)
+         if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
+      end do
+      do column = 1, column_azi
+         if (layout%rival(column) > 0) call take_rival_unit(headings, column, layout)
+      end do
+
+   contains
+
+      pure function is_taken(place) result(taken)
+         integer, intent(in) :: place
+         logical :: taken
+         taken = any(layout%place == place)
+      end function is_taken
+
+      !> A column that may be taken; the one that is not is a rival.
+      subroutine put_candidate(wanted, place)
+         integer, intent(in) :: wanted, place
+         integer :: best, other
+         best = layout%place(wanted)
+         if (best == 0) then
+            layout%place(wanted) = place
+            return
+         end if
+         other = place
+         if (headings(place)%rank < headings(best)%rank) then
+            layout%place(wanted) = place
+            other = best
+            best = place
+         end if
+         if (wanted > column_azi) return
+         if (headings(best)%rank < loose_rank .and. headings(other)%rank >= loose_rank) then
+            if (layout%rival(wanted) == 0) return
+            if (headings(layout%rival(wanted))%rank >= loose_rank) layout%rival(wanted) = 0
+            return
+         end if
+         if (layout%rival(wanted) == 0) then
+            layout%rival(wanted) = other
+         else if (headings(other)%rank < headings(layout%rival(wanted))%rank) then
+            layout%rival(wanted) = other
+         else if (headings(layout%rival(wanted))%rank >= loose_rank .and. headings(best)%rank < loose_rank) then
+            layout%rival(wanted) = other
+         end if
+      end subroutine put_candidate
+
+      !> A heading that is only likely is not taken where another speaks of the quantity in words that are not known: the user
+      !> must choose.
+      subroutine drop_loose(wanted)
+         integer, intent(in) :: wanted
+         integer :: k
+         if (layout%place(wanted) == 0 .or. named(wanted)) return
+         if (headings(layout%place(wanted))%rank < loose_rank) return
+         do k = 1, size(headings)
+            if (headings(k)%speaks(wanted) .and. headings(k)%column == no_column) layout%place(wanted) = 0
+            if (layout%place(wanted) == 0) return
+         end do
+      end subroutine drop_loose
+   end subroutine choose_columns
+
+   !> The column that the deck names: its heading as it stands, else without regard to capitals, blanks and unit.
+   subroutine find_named(headings, name, wanted, layout)
+      type(heading_type), intent(in) :: headings(:)
+      character(*), intent(in) :: name          !< that the deck gives
+      integer, intent(in) :: wanted
+      type(layout_type), intent(inout) :: layout
+      type(heading_type) :: asked
+      integer :: k, attempt, times
+      call read_heading(name, asked)
+      do attempt = 1, 3
+         times = 0
+         do k = size(headings), 1, -1
+            if (.not. is_alike(headings(k), asked, attempt)) cycle
+            times = times + 1
+            layout%place(wanted) = k
+         end do
+         if (times > 1) layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)// &
+            ' stands twice in the header. Rename one of them'
+         if (times > 0) return
+      end do
+      layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is no heading of the file. '// &
+                       seen_headings(headings)//nearest_heading(asked%text, headings)
+   end subroutine find_named
+
+   !> The unit of a rival; a heading with an unknown unit is another quantity and no rival.
+   subroutine take_rival_unit(headings, wanted, layout)
+      type(heading_type), intent(in) :: headings(:)
+      integer, intent(in) :: wanted
+      type(layout_type), intent(inout) :: layout
+      real(wp) :: value
+      logical :: known
+      layout%rival_factor(wanted) = layout%factor(wanted)
+      call read_unit(headings(layout%rival(wanted))%unit, wanted /= column_md, value, known)
+      if (.not. known) then
+         layout%rival(wanted) = 0
+      else if (value > 0.0_wp) then
+         layout%rival_factor(wanted) = value
+      end if
+   end subroutine take_rival_unit
+
+   !> Whether a heading is the one that was asked for, less strictly from attempt to attempt.
+   pure function is_alike(heading, asked, attempt) result(alike)
+      type(heading_type), intent(in) :: heading, asked
+      integer, intent(in) :: attempt
+      logical :: alike
+      select case (attempt)
+      case (1)
+         alike = heading%text == asked%text
+      case (2)
+         alike = squeezed(heading%text) == squeezed(asked%text)
+      case default
+         alike = heading%name == asked%name .and. heading%name /= '' .and. (asked%unit == '' .or. asked%unit == heading%unit)
+      end select
+   end function is_alike
+
+   !> Small letters without blanks, tabs, quotes and underscores.
+   pure function squeezed(text) result(tight)
+      character(*), intent(in) :: text
+      character(:), allocatable :: tight
+      integer :: i
+      tight = ''
+      do i = 1, len(text)
+         if (scan(text(i:i), ' "_'//achar(9)) == 0) tight = tight//lower_case(text(i:i))
+      end do
+   end function squeezed
+
+   pure function nearest_heading(name, headings) result(advice)
+      character(*), intent(in) :: name
+      type(heading_type), intent(in) :: headings(:)
+      character(:), allocatable :: advice
+      character(48) :: candidates(size(headings))
+      integer :: i
+      do i = 1, size(headings)
+         candidates(i) = headings(i)%text
+      end do
+      advice = nearest_name(name, candidates)
+      if (advice /= '') advice = ". Did you mean '"//advice//"'?"
+   end function nearest_heading
+
+   !> Sets the unit of a column, if the text names one ('MD (RKB)' does not). One that is unknown, or another than was told
+   !> before, is kept for a fault where the column is needed; a position in such a unit is not compared.
+   pure subroutine take_unit(layout, column, name)
+      type(layout_type), intent(inout) :: layout
+      integer, intent(in) :: column
+      character(*), intent(in) :: name
+      real(wp) :: value
+      logical :: known
+      call read_unit(name, column == column_inc .or. column == column_azi, value, known)
+      if (.not. known) then
+         if (column > column_azi) layout%place(column) = 0
+         if (column <= column_azi .and. layout%foreign == '') layout%foreign = trim(column_name(column))//' in '//quoted(name)// &
+            '; convert it: md in m, ft or usft, angles in deg or rad'
+      else if (value > 0.0_wp) then
+         if (layout%told(column) .and. abs(value - layout%factor(column)) > 0.0_wp) then
+            if (column > column_azi) then
+               layout%place(column) = 0
+            else if (layout%foreign == '') then
+               layout%foreign = trim(column_name(column))//' in '//quoted(name)// &
+                                ', but its heading or another row names another unit'
+            end if
+         end if
+         layout%factor(column) = value
+         layout%told(column) = .true.
+      end if
+   end subroutine take_unit
+
+   !> 'Headings seen: 'Foo', 'Inc'.'
+   pure function seen_headings(headings) result(words)
+      type(heading_type), intent(in) :: headings(:)
+      character(:), allocatable :: words
+      integer, parameter :: most = 24
+      integer :: i
+      words = 'Headings seen: '
+      do i = 1, min(size(headings), most)
+         if (i > 1) words = words//', '
+         words = words//quoted(headings(i)%text)
+      end do
+      if (size(headings) > most) words = words//' and more'
+   end function seen_headings
+
+   !> What is missing of md, inc (and azi where `with_azimuth`), which headings were seen and are known, and which keys name them.
+   pure function missing_columns(layout, with_azimuth) result(words)
+      type(layout_type), intent(in) :: layout
+      logical, intent(in) :: with_azimuth
+      character(:), allocatable :: words
+      character(:), allocatable :: known, keys
+      integer :: column
+      words = 'the header names no '
+      known = ''
+      keys = ''
+      do column = 1, merge(column_azi, column_inc, with_azimuth)
+         if (layout%place(column) /= 0) cycle
+         if (known /= '') words = words//' and no '
+         words = words//trim(column_name(column))
+         known = known//'. Known for '//trim(column_name(column))//': '//trim(known_names(column))
+         if (keys /= '') keys = keys//' and '
+         keys = keys//trim(column_name(column))//'_column'
+      end do
+      words = words//'. '//seen_headings(layout%headings)//known//'. Or name the column in &trajectory by '//keys// &
+              ', with its heading as it stands in the file'
+   end function missing_columns
+end module dg_survey_columns

@@ -1,0 +1,241 @@
+!> Headings of a survey table, put together from the lines of its header.
+module dg_survey_stack
+   use dg_survey_cells, only: count_numbers, find_extents, part_phrases
+   use dg_survey_columns, only: layout_type
+   use dg_survey_words, only: role_along, role_angle, role_azi, role_corrected, role_datum, role_direction, role_drift, role_grid, &
+      role_magnetic, role_measured, role_neutral, role_of, role_plan, role_station, role_total, role_true, role_unit, &
+      role_unknown, role_vertical, words_of
+   use dg_table_text, only: content_length, row_type, split_row
+   use dg_text, only: append_text, text_type
+   implicit none
+   private
+   public :: stack_by_count, stack_by_place
+
+contains
+
+   !> The row below the header by which its columns are counted: one with as many fields as the header has words, or phrases; else
+   !> the longest that holds nothing but numbers; else the next.
+   subroutine find_example(lines, first_line, words, phrases, line)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: first_line           !< the next row; 0: none
+      integer, intent(in) :: words, phrases       !< of the header, on one line; 0: on several
+      integer, intent(out) :: line
+      type(row_type) :: row
+      integer, parameter :: most = 200
+      integer :: i, length, best, rank, best_rank
+      line = first_line
+      if (first_line == 0) return
+      best = 0
+      best_rank = 0
+      do i = first_line, min(size(lines), first_line + most)
+         if (count_numbers(lines(i)%text) < 2) cycle
+         length = content_length(lines(i)%text)
+         call split_row(lines(i)%text(:length), ' ', row)
+         rank = 0
+         if (count_numbers(lines(i)%text) == row%count) rank = 1
+         if (row%count == phrases) rank = 2
+         if (row%count == words) rank = 3
+         if (rank < best_rank .or. (rank == best_rank .and. (row%count <= best .or. rank == 0))) cycle
+         best_rank = rank
+         best = row%count
+         line = i
+      end do
+   end subroutine find_example
+
+   !> Headings of several lines, put together cell by cell.
+   pure subroutine stack_by_count(lines, first_line, last, separator, texts)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: first_line, last
+      character, intent(in) :: separator
+      type(text_type), allocatable, intent(out) :: texts(:)
+      type(row_type) :: row
+      integer :: line, i, length
+      allocate (texts(0))
+      do line = first_line, last
+         length = content_length(lines(line)%text)
+         call split_row(lines(line)%text(:length), separator, row)
+         do i = size(texts) + 1, row%count
+            call append_text(texts, '')
+         end do
+         do i = 1, row%count
+            call put_beside(texts(i)%text, row%text(row%first(i):row%last(i)))
+         end do
+      end do
+   end subroutine stack_by_count
+
+   pure subroutine put_beside(text, more)
+      character(:), allocatable, intent(inout) :: text
+      character(*), intent(in) :: more
+      if (text /= '' .and. more /= '') then
+         text = text//' '//more
+      else
+         text = text//more
+      end if
+   end subroutine put_beside
+
+   !> Headings between blanks. By their number where it is that of the row below, with blanks inside of names where two blanks
+   !> separate them; else by the place of each word above the numbers.
+   subroutine stack_by_place(lines, first_line, last, next_line, layout, texts)
+      type(text_type), intent(in) :: lines(:)
+      integer, intent(in) :: first_line, last, next_line
+      type(layout_type), intent(inout) :: layout
+      type(text_type), allocatable, intent(out) :: texts(:)
+      type(row_type) :: words, phrases, row, wide_row
+      character(:), allocatable :: header, data_text
+      integer :: i, data_line
+      header = closed(lines(last)%text(:content_length(lines(last)%text)))
+      call split_row(header, ' ', words)
+      call part_phrases(header, phrases)
+      if (first_line == last) then
+         call find_example(lines, next_line, words%count, phrases%count, data_line)
+      else
+         call find_example(lines, next_line, 0, 0, data_line)
+      end if
+      data_text = ''
+      if (data_line > 0) data_text = lines(data_line)%text(:content_length(lines(data_line)%text))
+      call split_row(data_text, ' ', row)
+      call part_phrases(data_text, wide_row)
+      if (data_line > 0) call find_extents(lines, data_line, row%count, layout%extent)
+      if (first_line == last) then
+         if (words%count == row%count .or. data_line == 0) then
+            call take(words)
+            return
+         else if (phrases%count == row%count) then
+            call take(phrases)
+            return
+         end if
+         call join_words(words)
+         if (words%count == row%count) then
+            call take(words)
+            return
+         end if
+         call split_row(header, ' ', words)
+         if (phrases%count == wide_row%count .and. phrases%count > 1) then
+            layout%wide = .true.
+            deallocate (layout%extent)
+            allocate (layout%extent(2, 0))
+            call take(phrases)
+            return
+         end if
+      end if
+      if (size(layout%extent, 2) == 0 .or. (first_line == last .and. phrases%count < row%count .and. words%count < row%count)) then
+         call take(words)
+         return
+      end if
+      allocate (texts(row%count))
+      do i = 1, row%count
+         texts(i)%text = ''
+      end do
+      do i = first_line, last
+         call put_above(lines(i)%text(:content_length(lines(i)%text)), layout%extent, texts)
+      end do
+
+   contains
+
+      subroutine take(fields)
+         type(row_type), intent(in) :: fields
+         integer :: k
+         allocate (texts(fields%count))
+         do k = 1, fields%count
+            texts(k)%text = fields%text(fields%first(k):fields%last(k))
+         end do
+         if (fields%count /= size(layout%extent, 2)) then
+            deallocate (layout%extent)
+            allocate (layout%extent(2, 0))
+         end if
+      end subroutine take
+   end subroutine stack_by_place
+
+   !> A line in which a bracket stands right behind its heading and holds no blanks, so that 'MD (from RKB)' is one word.
+   pure function closed(text) result(tight)
+      character(*), intent(in) :: text
+      character(:), allocatable :: tight
+      integer :: i, depth
+      depth = 0
+      tight = ''
+      do i = 1, len(text)
+         if (scan(text(i:i), '([') == 1) then
+            depth = depth + 1
+            tight = trim(tight)
+         end if
+         if (depth == 0 .or. scan(text(i:i), ' '//achar(9)) == 0) then
+            tight = tight//text(i:i)
+         else if (scan(tight(len(tight):), '([_') == 0) then
+            tight = tight//'_'
+         end if
+         if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
+      end do
+   end function closed
+
+   !> Joins words that make one heading: Measured Depth, Hole Angle, Inc deg.
+   subroutine join_words(words)
+      type(row_type), intent(inout) :: words
+      character(:), allocatable :: text
+      type(row_type) :: joined
+      type(text_type), allocatable :: parts(:)
+      integer :: role, before, i
+      text = ''
+      before = role_unknown
+      do i = 1, words%count
+         associate (word => words%text(words%first(i):words%last(i)))
+            call words_of(word, parts)
+            role = role_unknown
+            if (size(parts) == 1) role = role_of(parts(1)%text)
+            if (scan(word(1:1), '([') == 1) role = role_unit
+            if (i > 1 .and. (is_modifier(before) .or. any(role == [role_unit, role_angle, role_datum]) .or. &
+                             (before == role_drift .and. any(role == [role_azi, role_direction])))) then
+               text = text//' '//word
+            else
+               text = text//achar(9)//word
+            end if
+            before = role
+         end associate
+      end do
+      call split_row(text(2:), achar(9), joined)
+      words = joined
+
+   contains
+      pure function is_modifier(kind) result(is)
+         integer, intent(in) :: kind
+         logical :: is
+         is = any(kind == [role_measured, role_along, role_vertical, role_true, role_grid, role_corrected, role_magnetic, &
+                           role_total, role_station, role_neutral, role_plan])
+      end function is_modifier
+   end subroutine join_words
+
+   !> Puts each word of a line, brackets with what they hold as one, to the column above which it stands.
+   pure subroutine put_above(text, extent, texts)
+      character(*), intent(in) :: text
+      integer, intent(in) :: extent(:, :)
+      type(text_type), intent(inout) :: texts(:)
+      integer :: first, last, depth, k, best, apart, nearest
+      first = 1
+      do while (first <= len(text))
+         if (text(first:first) == ' ') then
+            first = first + 1
+            cycle
+         end if
+         depth = 0
+         last = first
+         do while (last <= len(text))
+            if (scan(text(last:last), '([') == 1) depth = depth + 1
+            if (scan(text(last:last), ')]') == 1) depth = max(depth - 1, 0)
+            if (text(last:last) == ' ' .and. depth == 0) exit
+            last = last + 1
+         end do
+         last = last - 1
+         best = 1
+         nearest = huge(nearest)
+         do k = 1, size(extent, 2)
+            ! negative where word and column overlap; middles decide between columns that overlap as much
+            apart = max(extent(1, k) - last, first - extent(2, k))
+            if (apart < 0) apart = -100*(min(last, extent(2, k)) - max(first, extent(1, k)) + 1)
+            apart = 1000*apart + abs(first + last - extent(1, k) - extent(2, k))
+            if (apart < nearest) best = k
+            nearest = min(nearest, apart)
+         end do
+         call put_beside(texts(best)%text, text(first:last))
+         first = last + 1
+      end do
+   end subroutine put_above
+end module dg_survey_stack
