@@ -70,7 +70,7 @@ contains
       call note('length = 100.0', 'length = 900.0', "'drillpipe' never enters the hole")
       call note("&boundary", "&component string = 'liner', od = 139.7, id = 121.4 /"//newline//"&boundary", &
                 "string 'liner' is used by no case")
-      call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'model soft may leave the bend out')
+      call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'model soft ignores the bent housing')
       call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'bent by 1.5 deg at 2 m')
    end subroutine test_unused
 

@@ -112,12 +112,12 @@ contains
             do k = 1, size(job%models)
                if (job%models(k) == model_mcge .or. (job%models(k) == model_mixed .and. draft%numerics%mixed_elements)) cycle
                call append_text(notes, 'group &component in line '//to_text(item%line)// &
-                  ': model '//trim(model_name(job%models(k)))//' may leave the bend out: it is beams that know it')
+                  ': model '//trim(model_name(job%models(k)))//' ignores the bent housing. Use mcge')
             end do
             do k = 1, size(draft%cases)
                if (draft%cases(k)%load_case%string /= item%string .or. .not. rotates(draft%cases(k)%load_case%operation)) cycle
-               call append_text(notes, 'group &component in line '//to_text(item%line)//': cases that turn the string, as '// &
-                  quoted(draft%cases(k)%load_case%name)//', are solved without its bend, which turns with it: see input/README.md')
+               call append_text(notes, 'group &component in line '//to_text(item%line)//': rotating cases, as '// &
+                  quoted(draft%cases(k)%load_case%name)//', are solved with a straight housing')
                exit
             end do
          end associate

@@ -195,16 +195,16 @@ contains
       logical, allocatable :: marked(:)
       integer :: i, k, columns
       call add_line(lines, '<h2>Limits</h2>')
-      call add_line(lines, '<p>Buckling limits are analytic ones to compare with, friction and torque left out; a negative '// &
-                    'margin is beyond them. Safety factors stand where the deck gives a yield strength.</p>')
-      call add_line(lines, '<p>neutral top: uppermost depth without axial force. overpull margin: pull that may be added at '// &
-                    'the top before anything yields, bending included. wob buckling, no hookload, lockup: weight on bit '// &
-                    'at which the string begins to buckle, that leaves nothing on the hook, and the same with the friction '// &
-                    'of a coiled string.</p>')
-      call add_line(lines, '<p>governing limit: the limit of strength, slips or rig that is used most, how much of it, where; '// &
-                    'buckling is not among them. '//factors_text(job%design)//' bit side force and bit tilt: of the bit on '// &
-                    'the formation, and between bit and hole axis; clock angles count from the high side. shape, snaking and '// &
-                    'coiled length, coil turns: what the string was found to do; only mcge looks for it.</p>')
+      call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
+                    'the limit. Safety factors need a yield strength in the deck.</p>')
+      call add_line(lines, '<p>neutral top: uppermost neutral point, tension above, compression below. overpull margin: pull '// &
+                    'that may be added at the top before anything yields, bending included. wob buckling: WOB where buckling '// &
+                    'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with the friction of a buckled '// &
+                    'string.</p>')
+      call add_line(lines, '<p>governing limit: the limit of strength, slips or rig that is used most, how much of it, where. '// &
+                    factors_text(job%design)//' bit side force: of the bit on the formation. bit tilt: between bit and hole '// &
+                    'axis. Clock angles count from the high side. shape, snaking length, coiled length, coil turns: sinusoidal '// &
+                    'and helical buckling that mcge found.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])

@@ -176,8 +176,9 @@ contains
       integer :: worst
       if (.not. any(wholes%bending_error%present)) return
       worst = maxloc(wholes%bending_error%value, dim=1, mask=wholes%bending_error%present)
-      call add_line(lines, '<li>Bending moments: within '//to_text(per_cent*wholes(worst)%bending_error%value, fewer)// &
-                    ' % of the greatest of their case, by two ways to find them; the worst is '// &
+      call add_line(lines, '<li>Estimated error of bending moments: '// &
+                    to_text(per_cent*wholes(worst)%bending_error%value, fewer)// &
+                    ' % of the largest, in '// &
                     html_safe(model%cases(results(worst)%case_index)%name)//'.</li>')
    end subroutine append_moments
 

@@ -46,7 +46,7 @@ module dg_static_result
    !> Contact force and moment that are not compared: nothing touches, nothing is bent [N, N.m].
    real(wp), parameter :: least_contact = 10.0_wp, least_moment = 1.0e-3_wp
    !> Digits in a message.
-   integer, parameter :: shown = 4, shown_depth = 6, shown_residual = 3, shown_clearances = 2
+   integer, parameter :: shown = 4, shown_range = 3, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
 contains
 
@@ -139,10 +139,10 @@ contains
       real(wp) :: friction, length
       friction = maxval(mesh%rotary, mask=work%climb < 1.0_wp)
       length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%rotary > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'The string whirls: over '//trim(in_units(units, unit_length, length, shown))// &
-                       ' it does not stay on one side of the hole. Sideways friction and inertia are ignored there. The hook '// &
-                       'load is not affected, contact force and friction torque there may be up to '// &
-                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown)//' % less')
+      call add_message(result, 'Over '//trim(in_units(units, unit_length, length, shown_range))// &
+                       ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
+                       'contact force and friction torque there may be up to '// &
+                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown_clearances)//' % low')
    end subroutine tell_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
