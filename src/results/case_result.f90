@@ -129,6 +129,9 @@ module dg_case_result
       !> Angle between bit and hole axis, and the clock angle to which it points [rad]; missing without elements.
       real(wp) :: bit_tilt = missing
       real(wp) :: bit_tilt_clock = missing
+      !> Inclination of the hole axis less that of the string at its lowest survey sensor [rad]; missing without one.
+      real(wp) :: sag_correction = missing
+      real(wp) :: sensor_md = missing          !< measured depth of that sensor [m]
       !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp

@@ -42,6 +42,8 @@ contains
       result%bit_side_clock = missing
       result%bit_tilt = missing
       result%bit_tilt_clock = missing
+      result%sag_correction = missing
+      result%sensor_md = missing
       result%equilibrium_force = 0.0_wp
       result%equilibrium_moment = 0.0_wp
       if (allocated(result%gaps)) result%gaps%force = missing

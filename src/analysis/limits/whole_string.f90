@@ -58,6 +58,8 @@ module dg_whole_string
       type(optional_real) :: bit_side_clock         !< where to [rad]
       type(optional_real) :: bit_tilt               !< angle between bit and hole, gap elements only [rad]
       type(optional_real) :: bit_tilt_clock         !< where it points [rad]
+      type(optional_real) :: sag_correction         !< to be added to the inclination that the survey sensor reads [rad]
+      type(optional_real) :: sensor_md              !< where the sensor is [m]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -125,6 +127,8 @@ contains
       call take(result%bit_side_clock, whole%bit_side_clock)
       call take(result%bit_tilt, whole%bit_tilt)
       call take(result%bit_tilt_clock, whole%bit_tilt_clock)
+      call take(result%sag_correction, whole%sag_correction)
+      call take(result%sensor_md, whole%sensor_md)
       call add_margins(model, result, rig_limit, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string

@@ -86,6 +86,7 @@ contains
          part%poisson = real_of(group, 'poisson', part%poisson)
          part%joint_od = real_of(group, 'joint_od', part%joint_od)
          part%joint_length = real_of(group, 'joint_length', part%joint_length)
+         part%sensor = real_of(group, 'sensor', part%sensor)
          part%opened_od = real_of(group, 'opened_od', part%opened_od)
          part%opened_below = real_of(group, 'opened_below', part%opened_below)
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)

@@ -156,7 +156,7 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
-                  bent_text(units, part))
+                  bent_text(units, part)//sensor_text(units, part))
                call add_strength(lines, units, part, job%design)
                if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
@@ -235,6 +235,16 @@ contains
       if (has_bend(part)) text = ', bent by '//quantity(part%bend, units%angle, unit_label(units, unit_angle))//' at '// &
                                  quantity(part%bend_position, units%length, unit_label(units, unit_length))
    end function bent_text
+
+   !> The survey sensor of a component, nothing where it has none.
+   pure function sensor_text(units, part) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      character(:), allocatable :: text
+      text = ''
+      if (.not. is_missing(part%sensor)) text = ', survey sensor at '// &
+         quantity(part%sensor, units%length, unit_label(units, unit_length))
+   end function sensor_text
 
    !> One load case.
    pure subroutine add_case(lines, units, case)

@@ -18,7 +18,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(58) = [ &
+   type(column_type), parameter :: limits_columns(59) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -89,7 +89,9 @@ module dg_limits_file
       column_type('contact_difference', quantity_percent, 'by how much the contact force of a part of the string differs '// &
          'between the long elements of hook load and the short ones of moments, of the contact force of the whole '// &
          'string; the largest of all parts'), &
-      column_type('used_top_drive', quantity_percent, 'of max_torque of &rig, by the torque at the top of a string that turns')]
+      column_type('used_top_drive', quantity_percent, 'of max_torque of &rig, by the torque at the top of a string that turns'), &
+      column_type('sag_correction', quantity_angle, 'to be added to the inclination that the survey sensor reads, so that it '// &
+         'is that of the hole axis; positive where the sensor reads too little; mcge with sensor')]
 
 contains
 
@@ -192,6 +194,7 @@ contains
       end associate
       call put(row, in_percent(whole%contact_difference))
       call put(row, in_percent(whole%utilisation%used(limit_top_drive)))
+      call put(row, whole%sag_correction)
    end subroutine limits_fields
 
    !> A share [-] in per cent.

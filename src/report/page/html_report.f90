@@ -41,9 +41,9 @@ module dg_html_report
    character(*), parameter :: limits_shown(14) = [character(22) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin']
-   character(*), parameter :: most_shown(14) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
+   character(*), parameter :: most_shown(15) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
-      'bit_tilt', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
+      'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
    !> Of these, the columns up to here are for all models; the others tell what only gap elements find.
    integer, parameter :: most_of_all_models = 10
    integer, parameter :: few = 4    !< digits

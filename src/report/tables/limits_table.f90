@@ -109,6 +109,13 @@ contains
                           to_text(anint(wholes(i)%coil_turns))//' turns)')
       end do
       do i = 1, size(results)
+         if (.not. wholes(i)%sag_correction%present) cycle
+         call append_text(lines, '  Sag correction in '//names(i)%text//': '// &
+                          trim(adjustl(fixed_cell(wholes(i)%sag_correction, units%angle, number_width, 3)))// &
+                          ' deg at the sensor, '// &
+                          to_text(anint(wholes(i)%sensor_md%value/units%length))//' '//trim(units%length_label))
+      end do
+      do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block

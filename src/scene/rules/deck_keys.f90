@@ -154,7 +154,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(31) = [ &
+   type(key_rule_type), parameter :: component_keys(32) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -212,7 +212,9 @@ module dg_deck_keys
       key_rule_type('component', 'bend', unit=unit_angle, low=0.0_wp, high=sharpest_bend, default='0', &
          meaning='angle of a bent housing; 0: straight'), &
       key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
-         meaning='of the bend above the lower end of the component; needed with bend')]
+         meaning='of the bend above the lower end of the component; needed with bend'), &
+      key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
+         meaning='of a survey sensor above the lower end of the component; gives its sag correction')]
 
    type(key_rule_type), parameter :: strength_keys(7) = [ &
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &

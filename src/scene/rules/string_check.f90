@@ -28,6 +28,10 @@ contains
          call check_shortest('joint_length', part%joint_length)
          if (part%length > 0.0_wp .and. part%bend_position > part%length) call fault('bend_position', 'bend_position = '// &
             long(part%bend_position)//' is greater than length = '//long(part%length))
+         if (.not. is_missing(part%sensor) .and. part%length > 0.0_wp) then
+            if (part%sensor > part%length) call fault('sensor', 'sensor = '//long(part%sensor)//' is greater than length = '// &
+               long(part%length))
+         end if
          if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
          if (part%joint_od > 0.0_wp .and. part%joint_od < part%od) call fault('joint_od', 'joint_od = '//wide(part%joint_od)// &
             ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')

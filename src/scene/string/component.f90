@@ -49,6 +49,7 @@ module dg_component
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
       real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
       real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
+      real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
       real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
       type(centralizer_type) :: centralizer  !< on its body

@@ -25,9 +25,9 @@ module dg_bending_profile
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing, missing
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_moved_walls, only: firm, less_firm
-   use dg_trajectory, only: trajectory_type
+   use dg_trajectory, only: arc_at, frame_on_arc, inclination_of, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -107,6 +107,7 @@ contains
       result%moment_error = result%moment_error + alike       ! rows may be so far from the beam
       result%beam_nodes = size(beam%md)
       call take_bit(model%trajectory, mesh, beam, bent, result)
+      call take_sag(model, beam, bent, result)
       scale = contact_scale(lying%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
@@ -131,6 +132,45 @@ contains
          result%bit_side_clock = clock_in_hole(trajectory, arc, beam%place(n), push)
       end associate
    end subroutine take_bit
+
+   !> Inclination of the hole axis less that of the string at its lowest survey sensor. The string's direction is that of the hole
+   !> and the slopes y' across it: t + y_1' n_1 + y_2' n_2 (convention 3).
+   pure subroutine take_sag(model, beam, bent, result)
+      type(model_type), intent(in) :: model
+      type(bending_beam_type), intent(in) :: beam
+      type(bent_type), intent(in) :: bent
+      type(case_result_type), intent(inout) :: result
+      real(wp) :: md, shape(4, 1), t(3), n_1(3), n_2(3), along(3)
+      integer :: arc
+      md = sensor_depth(model, result%case_index)
+      if (is_missing(md) .or. md < beam%place(1) .or. md > beam%place(size(beam%place))) return
+      shape = shape_at(beam%place, bent%y, [md])
+      arc = arc_at(model%trajectory, md)
+      call frame_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, t, n_1, n_2)
+      along = t + shape(3, 1)*n_1 + shape(4, 1)*n_2
+      result%sag_correction = inclination_of(t) - inclination_of(along/norm2(along))
+      result%sensor_md = md
+   end subroutine take_sag
+
+   !> Measured depth of the lowest survey sensor of a load case's string [m]; missing without one.
+   pure function sensor_depth(model, case_index) result(md)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp) :: md
+      real(wp) :: lower
+      integer :: i
+      lower = model%cases(case_index)%bit_depth
+      md = missing
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         do i = 1, size(string%components)
+            if (.not. is_missing(string%components(i)%sensor)) then
+               md = lower - string%components(i)%sensor
+               return
+            end if
+            lower = lower - string%components(i)%length
+         end do
+      end associate
+   end function sensor_depth
 
    !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
    !> or one that is not the analysis' string.

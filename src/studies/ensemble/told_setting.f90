@@ -49,7 +49,7 @@ contains
       case ('tob'); unit = unit_moment
       case ('diameter', 'od', 'id', 'joint_od', 'opened_od', 'rated_hole', 'mud_sheath'); unit = unit_diameter
       case ('md_top', 'md_bottom', 'above_bit', 'length', 'joint_length', 'joint_spacing', 'spacing', 'first', &
-            'bend_position', 'opened_below', 'm'); unit = unit_length
+            'bend_position', 'sensor', 'opened_below', 'm'); unit = unit_length
       case ('mass'); unit = unit_mass
       case ('density'); unit = unit_density
       case ('youngs'); unit = unit_modulus
