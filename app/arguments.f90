@@ -2,14 +2,14 @@
 module dg_arguments
    use dg_error, only: error_type, raise, status_bad_input
    use dg_part_list, only: is_count, read_part_list
-   use dg_text, only: append_text, quoted, suggestion, text_type
+   use dg_text, only: append_text, lower_case, quoted, suggestion, text_type
    use dg_version, only: program_name
    implicit none
    private
    public :: arguments_type, read_arguments, usage_lines
 
    type :: arguments_type
-      character(:), allocatable :: deck
+      character(:), allocatable :: deck       !< '-': from standard input
       character(:), allocatable :: output_dir !< '': as the deck says
       integer :: threads = 0                  !< 0: as many as there are cores
       logical :: threads_given = .false.      !< else as the deck says
@@ -31,7 +31,7 @@ module dg_arguments
 
 contains
 
-   !> Reads the command line. Bad input: unknown option, option without its value, no deck or two.
+   !> Reads the command line. Bad input, one line each: unknown option, option without its value, no deck or two.
    subroutine read_arguments(arguments, error)
       type(arguments_type), intent(out) :: arguments
       type(error_type), allocatable, intent(out) :: error
@@ -55,12 +55,13 @@ contains
          end if
          if (index(word, '-') /= 1 .or. len(word) == 1 .or. only_decks) then
             if (arguments%deck /= '') then
-               call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'; give one')
+               call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'. Give one')
             else if (word == '') then
-               call refuse('the name of the deck is empty')
+               call refuse('the name of the deck is empty. Give a file')
             end if
             if (allocated(error)) return
             arguments%deck = word
+            if (only_decks .and. word == '-') arguments%deck = './-'
             cycle
          end if
          option = word
@@ -76,40 +77,42 @@ contains
                if (i <= command_argument_count()) value = argument(i)
             end if
             if (value == '') then
-               call refuse(option//' needs a value')
+               call refuse(option//' needs a value, as in '//option//' '//sample_of(option))
             else if (option == '--output') then
                arguments%output_dir = value
             else if (option == '--part') then
                call read_part(value)
             else if (option == '--merge') then
-               if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts; give 1 to 9999, as in --merge 4')
+               if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts. Give 1 to 9999, as in --merge 4')
                if (is_count(value)) read (value, *) arguments%merge
             else
                call read_threads(value)
             end if
-         case ('--again', '--check', '--quiet', '--help', '--version', '-h')
-            if (equals > 0) call refuse(option//' takes no value')
+         case ('--again', '--check', '--quiet', '--help', '--version', '-h', '-v')
+            if (equals > 0) call refuse(option//' takes no value. Write '//option)
             if (option == '--again') arguments%again = .true.
             if (option == '--check') arguments%check = .true.
             if (option == '--quiet') arguments%quiet = .true.
             if (option == '--help' .or. option == '-h') arguments%help = .true.
-            if (option == '--version') arguments%version = .true.
+            if (option == '--version' .or. option == '-v') arguments%version = .true.
          case ('--template', '--list-catalogue', '--convert')
-            if (equals > 0) call refuse(option//' takes no value')
-            if (arguments%action /= '') call refuse(option//' and --'//arguments%action//' go one at a time')
+            if (equals > 0) call refuse('after '//option//' comes a blank, not =')
+            if (arguments%action /= '') call refuse(option//' and --'//arguments%action//' exclude each other. Give one')
             arguments%action = option(3:)
          case default
-            call refuse('unknown option '//quoted(option)//'; '//suggestion(option, options))
+            call refuse('unknown option '//quoted(option)//', '//suggestion(option, options))
          end select
          if (allocated(error)) return
       end do
       if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
           .not. (arguments%help .or. arguments%version)) &
-         call refuse('no deck given')
-      if (arguments%deck /= '' .and. arguments%action == 'template') call refuse('--template takes no deck')
+         call refuse('no deck given. Write '//program_name//' DECK.nml')
+      if (arguments%deck /= '' .and. arguments%action == 'template' .and. lower_case(arguments%deck) /= 'si' .and. &
+          lower_case(arguments%deck) /= 'field') &
+         call refuse('--template takes no deck and no units '//quoted(arguments%deck)//'. Write --template SI or --template field')
 
       if (.not. allocated(error) .and. arguments%parts > 0 .and. arguments%merge > 0) &
-         call refuse('--part and --merge exclude each other: parts are joined when all are there')
+         call refuse('--part and --merge exclude each other. Join the parts when all are there')
 
    contains
 
@@ -118,13 +121,17 @@ contains
          character(*), intent(in) :: text
          character(:), allocatable :: failure
          call read_part_list(text, arguments%chosen, arguments%parts, failure)
-         if (failure /= '') call refuse('--part '//text//' is no part: '//failure//'; give i/n with i from 1 to n, as in '// &
+         if (failure /= '') call refuse('--part '//text//' is no part: '//failure//'. Give i/n with i from 1 to n, as in '// &
                                         '--part 2/4, or several, each once, as in --part 3,7-9/40')
       end subroutine read_part
 
       subroutine refuse(message)
          character(*), intent(in) :: message
-         call raise(error, status_bad_input, message)
+         character(:), allocatable :: end_mark
+         if (allocated(error)) return     ! the first fault is enough
+         end_mark = '.'
+         if (index('.?', message(len(message):)) > 0) end_mark = ''
+         call raise(error, status_bad_input, message//end_mark//' See '//program_name//' --help')
       end subroutine refuse
 
       subroutine read_threads(text)
@@ -133,10 +140,21 @@ contains
             read (text, *) arguments%threads
             arguments%threads_given = .true.
          else
-            call refuse('--threads '//text//' is no number of threads; give 0 (all cores) to 9999')
+            call refuse('--threads '//text//' is no number of threads. Give 0 (all cores) to 9999')
          end if
       end subroutine read_threads
    end subroutine read_arguments
+
+   !> A value that an option may have.
+   pure function sample_of(option) result(value)
+      character(*), intent(in) :: option
+      character(:), allocatable :: value
+      select case (option)
+      case ('--output'); value = 'results'
+      case ('--part'); value = '2/4'
+      case default; value = '4'
+      end select
+   end function sample_of
 
    !> One argument at its own length.
    function argument(number) result(word)
@@ -152,6 +170,7 @@ contains
    subroutine usage_lines(lines)
       type(text_type), allocatable, intent(out) :: lines(:)
       call append_text(lines, 'usage: '//program_name//' DECK.nml [options]')
+      call append_text(lines, '  DECK.nml       a deck; - reads it from standard input, with --output or output_dir in it')
       call append_text(lines, '  --check        read and validate the deck, print what would be run, solve nothing')
       call append_text(lines, '  --output DIR   folder of results instead of the deck''s output_dir')
       call append_text(lines, '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores')
@@ -161,9 +180,9 @@ contains
       call append_text(lines, '  --again        solve those points of sweeps and uncertainties again that did not converge,')
       call append_text(lines, '                 with the solver settings that DECK.nml has now; goes with --part and --merge')
       call append_text(lines, '  --quiet        no notes, no progress')
-      call append_text(lines, '  --help         this text')
-      call append_text(lines, '  --version      name and version')
-      call append_text(lines, 'or: '//program_name//' --template                    prints a commented deck to start from')
+      call append_text(lines, '  --help, -h     this text')
+      call append_text(lines, '  --version, -v  name and version')
+      call append_text(lines, 'or: '//program_name//' --template [SI|field]         prints a commented deck to start from')
       call append_text(lines, '    '//program_name//' --list-catalogue [PATTERN]    '// &
                        'prints the catalogue of pipe, or what has PATTERN in its name')
       call append_text(lines, '    '//program_name//' --convert DECK.nml            '// &

@@ -34,7 +34,6 @@ program main
    call read_arguments(arguments, error)
    if (allocated(error)) then
       call tell(error%message)
-      call tell_lines(usage)
       status = error%status
    else if (arguments%help) then
       call print_lines(usage)
@@ -75,18 +74,23 @@ contains
          return
       end if
       if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
+      if (job%output_dir == '') then
+         call tell(job%deck_path//': no folder of results is named. Give output_dir in &job, or --output DIR')
+         status = status_bad_input
+         return
+      end if
       job%quiet = arguments%quiet
       if (arguments%threads_given) job%threads = arguments%threads
       job%parts = arguments%parts
       job%merge = arguments%merge
       job%again = arguments%again
       if (max(job%parts, job%merge) > 0 .and. .not. have_points(studies)) then
-         call tell(arguments%deck//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
+         call tell(job%deck_path//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
          status = status_bad_input
          return
       end if
       if (job%again .and. .not. have_points(studies)) then
-         call tell(arguments%deck//' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by '// &
+         call tell(job%deck_path//' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by '// &
                    'every run: leave --again out')
          status = status_bad_input
          return

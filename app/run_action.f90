@@ -3,11 +3,11 @@ module dg_run_action
    use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_schema, only: group_keys_type
+   use dg_deck_source, only: read_source
    use dg_deck_template, only: deck_template
    use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
    use dg_fault_list, only: add_fault, fault_lines, fault_list_type
-   use dg_file_lines, only: read_lines
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -39,29 +39,32 @@ contains
       type(group_keys_type), allocatable :: groups(:)
       type(model_type) :: model
       type(job_type) :: job
-      character(:), allocatable :: failure
+      type(unit_system_type) :: units
+      character(:), allocatable :: name, failure
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
       select case (action)
       case ('template')
          call deck_groups(groups)
-         call deck_template(groups, lines)
+         units = si_units()
+         if (lower_case(operand) == 'field') units = field_units()
+         call deck_template(groups, units, lines)
          call print_lines(lines)
          status = status_ok
       case ('list-catalogue')
          call list_catalogue(operand, status)
       case ('convert')
-         call read_lines(operand, deck, failure, piped=.true.)
+         call read_source(operand, name, deck, failure)
          if (failure /= '') then
-            call add_fault(faults, operand, 0, 'deck '//failure)
+            call add_fault(faults, name, 0, 'deck '//failure)
          else
-            call build_deck(operand, deck, model, job, notes, faults)
+            call build_deck(name, deck, model, job, notes, faults)
          end if
          if (faults%count > 0) then
             call tell_lines(fault_lines(faults))
             status = status_bad_input
          else
             call deck_groups(groups)
-            call convert_deck(operand, deck, job%units, groups, lines)
+            call convert_deck(name, deck, job%units, groups, lines)
             call print_deck(lines)
             status = status_ok
          end if

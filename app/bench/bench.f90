@@ -1,13 +1,12 @@
 !> Prints what solutions cost: whole cases, what the program takes beside them, growth with size, memory, phases of an iteration,
 !> linear solvers; orders of convergence; what the stiffness of the wall changes; and errors against cost of each fidelity on the
 !> sample decks.
-!> `fpm run bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
+!> `fpm run --example bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
 !> it and without it. `-- against PROGRAM [DECK ...]` runs them by this program and by another one, as an earlier commit built it,
 !> in turns, and prints ratios. `-- trade [DECK ...]` prints errors against cost of each fidelity alone, for these decks or the
-!> wells of input/. Given any other argument it does nothing: `fpm run -- DECK` starts every program of the manifest
-!> with that argument.
+!> wells of input/. Any other argument is refused.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
    use dg_bench_against, only: print_against
@@ -76,6 +75,9 @@ program bench
       else
          call print_trade(decks)
       end if
+   else
+      write (error_unit, '(a)') 'bench: unknown argument '//trim(arguments(1))//'. Give ablation, against PROGRAM or trade'
+      error stop 2
    end if
 
 contains

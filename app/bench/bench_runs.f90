@@ -32,6 +32,9 @@ contains
       end if
       path = own(:last)//'drillgap'
       inquire (file=path, exist=is)
+      if (is) return
+      path = own(:last)//'../app/drillgap'     ! where fpm builds it
+      inquire (file=path, exist=is)
       if (.not. is) path = ''
    end function program_beside
 

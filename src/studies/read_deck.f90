@@ -2,8 +2,8 @@
 module dg_read_deck
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: group_keys_type
+   use dg_deck_source, only: read_source
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_file_lines, only: read_lines
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_open_deck, only: close_deck, open_deck
@@ -15,7 +15,7 @@ module dg_read_deck
 
 contains
 
-   !> Reads the deck `path`. `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
+   !> Reads the deck `path` ('-': standard input). `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
    !> is legal but hardly meant.
    subroutine read_deck(path, model, job, notes, faults, studies)
       character(*), intent(in) :: path
@@ -25,14 +25,14 @@ contains
       type(fault_list_type), intent(out) :: faults
       type(studies_type), intent(out), optional :: studies   !< that the deck asks for
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: failure
+      character(:), allocatable :: name, failure
       allocate (notes(0))
-      call read_lines(path, lines, failure, piped=.true.)
+      call read_source(path, name, lines, failure)
       if (failure /= '') then
-         call add_fault(faults, path, 0, 'deck '//failure)
+         call add_fault(faults, name, 0, 'deck '//failure)
          return
       end if
-      call build_deck(path, lines, model, job, notes, faults, studies)
+      call build_deck(name, lines, model, job, notes, faults, studies)
    end subroutine read_deck
 
    !> The same of a deck whose lines are read already: a pipe gives them once.

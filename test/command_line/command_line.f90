@@ -39,12 +39,14 @@ contains
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
+      use dg_test_hints, only: hints_suite
       use dg_test_unusual_decks, only: unusual_decks_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
       call suite%addTest(actions_suite())
       call suite%addTest(bad_decks_suite())
       call suite%addTest(bounds_suite())
+      call suite%addTest(hints_suite())
       call suite%addTest(odd_decks_suite())
       call suite%addTest(unusual_decks_suite())
       call suite%addTest(program_suite())

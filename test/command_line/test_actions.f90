@@ -21,11 +21,13 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('actions')
       call suite%addTest(TestMethod('template', test_template))
+      call suite%addTest(TestMethod('template_in_field_units', test_field_template))
       call suite%addTest(TestMethod('list_catalogue', test_list))
       call suite%addTest(TestMethod('pipe_of_the_catalogue', test_catalogue))
       call suite%addTest(TestMethod('catalogue_within', test_within))
       call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
       call suite%addTest(TestMethod('convert', test_convert))
+      call suite%addTest(TestMethod('convert_comments', test_convert_comments))
       call suite%addTest(TestMethod('convert_what_is_not_said', test_convert_unsaid))
    end function actions_suite
 
@@ -49,6 +51,32 @@ contains
       run = run_program('--template deck.nml')
       call assertEqual(2, run%status)
    end subroutine test_template
+
+   !> The template in field units runs, with field numbers in its values, defaults and ranges.
+   subroutine test_field_template()
+      type(run_type) :: run
+      integer :: status
+      call clear_scratch()
+      run = run_program('--template field')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, "units = 'field'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'density = 65.51142') > 0, message='default of steel in lbm/gal')
+      call assertTrue(index(run%output, '[0 to 164040 ft]') > 0, message='range of a depth')
+      call assertEqual(0, index(run%output, ' kN]'), message='no range in kN')
+      call execute_command_line('cp '//scratch//'/output.txt '//scratch//'/template.nml', exitstat=status)
+      run = run_program(scratch//'/template.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'od 5 in') > 0, message=run%output)
+      call assertEqual(0, index(run%output, newline//'note'), message=run%output)
+      run = run_program(scratch//'/template.nml --quiet --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call execute_command_line("sed -E 's/^! ([a-z_]+ = [^ ].*)$/\1/; /^! &/,/^! \//s/^([a-z_]+ = )/! \1/' "//scratch// &
+                                '/template.nml > '//scratch//'/whole.nml', exitstat=status)
+      run = run_program(scratch//'/whole.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program('--template metres')
+      call assertEqual(2, run%status)
+   end subroutine test_field_template
 
    subroutine test_list()
       type(run_type) :: run
@@ -98,6 +126,14 @@ contains
       call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
       call refuse("catalogue = 'DP 5 19.5 NC50 S-135'", "did you mean 'DP 5 19.50 NC50 S135'?")
       call refuse("catalogue = 'something else altogether'", '--list-catalogue lists what it has')
+      ! by kind, size, weight and grade, then by connection: never heavy weight pipe for drill pipe
+      call refuse("catalogue = 'DP 5 19.5 S-135'", "has no 'DP 5 19.5 S-135'; did you mean 'DP 5 19.50 NC50 S135', 'DP 5 19.50 "// &
+                  "5-1/2 FH S135', 'DP 5 19.50 NC50 6-3/8x3-3/4 S135',")
+      call refuse("catalogue = 'HWDP 5 49.30 NC50'", "did you mean 'HWDP 5 49.3'?")
+      call refuse("catalogue = 'casing 9 5/8 47#'", "did you mean 'CSG 9-5/8 47.00'?")
+      call refuse("catalogue = 'drillpipe 5-1/2 21.9 FH S135'", "did you mean 'DP 5-1/2 21.90 FH S135'?")
+      call refuse("catalogue = '5"" 49.3#'", "did you mean 'HWDP 5 49.3'?")
+      call refuse("catalogue = 'DP 7 20'", '--list-catalogue dp lists what it has')
       call refuse("catalogue = 'S135'", "input/catalogue.csv has no 'S135'")
       call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")
       call refuse("name = 'pipe'", 'key od is missing')
@@ -131,6 +167,25 @@ contains
       run = run_program('--convert')
       call assertEqual(2, run%status)
    end subroutine test_convert
+
+   !> Ranges and keys in the comments of a template are in the units of the converted deck, and as in a template of these units.
+   subroutine test_convert_comments()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program('--template')
+      call keep('si.nml')
+      run = run_program('--convert '//scratch//'/si.nml')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '[0 to 164040 ft]') > 0, message=run%output)
+      call assertTrue(index(run%output, '[> 0 and <= 22481 klbf]') > 0, message=run%output)
+      call assertEqual(0, index(run%output, ' m]'), message='no range in m')
+      call assertEqual(0, index(run%output, ' kN]'), message='no range in kN')
+      call assertTrue(index(run%output, '! joint_spacing = 31.16798 ') > 0, message='a default that is a comment')
+      call assertTrue(index(run%output, '[0 to 100 m/s2]') > 0, message='one unit in both systems')
+      call keep('field.nml')
+      run = run_program(scratch//'/field.nml --check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine test_convert_comments
 
    !> A survey file without units, a deck without &job: what the deck left unsaid is said.
    subroutine test_convert_unsaid()

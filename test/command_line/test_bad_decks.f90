@@ -135,7 +135,7 @@ contains
       call refuse("'soft'", "'sofd'", 1, "models = 'sofd' is unknown; did you mean 'soft'?")
       call refuse("'centred'", "'fixed'", 15, "top_lateral = 'fixed' is unknown; legal: centred, free")
       call refuse("operation = 'up'", "operation = 'sideways'", 16, "operation = 'sideways' is unknown; legal: trip_out")
-      call refuse("operation = 'sliding'", "operation = 'slidign'", 18, "did you mean 'sliding'?")
+      call refuse("operation = 'sliding'", "operation = 'slidign'", 18, "did you mean 'sliding_drilling'?")
       call refuse("azi = 3*10.0", "azi = 3*10.0, interpolation = 'splin'", 5, "did you mean 'spline'?")
       call refuse("element_length = 10.0", "gap_location = 'node'", 20, "did you mean 'nodes'?")
       call refuse("element_length = 10.0", "fidelity = 'referense'", 20, "did you mean 'reference'?")

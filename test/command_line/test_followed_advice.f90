@@ -83,10 +83,10 @@ contains
 
    !> Arguments of the program.
    subroutine test_arguments()
-      call obey('--threads many', 'give 0 (all cores) to 9999', '--threads 0')
-      call obey('--part 5/4', 'give i/n with i from 1 to n, as in --part 2/4', '--part 2/4')
-      call obey('--merge x', 'give 1 to 9999, as in --merge 4', '--merge 4')
-      call obey('other.nml', '; give one', '')
+      call obey('--threads many', 'Give 0 (all cores) to 9999', '--threads 0')
+      call obey('--part 5/4', 'Give i/n with i from 1 to n, as in --part 2/4', '--part 2/4')
+      call obey('--merge x', 'Give 1 to 9999, as in --merge 4', '--merge 4')
+      call obey('other.nml', '. Give one', '')
       call obey('--chekc', "did you mean '--check'?", '--check')
    contains
       subroutine obey(option, expected, remedy)

@@ -46,7 +46,8 @@ contains
                   "azi(2) = 10, azi(3) = 10")
       call follow("'a deck'", "a_deck", "write title = 'a_deck'", "a_deck", "'a_deck'")
       call follow("name = 's'", "name = ''", "name is empty; give a text", "name = ''", "name = 's'")
-      call follow("operation = 'sliding'", "operation = 'slidign'", "did you mean 'sliding'?", "slidign", "sliding")
+      call follow("operation = 'sliding'", "operation = 'slidign'", "did you mean 'sliding_drilling'?", "slidign", &
+                  "sliding_drilling")
       call follow("md_bottom = 400.0", "md_botom = 400.0", "did you mean 'md_bottom'?", "md_botom", "md_bottom")
       call follow("&boundary", "&boundry", "did you mean 'boundary'?", "boundry", "boundary")
       call follow("element_length = 10.0", "history = yes", "write .true. or .false.", "yes", ".true.")

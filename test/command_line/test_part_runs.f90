@@ -165,8 +165,9 @@ contains
          type(run_type) :: run
          run = run_deck_text(good_deck()//group, '--part '//list)
          call assertEqual(2, run%status, message=list)
-         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is no part: '//wanted//'; give i/n with i from '// &
-                               '1 to n, as in --part 2/4, or several, each once, as in --part 3,7-9/40'//newline) == 1, &
+         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is no part: '//wanted//'. Give i/n with i from '// &
+                               '1 to n, as in --part 2/4, or several, each once, as in --part 3,7-9/40. See drillgap --help'// &
+                               newline) == 1, &
                          message=list//'; got '//run%diagnostics)
          call assertFalse(run%has_results, message='no folder of results: '//list)
       end subroutine refuse

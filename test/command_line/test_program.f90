@@ -44,7 +44,8 @@ contains
       run = run_program('')
       call assertEqual(2, run%status)
       call assertTrue(index(run%diagnostics, 'no deck given') > 0, message=run%diagnostics)
-      call assertTrue(index(run%diagnostics, 'usage: drillgap DECK.nml') > 0, message=run%diagnostics)
+      call assertEqual(len(run%diagnostics), index(run%diagnostics, newline), message='one line: '//run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'See drillgap --help') > 0, message=run%diagnostics)
       call assertEqual('', run%output)
    end subroutine test_no_deck
 
@@ -54,6 +55,12 @@ contains
       run = run_program('--version')
       call assertEqual(0, run%status)
       call assertEqual('drillgap 0.2.0'//newline, run%output)
+      run = run_program('-v')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual('drillgap 0.2.0'//newline, run%output)
+      run = run_program('-h')
+      call assertEqual(0, run%status)
+      call assertTrue(index(run%output, 'usage: drillgap DECK.nml') == 1, message=run%output)
       run = run_program('--help')
       call assertEqual(0, run%status)
       call assertTrue(index(run%output, 'usage: drillgap DECK.nml') == 1, message=run%output)
@@ -62,11 +69,11 @@ contains
 
    subroutine test_bad_options()
       call clear_scratch()
-      call refuse('deck.nml --chekc', "unknown option '--chekc'; did you mean '--check'?")
+      call refuse('deck.nml --chekc', "unknown option '--chekc', did you mean '--check'?")
       call refuse('deck.nml --output', '--output needs a value')
       call refuse('deck.nml --threads two', '--threads two is no number of threads')
       call refuse('deck.nml --quiet=yes', '--quiet takes no value')
-      call refuse('deck.nml other.nml', "two decks, 'deck.nml' and 'other.nml'; give one")
+      call refuse('deck.nml other.nml', "two decks, 'deck.nml' and 'other.nml'. Give one")
    end subroutine test_bad_options
 
    subroutine refuse(arguments, expected)

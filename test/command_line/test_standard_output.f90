@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('reader_gone', test_reader_gone))
       call suite%addTest(TestMethod('closed', test_closed))
       call suite%addTest(TestMethod('deck_from_a_pipe', test_pipe))
+      call suite%addTest(TestMethod('deck_called_dash', test_dash))
       call suite%addTest(TestMethod('control_bytes', test_control_bytes))
       call suite%addTest(TestMethod('messages_to_nobody', test_messages))
    end function standard_output_suite
@@ -73,6 +74,37 @@ contains
       call assertEqual(0, status)
       call assertTrue(index(content(results_path//'/summary.csv'), ',converged,') > 0)
    end subroutine test_pipe
+
+   !> `drillgap -`: paths of the deck are relative to the working folder, and its results need a folder.
+   subroutine test_dash()
+      type(run_type) :: run
+      character(:), allocatable :: from
+      integer :: status
+      run = run_deck_text(good_deck(), '--check')
+      from = ' < '//deck_path
+      run = run_program('-'//from)
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'Give output_dir in &job, or --output DIR') > 0, message=run%diagnostics)
+      run = run_program('- --output '//results_path//from)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(run%has_results)
+      run = run_program('- --check --output '//results_path//from)
+      call assertTrue(index(run%output, 'check of standard input: no fault found') > 0, message=run%output)
+      run = run_program('--convert -'//from)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, '! standard input with numbers in field units') == 1, message=run%output)
+      status = shell("printf '%s\n' 'md inc azi' '0 0 0' '900 30 0' > "//scratch//'/path.txt')
+      call assertEqual(0, status)
+      status = shell("printf '%s\n' ""&trajectory survey_file = '"//scratch//"/path.txt', survey_units = 'SI' /"" '&hole "// &
+                     "diameter = 215.9 /' '&component od = 127 /' ""&load_case name = 'u', operation = 'up', "// &
+                     'bit_depth = 900 /" > '//scratch//'/path.nml')
+      call assertEqual(0, status)
+      run = run_program('- --check --output '//results_path//' < '//scratch//'/path.nml')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      run = run_program('- --check < /dev/null')
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, 'standard input: deck cannot be read') > 0, message=run%diagnostics)
+   end subroutine test_dash
 
    !> In a title, a label, a name, a file's name; C1 as UTF-8 has it; letters stay.
    subroutine test_control_bytes()

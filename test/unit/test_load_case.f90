@@ -40,6 +40,22 @@ contains
       call assertEqual(operation_trip_in, operation_from_name('down'))
       call assertEqual(operation_rotary_drilling, operation_from_name('rotary'))
       call assertEqual(operation_sliding_drilling, operation_from_name('sliding'))
+      ! of the rig: letter case, blanks, hyphens and underscores do not count
+      call assertEqual(operation_trip_out, operation_from_name('pick_up'))
+      call assertEqual(operation_trip_out, operation_from_name('PICKUP'))
+      call assertEqual(operation_trip_out, operation_from_name('pooh'))
+      call assertEqual(operation_trip_out, operation_from_name('Pull-out'))
+      call assertEqual(operation_trip_in, operation_from_name('slackoff'))
+      call assertEqual(operation_trip_in, operation_from_name('RIH'))
+      call assertEqual(operation_trip_in, operation_from_name('running in'))
+      call assertEqual(operation_rotary_drilling, operation_from_name('drilling'))
+      call assertEqual(operation_rotary_drilling, operation_from_name('rotate_on_bottom'))
+      call assertEqual(operation_sliding_drilling, operation_from_name('slide'))
+      call assertEqual(operation_rotate_off_bottom, operation_from_name('ROB'))
+      call assertEqual(operation_rotate_off_bottom, operation_from_name('rotating'))
+      call assertEqual(operation_ream, operation_from_name('reaming'))
+      call assertEqual(operation_backream, operation_from_name('back_reaming'))
+      call assertEqual(0, operation_from_name('overpull'))
    end subroutine test_aliases
 
    subroutine test_optional_numbers()

@@ -2,11 +2,12 @@
 !> the defaults.
 module dg_deck_catalogue
    use dg_kinds, only: wp
-   use dg_catalogue, only: catalogue_type, find_catalogue, find_entry, kind_of_grades, number_of, numeric_keys, read_catalogue
+   use dg_catalogue, only: catalogue_type, find_catalogue, find_entry, number_of, numeric_keys, read_catalogue
+   use dg_catalogue_advice, only: catalogue_advice
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, text_of
    use dg_deck_keys, only: key_place
    use dg_fault_list, only: add_fault, fault_at, fault_list_type, fault_type
-   use dg_text, only: append_text, quoted, suggestion
+   use dg_text, only: append_text, quoted
    implicit none
    private
    public :: fill_from_catalogue
@@ -63,7 +64,7 @@ contains
       call find_entry(catalogue, name, entry, grade)
       if (entry == 0) then
          call add_fault(faults, path, line_of(group, 'catalogue'), 'group &component: '//catalogue%path//' has no '// &
-                        quoted(name)//'; '//advice(catalogue, name))
+                        quoted(name)//'; '//catalogue_advice(catalogue, name))
          return
       end if
       do key = 1, size(numeric_keys)
@@ -95,28 +96,4 @@ contains
          group%values(k)%sound = .true.
       end subroutine fill_text
    end subroutine fill
-
-   !> The entry most like a name, a pipe with a grade among them, or how to list all.
-   function advice(catalogue, name) result(text)
-      type(catalogue_type), intent(in) :: catalogue
-      character(*), intent(in) :: name
-      character(:), allocatable :: text
-      integer, parameter :: longest = 80
-      character(longest), allocatable :: names(:), graded(:)
-      integer :: i, k
-      allocate (names(0))
-      associate (entries => catalogue%entries)
-         do i = 1, size(entries)
-            if (entries(i)%kind == kind_of_grades) cycle
-            names = [character(longest) :: names, entries(i)%name]
-         end do
-         allocate (graded, source=names)
-         do k = 1, size(entries)
-            if (entries(k)%kind /= kind_of_grades) cycle
-            graded = [character(longest) :: graded, (trim(names(i))//' '//entries(k)%name, i=1, size(names))]
-         end do
-      end associate
-      text = suggestion(name, graded)
-      if (index(text, 'legal:') == 1) text = '--list-catalogue lists what it has'
-   end function advice
 end module dg_deck_catalogue

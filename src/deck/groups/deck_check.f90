@@ -19,7 +19,8 @@ module dg_deck_check
    public :: close_holes, check_draft, check_case, tell_faults
 
    !> What a message says of a component that is too wide.
-   character(*), parameter :: passes_not = 'does not pass'
+   !> Words of check_passage, up to the case.
+   character(*), parameter :: passes_not = 'does not pass', case_mark = ') in '
 
 contains
 
@@ -268,20 +269,22 @@ contains
                line = merge(item%line_string, item%line_depth, fault%key == 'string')
             end if
             call fault_words(fault, 'line '//to_text(line_of_part(draft, fault%other, fault%other_place, '')), words)
-            ! one case is enough to show that a component is too wide
-            if (index(words, passes_not) > 0 .and. said_of(line)) cycle
+            ! one case is enough to show that a component is too wide for a hole section
+            if (index(words, passes_not) > 0 .and. said_of(line, words)) cycle
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
       found%count = 0
    contains
-      function said_of(number) result(said)
+      function said_of(number, new) result(said)
          integer, intent(in) :: number
+         character(*), intent(in) :: new         !< message, which is the same up to the name of the case
          logical :: said
          integer :: k
          said = .false.
          do k = 1, faults%count
-            if (faults%items(k)%line == number .and. index(faults%items(k)%message, passes_not) > 0) said = .true.
+            if (faults%items(k)%line == number .and. &
+                index(faults%items(k)%message, new(:index(new, case_mark) + len(case_mark) - 1)) > 0) said = .true.
          end do
       end function said_of
    end subroutine tell_faults

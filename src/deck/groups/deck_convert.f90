@@ -1,10 +1,13 @@
-!> A deck in the other system of units: numbers change in place, all else of the text stays, comments too.
+!> A deck in the other system of units: numbers change in place, in ranges and keys that are comments too.
+!> All else of the text stays.
 module dg_deck_convert
    use dg_kinds, only: wp
+   use dg_deck_comment, only: convert_comments, shortest
    use dg_deck_number, only: read_real
    use dg_deck_schema, only: group_keys_type, group_place, key_rule_type, kind_real
    use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
-   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_load_case, only: operation_from_name, operation_name
+   use dg_text, only: append_text, lower_case, text_type
    use dg_unit_kind, only: unit_factor
    use dg_units, only: field_units, si_units, unit_system_type
    use dg_version, only: program_name
@@ -12,10 +15,8 @@ module dg_deck_convert
    private
    public :: convert_deck
 
-   !> A number is written with the fewest digits that are this near to it [-]: 0.3 mm in 3000 m, and 1500 m is 1500 m again after a
-   !> conversion to and fro.
-   real(wp), parameter :: near = 1.0e-7_wp
-   integer, parameter :: most_digits = 9
+   !> Keys of operations, which get their long names.
+   character(*), parameter :: operation_keys = ' operation operations measured_operations '
 
 contains
 
@@ -38,10 +39,11 @@ contains
       call tokenize(deck, tokens)
       has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
       call convert_tokens(tokens, units, other, groups, deck)
+      call convert_comments(units, other, groups, deck)
       if (allocated(lines)) deallocate (lines)
       allocate (lines(0))
       call append_text(lines, '! '//path//' with numbers in '//trim(other%name)//' units, by '//program_name// &
-                       '; comments are as they were.')
+                       '. Sentences in comments are as they were.')
       if (.not. has_job) call append_text(lines, "&job units = '"//trim(other%name)//"' /")
       do i = 1, size(deck)
          call append_text(lines, deck(i)%text)
@@ -78,6 +80,9 @@ contains
             case (token_group)
                new = '&'//token%text//added(i)
             case (token_text)
+               if (index(operation_keys, ' '//key_of(i)%text//' ') > 0 .and. operation_from_name(token%text) > 0) &
+                  new = count_of(lines(token%line)%text(token%first:token%last))// &
+                        "'"//trim(operation_name(operation_from_name(token%text)))//"'"
                if (group_of(i)%text == 'job' .and. key_of(i)%text == 'units') new = "'"//trim(other%name)//"'"
             case (token_word)
                if (.not. is_key(tokens, i)) new = converted(token, lines(token%line)%text(token%first:token%last))
@@ -89,6 +94,13 @@ contains
       end do
 
    contains
+
+      !> The count before a value, with its *; '' where there is none.
+      pure function count_of(written) result(text)
+         character(*), intent(in) :: written
+         character(:), allocatable :: text
+         text = written(:index(written, '*'))
+      end function count_of
 
       !> A number in the other units, its count before it; '' where it stays as it is.
       pure function converted(token, written) result(new)
@@ -144,19 +156,6 @@ contains
          end do
       end function has
    end subroutine convert_tokens
-
-   !> A number as text, as a person would write it.
-   pure function shortest(number) result(text)
-      real(wp), intent(in) :: number
-      character(:), allocatable :: text
-      real(wp) :: back
-      integer :: digits
-      do digits = 1, most_digits
-         text = to_text(number, digits)
-         read (text, *) back
-         if (abs(back - number) <= near*abs(number)) return
-      end do
-   end function shortest
 
    !> Whether a token is a key: a word before =.
    pure function is_key(tokens, i) result(is)

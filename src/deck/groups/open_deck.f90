@@ -19,15 +19,17 @@ module dg_open_deck
    use dg_deck_survey, only: read_stations
    use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_tie_on, only: tie_on
+   use dg_deck_source, only: default_folder, input_path
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize
    use dg_deck_values, only: check_group
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: beside
+   use dg_foreign_names, only: group_advice
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, lower_case, suggestion, to_text
+   use dg_text, only: append_text, text_type, lower_case, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    use dg_unusual_input, only: note_unusual
    use dg_units, only: unit_system_type, si_units, field_units
@@ -122,7 +124,7 @@ contains
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
-                           suggestion(groups(i)%name, names))
+                           group_advice(groups(i)%name, names))
             cycle
          end if
          if (.not. rules(k)%rule%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
@@ -158,7 +160,7 @@ contains
       character(*), intent(in) :: catalogue
       type(text_type), allocatable :: inputs(:)
       integer :: i
-      call append_text(inputs, path)
+      call append_text(inputs, input_path(path))
       do i = 1, size(groups)
          if (groups(i)%name /= 'trajectory') cycle
          if (text_of(groups(i), 'survey_file', '') /= '') &
@@ -275,18 +277,6 @@ contains
          length = length + len(lines(i)%text) + 1
       end do
    end function text_of_lines
-
-   !> output/<name of the deck without .nml>.
-   pure function default_folder(path) result(folder)
-      character(*), intent(in) :: path
-      character(:), allocatable :: folder
-      character(:), allocatable :: name
-      name = path(index(path, '/', back=.true.) + 1:)
-      if (len(name) > 4) then
-         if (lower_case(name(len(name) - 3:)) == '.nml') name = name(:len(name) - 4)
-      end if
-      folder = 'output/'//name
-   end function default_folder
 
    !> Fills the draft from all groups but &job.
    subroutine take_draft(groups, draft, faults)

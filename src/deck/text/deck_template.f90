@@ -2,10 +2,12 @@
 !> from the tables of keys, so that it names all of them.
 module dg_deck_template
    use dg_deck_keys, only: operation_words
-   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_text, listed, range_text
-   use dg_text, only: append_text, text_type
-   use dg_unit_kind, only: unit_label, unit_none
-   use dg_units, only: si_units
+   use dg_deck_number, only: read_real
+   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_real, kind_text, listed, range_text
+   use dg_kinds, only: wp
+   use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_factor, unit_label, unit_none
+   use dg_units, only: si_units, unit_system_type
    use dg_version, only: program_name, program_version
    implicit none
    private
@@ -16,62 +18,72 @@ module dg_deck_template
       character(12) :: group = ''
       integer :: copy = 1              !< of a group that stands several times
       character(20) :: key = ''
-      character(60) :: value = ''
+      character(60) :: value = ''      !< in units of SI
+      character(60) :: field = ''      !< in field units; '': the same
    end type example_type
 
    type(example_type), parameter :: examples(*) = [ &
       example_type('job', 1, 'title', '''My well'''), &
-      example_type('job', 1, 'units', '''SI'''), &
+      example_type('job', 1, 'units', '''SI''', '''field'''), &
       example_type('job', 1, 'models', '''mcge'', ''soft'''), &
-      example_type('trajectory', 1, 'md', '0, 600, 1500, 2400'), &
+      example_type('trajectory', 1, 'md', '0, 600, 1500, 2400', '0, 2000, 5000, 8000'), &
       example_type('trajectory', 1, 'inc', '0, 0, 60, 60'), &
       example_type('trajectory', 1, 'azi', '45, 45, 45, 45'), &
       example_type('hole', 1, 'name', '''casing'''), &
       example_type('hole', 1, 'md_top', '0'), &
-      example_type('hole', 1, 'md_bottom', '1500'), &
-      example_type('hole', 1, 'diameter', '224.4'), &
+      example_type('hole', 1, 'md_bottom', '1500', '5000'), &
+      example_type('hole', 1, 'diameter', '224.4', '8.835'), &
       example_type('hole', 1, 'friction', '0.20'), &
       example_type('hole', 2, 'name', '''open hole'''), &
-      example_type('hole', 2, 'md_bottom', '2400'), &
-      example_type('hole', 2, 'diameter', '215.9'), &
+      example_type('hole', 2, 'md_bottom', '2400', '8000'), &
+      example_type('hole', 2, 'diameter', '215.9', '8.5'), &
       example_type('hole', 2, 'friction', '0.30'), &
-      example_type('fluid', 1, 'density', '1200'), &
+      example_type('fluid', 1, 'density', '1200', '10'), &
       example_type('component', 1, 'name', '''collars'''), &
       example_type('component', 1, 'kind', '''collar'''), &
-      example_type('component', 1, 'length', '120'), &
-      example_type('component', 1, 'od', '165.1'), &
-      example_type('component', 1, 'id', '71.4'), &
+      example_type('component', 1, 'length', '120', '400'), &
+      example_type('component', 1, 'od', '165.1', '6.5'), &
+      example_type('component', 1, 'id', '71.4', '2.8125'), &
       example_type('component', 2, 'name', '''drill pipe'''), &
-      example_type('component', 2, 'od', '127.0'), &
-      example_type('component', 2, 'id', '108.6'), &
-      example_type('component', 2, 'mass', '31.9'), &
-      example_type('component', 2, 'joint_od', '161.9'), &
-      example_type('component', 2, 'yield', '931'), &
+      example_type('component', 2, 'od', '127.0', '5'), &
+      example_type('component', 2, 'id', '108.6', '4.276'), &
+      example_type('component', 2, 'mass', '31.9', '20.87'), &
+      example_type('component', 2, 'joint_od', '161.9', '6.625'), &
+      example_type('component', 2, 'yield', '931', '135'), &
       example_type('load_case', 1, 'name', '''up'''), &
       example_type('load_case', 1, 'operation', '''trip_out'''), &
-      example_type('load_case', 1, 'bit_depth', '2400'), &
+      example_type('load_case', 1, 'bit_depth', '2400', '8000'), &
       example_type('load_case', 2, 'name', '''drill'''), &
       example_type('load_case', 2, 'operation', '''rotary_drilling'''), &
-      example_type('load_case', 2, 'bit_depth', '2400'), &
-      example_type('load_case', 2, 'wob', '50'), &
-      example_type('load_case', 2, 'tob', '3')]
+      example_type('load_case', 2, 'bit_depth', '2400', '8000'), &
+      example_type('load_case', 2, 'wob', '50', '12'), &
+      example_type('load_case', 2, 'tob', '3', '2')]
 
    !> Column at which what is said of a key begins.
    integer, parameter :: remark_column = 42
+   !> Significant digits of a default that is not stated in the units of the deck.
+   integer, parameter :: default_digits = 7
    !> Letters of a remark in one line.
    integer, parameter :: remark_width = 76
 
 contains
 
    !> The lines of the template.
-   subroutine deck_template(groups, lines)
+   subroutine deck_template(groups, units, lines)
       type(group_keys_type), intent(in) :: groups(:)     !< that a deck may have, with their keys
+      type(unit_system_type), intent(in) :: units        !< of the deck
       type(text_type), allocatable, intent(out) :: lines(:)
       integer :: i, copy, copies
       allocate (lines(0))
       call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
-      call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told; in')
-      call append_text(lines, '! &job the key units = ''field'' takes ft, in, lbm and klbf instead. Groups may come in any order.')
+      call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told.')
+      if (units%name == 'field') then
+         call append_text(lines, '! `'//program_name//' --template SI` prints one in m, mm, kg and kN. '// &
+                          'Groups may come in any order.')
+      else
+         call append_text(lines, '! `'//program_name//' --template field` prints one in ft, in, lbm and klbf. '// &
+                          'Groups may come in any order.')
+      end if
       do i = 1, size(groups)
          copies = 0
          if (any(examples%group == groups(i)%rule%name)) &
@@ -80,9 +92,9 @@ contains
          call append_text(lines, '')
          call append_text(lines, head(i))
          do copy = 1, copies
-            call append_group(lines, groups(i), copy, with_rest=copy == copies, commented=.false.)
+            call append_group(lines, groups(i), units, copy, with_rest=copy == copies, commented=.false.)
          end do
-         if (copies == 0) call append_group(lines, groups(i), 1, with_rest=.true., commented=.true.)
+         if (copies == 0) call append_group(lines, groups(i), units, 1, with_rest=.true., commented=.true.)
       end do
 
    contains
@@ -96,9 +108,10 @@ contains
    end subroutine deck_template
 
    !> One group: the keys that it gives, then, `with_rest`, the others as comments.
-   subroutine append_group(lines, group, copy, with_rest, commented)
+   subroutine append_group(lines, group, units, copy, with_rest, commented)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(group_keys_type), intent(in) :: group
+      type(unit_system_type), intent(in) :: units
       integer, intent(in) :: copy
       logical, intent(in) :: with_rest
       logical, intent(in) :: commented         !< the whole group
@@ -112,25 +125,29 @@ contains
             if (examples(i)%group == group%rule%name .and. examples(i)%copy == copy .and. examples(i)%key == group%keys(k)%key) exit
          end do
          if (i <= size(examples)) then
-            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//trim(examples(i)%value), group%keys(k))
+            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//value_of(examples(i), units), &
+                            group%keys(k), units)
          else if (with_rest .and. trim(group%keys(k)%later) /= '*') then
-            call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k)), group%keys(k))
+            call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k), units), group%keys(k), units)
          end if
       end do
       call append_text(lines, mark//'/')
    end subroutine append_group
 
    !> A line of a key with its meaning, unit and legal values behind it, and below it where they are long.
-   pure subroutine append_key(lines, start, rule)
+   pure subroutine append_key(lines, start, rule, units)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: start
       type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
       character(:), allocatable :: line, rest
-      integer :: cut
+      integer :: cut, bracket
       line = start//repeat(' ', max(1, remark_column - len(start)))//'! '
-      rest = remark_of(rule)
+      rest = remark_of(rule, units)
       do while (len(rest) > remark_width)
          cut = index(rest(:remark_width + 1), ' ', back=.true.)
+         bracket = index(rest(:cut), '[', back=.true.)      ! a range stays in one line
+         if (bracket > 1 .and. index(rest(bracket + 1:cut), ']') == 0) cut = bracket - 1
          if (cut == 0) exit
          call append_text(lines, line//rest(:cut - 1))
          rest = rest(cut + 1:)
@@ -140,27 +157,44 @@ contains
    end subroutine append_key
 
    !> Meaning, unit and legal values of a key.
-   pure function remark_of(rule) result(line)
+   pure function remark_of(rule, units) result(line)
       type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
       character(:), allocatable :: line
       line = trim(rule%meaning)
       if (rule%choices == '*') then
          line = line//': '//listed(operation_words())
       else if (rule%choices /= '') then
          line = line//': '//listed(rule%choices)
-      else if (range_text(rule, si_units(), si_units()) /= '') then
-         line = line//' ['//range_text(rule, si_units(), si_units())//']'
+      else if (range_text(rule, units, si_units()) /= '') then
+         line = line//' ['//range_text(rule, units, si_units())//']'
       else if (rule%unit /= unit_none) then
-         line = line//' ['//unit_label(si_units(), rule%unit)//']'
+         line = line//' ['//unit_label(units, rule%unit)//']'
       end if
       if (rule%required) line = line//'; required'
    end function remark_of
 
-   !> A default as a deck would write it; nothing where there is none.
-   pure function default_text(rule) result(text)
-      type(key_rule_type), intent(in) :: rule
+   !> The value of an example in the units of the deck.
+   pure function value_of(example, units) result(text)
+      type(example_type), intent(in) :: example
+      type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
+      text = trim(example%value)
+      if (units%name == 'field' .and. example%field /= '') text = trim(example%field)
+   end function value_of
+
+   !> A default as a deck would write it; nothing where there is none.
+   pure function default_text(rule, units) result(text)
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      real(wp) :: number, scale
+      logical :: legal
       text = trim(rule%default)
       if (rule%kind == kind_text .and. text /= '') text = ''''//text//''''
+      if (rule%kind /= kind_real .or. text == '') return
+      scale = unit_factor(si_units(), rule%unit)/unit_factor(units, rule%unit)
+      call read_real(text, number, legal)
+      if (legal .and. abs(scale - 1.0_wp) > epsilon(scale)) text = to_text(number*scale, default_digits)
    end function default_text
 end module dg_deck_template

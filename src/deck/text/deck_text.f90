@@ -185,7 +185,7 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(value_text_type) :: value
       if (token%kind == token_open_text) then
-         call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line', faults)
+         call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line'//inches(), faults)
       else if (token%kind == token_word .and. token%text == '') then
          call entry_fault(parser, 'a repeat count without a value; write 3*0.1', faults)
       else if (token%repeat < 1) then
@@ -195,6 +195,16 @@ contains
       value%in_quotes = token%kind /= token_word
       value%line = token%line
       if (parser%entry%sound) call append_values(parser%values, parser%n_values, value, token%repeat)
+   contains
+      !> Advice where a mark of inches stands behind a number.
+      function inches() result(advice)
+         character(:), allocatable :: advice
+         advice = ''
+         if (parser%n_values == 0) return
+         if (parser%values(parser%n_values)%in_quotes) return
+         if (verify(parser%values(parser%n_values)%text, '0123456789.-+/') == 0) &
+            advice = '; a number has no mark of inches behind it'
+      end function inches
    end subroutine take_value
 
    !> Puts the entry that is open, if one is, into its group.

@@ -166,6 +166,12 @@ contains
       integer :: length, bracket, i, n
       length = scan(text(at:), word_ends) - 1
       if (length < 0) length = len(text) - at + 1
+      ! 8-1/2 is one word, which no number is: behind a / between two digits a group does not end
+      if (at + length < len(text) .and. length > 0) then
+         if (text(at + length:at + length) == '/' .and. scan(text(at + length - 1:at + length - 1), digits) == 1 .and. &
+             scan(text(at + length + 1:at + length + 1), digits) == 1) &
+            length = length + 1 + span(text(at + length + 1:), digits)
+      end if
       ! a subscript may hold blanks
       if (scan(text(at:at), letters) == 1) then
          bracket = scan(text(at:at + length - 1), '(')

@@ -9,10 +9,14 @@ module dg_deck_values
    use dg_deck_keys, only: operation_words
    use dg_deck_text, only: group_type, entry_type, value_text_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_text, only: append_text, lower_case, quoted, suggestion, nearest_name, to_text, joined
+   use dg_foreign_names, only: key_advice, meant_key
+   use dg_load_case, only: operation_from_name, operation_name
+   use dg_operation_advice, only: operation_advice
+   use dg_text, only: append_text, lower_case, quoted, suggestion, to_text, joined
    use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
+   use dg_value_advice, only: value_advice, unit_advice
    implicit none
    private
    public :: check_group
@@ -54,7 +58,7 @@ contains
          k = rule_place(rules, group%entries(i)%key)
          if (k == 0) then
             call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
-                           '; '//suggestion(group%entries(i)%key, keys))
+                           '; '//key_advice(group%name, group%entries(i)%key, keys))
          else
             count_of(k) = count_of(k) + 1
             call take_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
@@ -95,7 +99,7 @@ contains
       is = .false.
       do i = 1, size(group%entries)
          if (any(keys == group%entries(i)%key)) cycle
-         if (nearest_name(group%entries(i)%key, keys) == key) is = .true.
+         if (meant_key(group%name, group%entries(i)%key, keys) == key) is = .true.
       end do
    end function misspelt
 
@@ -110,7 +114,7 @@ contains
       type(value_type), intent(inout) :: value
       type(fault_list_type), intent(inout) :: faults
       integer :: i, held
-      character(:), allocatable :: message, name, shown
+      character(:), allocatable :: message, name, shown, whole
 
       if (times > 1 .and. (entry%first == 0 .or. .not. rule%array)) then
          call fault(entry%key//' is given a second time, first in line '//to_text(value%line)//'; keep one')
@@ -142,8 +146,13 @@ contains
             do i = 2, min(values_shown, size(entry%values))
                shown = shown//', '//entry%values(i)%text
             end do
+            whole = ''
+            do i = 1, min(values_shown, size(entry%values))
+               whole = trim(whole)//' '//entry%values(i)%text
+            end do
             if (size(entry%values) > values_shown) shown = shown//', ...'
-            call fault(entry%key//' takes one value, '//to_text(size(entry%values))//' given ('//shown//')')
+            call fault(entry%key//' takes one value, '//to_text(size(entry%values))//' given ('//shown//')'// &
+                       value_advice(adjustl(whole), rule, units))
             return
          end if
       else if (value%sound) then
@@ -213,13 +222,15 @@ contains
             end if
          end if
          if (.not. legal) then
-            message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)
+            message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)// &
+                      value_advice(item%text, rule, units)
             return
          end if
          number = number*unit_factor(units, rule%unit)
          call hold_in_range(rule, si_units(), number, legal)
          if (.not. legal) then
-            message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)
+            message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)// &
+                      unit_advice(item%text, rule, units)
             return
          end if
          value%content%numbers(place) = number
@@ -244,10 +255,10 @@ contains
       end if
       if (rule%choices /= '') then
          if (rule%choices == '*') then
-            call split_words(operation_words(), choices)
-         else
-            call split_words(rule%choices, choices)
+            call take_operation(item%text, name, value, message)
+            return
          end if
+         call split_words(rule%choices, choices)
          call split_words(rule%later, later)
          chosen = ''
          do i = 1, size(choices)
@@ -271,6 +282,21 @@ contains
       end if
       call append_text(value%content%texts, chosen)
    end subroutine take_text
+
+   !> Takes an operation under its long name.
+   subroutine take_operation(text, name, value, message)
+      character(*), intent(in) :: text, name
+      type(value_type), intent(inout) :: value
+      character(:), allocatable, intent(out) :: message
+      integer :: operation
+      message = ''
+      operation = operation_from_name(text)
+      if (operation == 0) then
+         message = name//' = '//quoted(text)//' is unknown; '//operation_advice(text)
+      else
+         call append_text(value%content%texts, trim(operation_name(operation)))
+      end if
+   end subroutine take_operation
 
    !> Sets the default of a key, which the table states in units of SI.
    subroutine set_default(rule, value)

@@ -1,12 +1,13 @@
 !> A load case: what is done to the string, at which bit depth, with which loads.
 module dg_load_case
    use dg_kinds, only: wp
+   use dg_text, only: lower_case
    implicit none
    private
    public :: load_case_type, optional_real, given
    public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
    public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
-   public :: operation_count, operation_name, operation_label, operation_from_name, friction_split
+   public :: operation_count, operation_name, operation_label, operation_from_name, friction_split, alike, operation_aliases
    public :: moves_axially, rotates
 
    integer, parameter :: operation_trip_out = 1
@@ -25,9 +26,47 @@ module dg_load_case
    !> As the paper's Table 1 writes them.
    character(*), parameter :: operation_label(operation_count) = [character(18) :: 'up', 'down', &
       'rotating', 'rotary drilling', 'sliding drilling', 'ream', 'backream', 'static']
-   !> Short names that a deck may use instead ('' where there is none).
-   character(*), parameter, public :: operation_alias(operation_count) = [character(18) :: 'up', 'down', &
-      '', 'rotary', 'sliding', '', '', '']
+   !> Another name of an operation.
+   type :: alias_type
+      character(20) :: name = ''
+      integer :: operation = 0
+   end type alias_type
+
+   !> Other names that a deck may use. Letter case, blanks, hyphens and underscores do not count: pick_up, pickup, PICK-UP.
+   !> The paper's short names come first.
+   type(alias_type), parameter :: operation_aliases(*) = [ &
+      alias_type('up', operation_trip_out), &
+      alias_type('down', operation_trip_in), &
+      alias_type('rotary', operation_rotary_drilling), &
+      alias_type('sliding', operation_sliding_drilling), &
+      alias_type('pick_up', operation_trip_out), &
+      alias_type('picking_up', operation_trip_out), &
+      alias_type('pooh', operation_trip_out), &
+      alias_type('poh', operation_trip_out), &
+      alias_type('pull_out', operation_trip_out), &
+      alias_type('pull_out_of_hole', operation_trip_out), &
+      alias_type('pulling_out', operation_trip_out), &
+      alias_type('tripping_out', operation_trip_out), &
+      alias_type('slack_off', operation_trip_in), &
+      alias_type('slacking_off', operation_trip_in), &
+      alias_type('rih', operation_trip_in), &
+      alias_type('run_in', operation_trip_in), &
+      alias_type('run_in_hole', operation_trip_in), &
+      alias_type('running_in', operation_trip_in), &
+      alias_type('tripping_in', operation_trip_in), &
+      alias_type('rotate', operation_rotate_off_bottom), &
+      alias_type('rotating', operation_rotate_off_bottom), &
+      alias_type('rob', operation_rotate_off_bottom), &
+      alias_type('rotating_off_bottom', operation_rotate_off_bottom), &
+      alias_type('drill', operation_rotary_drilling), &
+      alias_type('drilling', operation_rotary_drilling), &
+      alias_type('rotate_on_bottom', operation_rotary_drilling), &
+      alias_type('rotating_on_bottom', operation_rotary_drilling), &
+      alias_type('rotate_drilling', operation_rotary_drilling), &
+      alias_type('slide', operation_sliding_drilling), &
+      alias_type('slide_drilling', operation_sliding_drilling), &
+      alias_type('reaming', operation_ream), &
+      alias_type('backreaming', operation_backream)]
 
    !> Way of the block, in the order of the numbers above: 1 it is raised, -1 lowered, 0 it stands.
    integer, parameter, public :: block_way(operation_count) = [1, -1, 0, -1, -1, -1, 1, 0]
@@ -67,16 +106,34 @@ contains
       number = optional_real(.true., value)
    end function given
 
-   !> Number of an operation from its name or alias, lower case; 0 where there is none of that name.
+   !> Number of an operation from its name or an alias; 0 where there is none of that name.
    pure function operation_from_name(name) result(operation)
       character(*), intent(in) :: name
       integer :: operation
+      integer :: i
       do operation = 1, operation_count
-         if (name == operation_name(operation)) return
-         if (name /= '' .and. name == operation_alias(operation)) return
+         if (alike(name) == alike(operation_name(operation))) return
       end do
       operation = 0
+      do i = 1, size(operation_aliases)
+         if (alike(name) == alike(operation_aliases(i)%name)) operation = operation_aliases(i)%operation
+      end do
    end function operation_from_name
+
+   !> A name of an operation as it is compared: small letters, without blanks, hyphens and underscores; blanks at
+   !> the end.
+   pure function alike(name) result(text)
+      character(*), intent(in) :: name
+      character(len(name)) :: text
+      integer :: i, n
+      text = ''
+      n = 0
+      do i = 1, len(name)
+         if (scan(name(i:i), ' -_') > 0) cycle
+         n = n + 1
+         text(n:n) = lower_case(name(i:i))
+      end do
+   end function alike
 
    !> Friction coefficients that act in an operation, signed by the motion (paper, Eq. 5 with mu1 = 0 or
    !> mu2 = 0; both in combined motion, where the one Coulomb force lies against the velocity of the

@@ -67,7 +67,7 @@ contains
                       suggestion(string, names))
    end subroutine check_string_name
 
-   !> A string whose uppermost component has a length reaches from the bit to surface.
+   !> A string whose uppermost component has a length reaches from the bit to surface. Pipe may be longer, a tool may not.
    subroutine check_string_length(components, uppermost, load_case, place, key, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards, one at least
       integer, intent(in) :: uppermost                    !< place of the last one
@@ -76,6 +76,7 @@ contains
       character(*), intent(in) :: key                     !< of the depth of the bit
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
+      character(:), allocatable :: words
       real(wp) :: length
       integer :: k
       length = 0.0_wp
@@ -84,10 +85,26 @@ contains
       end do
       if (.not. components(size(components))%length > 0.0_wp) return
       if (.not. length < load_case%bit_depth*(1.0_wp - depth_round_off)) return
-      call note_fault(found, 'load_case', place, 'bit_depth', 'string '//quoted(load_case%string)//' is '// &
-                      depth_words(units, length)//' long and does not reach surface from '//key//' = '// &
-                      depth_words(units, load_case%bit_depth)//'; leave out the length of its last component (', &
-                      'component', uppermost, ')')
+      words = 'string '//quoted(load_case%string)//' is '//depth_words(units, length)// &
+              ' long and does not reach surface from '//key//' = '//depth_words(units, load_case%bit_depth)//': '// &
+              depth_words(units, load_case%bit_depth - length)//' of pipe are missing; '
+      if (is_pipe(components(size(components)))) then
+         call note_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
+                         'component', uppermost, ')')
+      else
+         call note_fault(found, 'load_case', place, 'bit_depth', words// &
+                         'add drill pipe without a length as last component, after '//quoted(components(size(components))%name)// &
+                         ' (', 'component', uppermost, '); catalogue names have its sizes')
+      end if
+   contains
+      !> True of what a string is made of up to surface.
+      pure logical function is_pipe(component)
+         type(component_type), intent(in) :: component
+         is_pipe = .true.       ! what a program leaves open
+         if (.not. allocated(component%kind)) return
+         is_pipe = component%kind == '' .or. index(component%kind, 'pipe') > 0 .or. &
+            any(component%kind == [character(10) :: 'casing', 'liner', 'tubing', 'sucker_rod', 'rod'])
+      end function is_pipe
    end subroutine check_string_length
 
    !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that
@@ -133,7 +150,6 @@ contains
             call note_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
                             ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
                             '; needs a diameter < '//wide(holes(h)%diameter)//opening_advice(components(k), holes, lowest, units))
-            exit
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end

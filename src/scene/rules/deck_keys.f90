@@ -5,7 +5,7 @@ module dg_deck_keys
    use dg_kinds, only: wp
    use dg_deck_schema, only: add_group, group_keys_type, group_rule_type, &
       key_rule_type, kind_text, kind_integer, kind_logical, rule_place
-   use dg_load_case, only: operation_count, operation_name, operation_alias
+   use dg_load_case, only: operation_name
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
@@ -380,13 +380,9 @@ contains
       end select
    end function key_place
 
-   !> Names of all operations with their aliases, blanks between them: too many for a table row.
+   !> Names of all operations, blanks between them: too many for a table row.
    pure function operation_words() result(words)
       character(:), allocatable :: words
-      integer :: i
       words = joined(operation_name, ' ')
-      do i = 1, operation_count
-         if (operation_alias(i) /= '') words = words//' '//trim(operation_alias(i))
-      end do
    end function operation_words
 end module dg_deck_keys

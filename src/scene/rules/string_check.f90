@@ -14,6 +14,9 @@ module dg_string_check
 
    !> Part of a length that is only round-off of a conversion [-].
    real(wp), parameter :: round_off = 1.0e-4_wp
+   !> A density in lbm/ft3 over the same in lbm/gal; a US gallon has 231 in3.
+   real(wp), parameter :: gallons_in_cubic_foot = 1728.0_wp/231.0_wp
+   integer, parameter :: advised_digits = 4
 
 contains
 
@@ -88,13 +91,21 @@ contains
          ' may reach to surface')
       if (.not. present(heaviest)) return
       if (heaviest >= component%density) call note_fault(found, 'component', place, 'density', quoted(component%name)// &
-         ' floats: the mud, '//dense(heaviest)//', is not lighter than the material, '//dense(component%density))
+         ' floats: the mud, '//dense(heaviest)//', is not lighter than the material, '//dense(component%density)//advice())
    contains
       function dense(density) result(text)
          real(wp), intent(in) :: density
          character(:), allocatable :: text
          text = to_text(density/units%density, diameter_digits)
       end function dense
+
+      !> Advice on a mud in pounds per cubic foot.
+      function advice() result(text)
+         character(:), allocatable :: text
+         text = ''
+         if (units%name == 'field') text = '; a mud of '//dense(heaviest)//' pcf (lbm/ft3) is written '// &
+            to_text(heaviest/units%density/gallons_in_cubic_foot, advised_digits)
+      end function advice
    end subroutine check_in_string
 
    !> Check that centralizers fit their component. A rigid one is wider than the body, it may be narrower than couplings. A bow is

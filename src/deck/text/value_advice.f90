@@ -1,0 +1,114 @@
+!> Advice on numbers of a deck that are written as people write them: 8-1/2, 5", 135 ksi; or in a unit of another name: psi, lbf.
+module dg_value_advice
+   use dg_deck_number, only: read_real
+   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
+   use dg_kinds, only: wp
+   use dg_text, only: lower_case, to_text
+   use dg_unit_kind, only: unit_factor, unit_force, unit_label, unit_moment, unit_none, unit_stress
+   use dg_units, only: si_units, unit_system_type
+   implicit none
+   private
+   public :: unit_advice, value_advice
+
+   !> Significant digits of a number that is advised.
+   integer, parameter :: digits_told = 7
+   !> A unit of decks over the same without its multiple: ksi and psi, kN and N.
+   real(wp), parameter :: multiple = 1.0e3_wp
+   character(*), parameter :: digits = '0123456789'
+
+contains
+
+   !> What to write for a text that is no number, with '; ' before it; '' where nothing is known.
+   pure function value_advice(text, rule, units) result(advice)
+      character(*), intent(in) :: text             !< as in the deck; several values with blanks between them
+      type(key_rule_type), intent(in) :: rule      !< of the key
+      type(unit_system_type), intent(in) :: units  !< of the deck
+      character(:), allocatable :: advice
+      real(wp) :: number
+      logical :: legal
+      integer :: length
+      advice = ''
+      if (rule%kind == kind_text) return
+      call read_fraction(without_mark(text), number, legal)
+      if (legal) then
+         advice = '; write '//to_text(number, digits_told)
+         return
+      end if
+      ! a number with its unit behind
+      length = verify(text, digits//'.+-') - 1
+      if (length < 1) return
+      call read_real(text(:length), number, legal)
+      if (.not. legal .or. verify(text(length + 1:length + 1), ' ''"#%') > 0 .and. &
+          scan(lower_case(text(length + 1:length + 1)), 'abcdefghijklmnopqrstuvwxyz') == 0) return
+      advice = '; write the number alone'
+      if (rule%unit /= unit_none) advice = advice//'; its unit is '//trim(unit_label(units, rule%unit))
+   end function value_advice
+
+   !> What to write for a number out of its range that would be legal in a smaller unit.
+   pure function unit_advice(text, rule, units) result(advice)
+      character(*), intent(in) :: text
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: advice
+      character(:), allocatable :: smaller
+      real(wp) :: number, held
+      logical :: legal
+      advice = ''
+      if (rule%kind /= kind_real) return
+      select case (rule%unit)
+      case (unit_stress); smaller = trim(merge('psi   ', 'kPa   ', units%name == 'field'))
+      case (unit_force); smaller = trim(merge('lbf   ', 'N     ', units%name == 'field'))
+      case (unit_moment); smaller = trim(merge('ft.lbf', 'N.m   ', units%name == 'field'))
+      case default; return
+      end select
+      call read_real(text, number, legal)
+      if (.not. legal) return
+      number = number/multiple
+      held = number*unit_factor(units, rule%unit)
+      call hold_in_range(rule, si_units(), held, legal)
+      if (legal) advice = '; '//text//' '//smaller//' is written '//to_text(number, digits_told)
+   end function unit_advice
+
+   !> A text without a mark of inches at its end, in quotes or as a word.
+   pure function without_mark(text) result(bare)
+      character(*), intent(in) :: text
+      character(:), allocatable :: bare
+      integer :: last
+      last = len_trim(text)
+      if (last > 2) then
+         if (lower_case(text(last - 1:last)) == 'in') last = len_trim(text(:last - 2))
+      end if
+      if (last > 1) then
+         if (scan(text(last:last), '"''') == 1) last = len_trim(text(:last - 1))
+      end if
+      bare = text(:last)
+   end function without_mark
+
+   !> A mixed fraction, 8-1/2 or 8 1/2, or one alone, 1/2.
+   pure subroutine read_fraction(text, number, legal)
+      character(*), intent(in) :: text
+      real(wp), intent(out) :: number
+      logical, intent(out) :: legal
+      real(wp) :: above, below
+      integer :: slash, gap
+      number = 0.0_wp
+      slash = index(text, '/')
+      legal = slash > 1 .and. slash < len(text)
+      if (.not. legal) return
+      gap = scan(text(:slash), '- ', back=.true.)
+      legal = all_digits(text(gap + 1:slash - 1)) .and. all_digits(text(slash + 1:))
+      if (legal .and. gap > 0) legal = all_digits(text(:gap - 1))
+      if (.not. legal) return
+      if (gap > 0) call read_real(text(:gap - 1), number, legal)
+      call read_real(text(gap + 1:slash - 1), above, legal)
+      call read_real(text(slash + 1:), below, legal)
+      legal = below > 0.0_wp
+      if (legal) number = number + above/below
+   end subroutine read_fraction
+
+   pure function all_digits(text) result(are)
+      character(*), intent(in) :: text
+      logical :: are
+      are = len(text) > 0 .and. verify(text, digits) == 0
+   end function all_digits
+end module dg_value_advice
