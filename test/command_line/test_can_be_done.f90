@@ -63,12 +63,12 @@ contains
       call assertTrue(index(rows(3)%text, ' to the bit, 150 klbf asked",') > 0, message=rows(3)%text)
    end subroutine test_terminal
 
-   !> 'Turn the string' is followed, and it can be done.
+   !> 'Rotate the string' is followed, and it can be done.
    subroutine test_advice()
       type(run_type) :: run
       run = run_deck_text(deck("operation = 'sliding', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Turn the string') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Rotate the string') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.3", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
    end subroutine test_advice

@@ -130,7 +130,7 @@ contains
       call assertEqual(to_text(weight_of(model)*(0.7_wp*sin(angle) - cos(angle))/1000.0_wp, 3)// &
                        ' kN of push needed at surface', reason)
       reason = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(reason, 'Turn the string') > 0, message=reason)
+      call assertTrue(index(reason, 'Rotate the string') > 0, message=reason)
    end subroutine test_push
 
    !> Sliding with one and a half of the weight on bit that the string brings to the bit.

@@ -42,6 +42,7 @@ contains
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
             verdict%most_wob = whole%wob_lockup
+            verdict%buckled_length = merge(whole%coiled_length, whole%helical_length, result%model == model_mcge)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)

@@ -1,5 +1,6 @@
 !> The answer to 'can it be done?' for one load case, with the limit that decides.
 module dg_verdict
+   use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_text, only: lower_case
    use dg_utilisation, only: limit_count, limit_name
@@ -27,6 +28,7 @@ module dg_verdict
       type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m or Pa]
       logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
       type(optional_real) :: friction_reserve       !< factor by which all friction may grow until the answer is no [-]
+      real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]
    end type verdict_type

@@ -66,8 +66,10 @@ contains
          text = nearest_text(units, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp) &
             text = text//'. Largest WOB '//force_text(units, max(verdict%most_wob%value, load_case%wob))
-         if (verdict%friction_reserve%present) text = text//'. Friction may be about '// &
-            to_text(verdict%friction_reserve%value, shown_factor)//' times as high'
+         if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
+            trim(in_units(units, unit_length, verdict%buckled_length, shown))
+         if (verdict%friction_reserve%present) text = text//'. Works up to about '// &
+            to_text(verdict%friction_reserve%value, shown_factor)//' times the friction given'
          if (any(verdict%not_checked)) text = text//'. Not checked: '//unchecked_text(verdict)
       else
          text = 'No solution was found'
@@ -88,7 +90,7 @@ contains
       character(:), allocatable :: text
       text = ''
       if (.not. verdict%turning_hookload%present) return
-      text = '. Turn the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
+      text = '. Rotate the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
       if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
          ' of buoyed weight where the hole is steep'
    end function help_text
