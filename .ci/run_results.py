@@ -23,7 +23,8 @@ SMALL_STRAIN = 0.01          # stretch over length
 # Solutions that a calibration takes for each of its cases.
 FIT = 50
 TEXTS = {"case", "section", "model", "operation", "status", "message", "gap_state", "judged_by", "kind", "buckling", "side", "shape", "hole", "fidelity",
-         "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied", "governing_limit"}
+         "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied", "governing_limit", "can_be_done",
+         "reason", "limit", "not_checked", "settings"}
 NO_NUMBER = re.compile(r"[-+]?(nan(\(.*\))?|inf(inity)?|\*+)", re.I)
 GRAVITY = 9.80665
 # Lines of standard error that tell how much there is to solve, and how long it takes.
