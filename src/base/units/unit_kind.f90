@@ -7,10 +7,10 @@ module dg_unit_kind
    private
    public :: unit_factor, unit_label, in_units
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature
 
-   !> Room for a number and the name of its unit.
-   integer, parameter :: told_width = 40
+   !> Room for a number and the name of its unit, and for that name.
+   integer, parameter :: told_width = 40, longest_label = 10
 
    integer, parameter :: unit_none = 0
    integer, parameter :: unit_length = 1
@@ -26,6 +26,7 @@ module dg_unit_kind
    integer, parameter :: unit_rotation = 11
    integer, parameter :: unit_speed = 12
    integer, parameter :: unit_gravity = 13   !< m/s2 in both systems
+   integer, parameter :: unit_curvature = 14
 
 contains
 
@@ -47,6 +48,7 @@ contains
       case (unit_wall); factor = units%wall_stiffness
       case (unit_rotation); factor = units%rotation_speed
       case (unit_speed); factor = units%trip_speed
+      case (unit_curvature); factor = units%curvature
       case default; factor = 1.0_wp
       end select
    end function unit_factor
@@ -55,7 +57,7 @@ contains
    pure function padded_label(units, unit) result(label)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: unit
-      character(8) :: label
+      character(longest_label) :: label
       select case (unit)
       case (unit_length); label = pick('m', 'ft', 'm')
       case (unit_diameter); label = pick('mm', 'in', 'm')
@@ -69,13 +71,14 @@ contains
       case (unit_wall); label = pick('kN/m2', 'klbf/ft2', 'N/m2')
       case (unit_rotation); label = pick('rpm', 'rpm', 'rad/s')
       case (unit_speed); label = pick('m/s', 'ft/s', 'm/s')
+      case (unit_curvature); label = pick('deg/30 m', 'deg/100 ft', 'rad/m')
       case (unit_gravity); label = 'm/s2'
       case default; label = ''
       end select
    contains
       pure function pick(si, field, base) result(one)
          character(*), intent(in) :: si, field, base
-         character(8) :: one
+         character(longest_label) :: one
          select case (units%name)
          case ('field'); one = field
          case ('base'); one = base

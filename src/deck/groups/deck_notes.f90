@@ -9,6 +9,7 @@ module dg_deck_notes
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
    use dg_merge_sort, only: first_equal
+   use dg_minimum_curvature, only: dogleg_between
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -128,14 +129,14 @@ contains
    subroutine note_path(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: above(3), below(3), curvature
+      real(wp) :: curvature
       integer :: i, before
       associate (stations => draft%stations, units => draft%units)
          do i = 2, size(stations%md)
             before = i - 1
-            above = tangent_of(stations%inclination(before), stations%azimuth(before))
-            below = tangent_of(stations%inclination(i), stations%azimuth(i))
-            curvature = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(below - above)))/(stations%md(i) - stations%md(before))
+            curvature = dogleg_between(tangent_of(stations%inclination(before), stations%azimuth(before)), &
+                                       tangent_of(stations%inclination(i), stations%azimuth(i)))/ &
+                        (stations%md(i) - stations%md(before))
             if (curvature <= sharpest) cycle
             call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
                              trim(in_units(units, unit_length, stations%md(i), digits))//' the hole turns by '// &

@@ -10,11 +10,11 @@ module dg_deck_survey
    use dg_listed_positions, only: position_words
    use dg_model_fault, only: model_faults_type
    use dg_parent_survey, only: join_parent
-   use dg_survey_check, only: begins_below, begins_vertical, check_station_order, curvature_words
+   use dg_survey_check, only: begins_below, begins_vertical, check_station_order
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
    use dg_survey_heading, only: column_name
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_factor, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_factor, unit_length
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
@@ -171,7 +171,7 @@ contains
                 "For a sidetrack give parent_file = 'FILE', the survey of the hole that it leaves. "// &
                 "For a slant well or a river crossing give tie_on = 'straight', the direction of the first station up to "// &
                 "surface. For a hole that is vertical at surface give tie_on = 'vertical', which makes "// &
-                curvature_words(units, stations%inclination(1)/stations%md(1))// &
+                trim(in_units(units, unit_curvature, stations%inclination(1)/stations%md(1), few_digits))// &
                 ' above the first station'
       if (from_file) then
          call add_fault(faults, stations%file, stations%lines(1), 'survey: '//message)

@@ -6,9 +6,9 @@ module dg_deck_tie_on
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_survey_check, only: at_surface, begins_below, begins_vertical, curvature_words, sharpest_tie
+   use dg_survey_check, only: at_surface, begins_below, begins_vertical, sharpest_tie
    use dg_text, only: append_text, to_text
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_length
    implicit none
    private
    public :: tie_on
@@ -80,10 +80,10 @@ contains
             end if
             text = text//'. From there to the first station it turns by '// &
                    to_text(stations%inclination(1)/degree, few_digits)//' deg, '// &
-                   curvature_words(units, stations%inclination(1)/length)
+                   trim(in_units(units, unit_curvature, stations%inclination(1)/length, few_digits))
             if (begins_vertical(stations%inclination(1)) .or. stations%inclination(1)/length <= sharpest_tie) return
             text = text//'. Warning: holes hardly turn by more than '// &
-                   curvature_words(units, sharpest_tie)// &
+                   trim(in_units(units, unit_curvature, sharpest_tie, few_digits))// &
                    ', so hook load and torque may be far off. For a sidetrack give parent_file, for a slant well '// &
                    "or a river crossing tie_on = 'straight'"
          end associate

@@ -9,7 +9,7 @@ module dg_deck_tortuosity
    use dg_text, only: append_text, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_length
    implicit none
    private
    public :: take_tortuosity
@@ -137,8 +137,7 @@ contains
             if (section%random) text = text//', seed '//to_text(section%seed)
             text = text//'. The hole turns there by '//to_text(turns(1)/degree, few_digits)//' deg in all instead of '// &
                    to_text(turns(2)/degree, few_digits)//', in the mean '// &
-                   to_text(turns(1)/length/units%curvature, few_digits)//' '// &
-                   trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))//' instead of '// &
+                   trim(in_units(units, unit_curvature, turns(1)/length, few_digits))//' instead of '// &
                    to_text(turns(2)/length/units%curvature, few_digits)
          end associate
       end function note

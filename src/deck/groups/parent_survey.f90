@@ -5,11 +5,11 @@ module dg_parent_survey
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
-   use dg_survey_check, only: at_surface, curvature_words, sharpest_tie
+   use dg_survey_check, only: at_surface, sharpest_tie
    use dg_survey_file, only: station_list_type
    use dg_text, only: to_text
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at, trajectory_type
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -17,7 +17,7 @@ module dg_parent_survey
 
    !> Angle between a parent and the first station of its sidetrack from which on they hardly belong together [rad].
    real(wp), parameter :: apart = 1.0_wp*degree
-   integer, parameter :: digits = 9, few_digits = 3
+   integer, parameter :: digits = 9, few_digits = 3, curvature_digits = 4
 
 contains
 
@@ -42,7 +42,7 @@ contains
                             tangent_of(stations%inclination(1), stations%azimuth(1)))
       words = to_text(n)//' stations of parent_file are taken, down to '//depth(parent%md(n))//'. From there to the first one '// &
               'of the survey, at '//depth(first)//', the hole turns by '//to_text(turn/degree, few_digits)//' deg, '// &
-              curvature_words(units, turn/(first - parent%md(n)))
+              trim(in_units(units, unit_curvature, turn/(first - parent%md(n)), curvature_digits))
       off = angle_to_parent()
       if (off > apart) words = words//'. There the parent points '//to_text(off/degree, few_digits)// &
                                ' deg away from the first station'

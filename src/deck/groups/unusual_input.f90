@@ -6,9 +6,10 @@ module dg_unusual_input
    use dg_constants, only: degree, pi
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_load_case, only: load_case_type, operation_static
+   use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_mass, unit_moment, &
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length, unit_mass, unit_moment, &
                            unit_stress
    implicit none
    private
@@ -148,7 +149,7 @@ contains
             place = i
          end do
          if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
-            to_text(worst*usual_here/units%curvature, digits)//' '//dogleg_label()//' at '// &
+            trim(in_units(units, unit_curvature, worst*usual_here, digits))//' at '// &
             trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Usual in a hole of '// &
             trim(in_units(units, unit_diameter, diameter_at(stations%md(place)), digits))//' is at most '// &
             to_text(usual_here/units%curvature, few_digits)// &
@@ -172,8 +173,8 @@ contains
          integer, intent(in) :: one, other
          real(wp) :: angle
          associate (stations => draft%stations)
-            angle = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(tangent_of(stations%inclination(one), stations%azimuth(one)) - &
-                                                          tangent_of(stations%inclination(other), stations%azimuth(other)))))
+            angle = dogleg_between(tangent_of(stations%inclination(one), stations%azimuth(one)), &
+                                   tangent_of(stations%inclination(other), stations%azimuth(other)))
          end associate
       end function between
 
@@ -193,12 +194,6 @@ contains
          character(:), allocatable :: text
          text = to_text(draft%stations%inclination(station)/degree, digits)
       end function degrees
-
-      function dogleg_label() result(text)
-         character(:), allocatable :: text
-         text = 'deg/30 m'
-         if (draft%units%name == 'field') text = 'deg/100 ft'
-      end function dogleg_label
    end subroutine note_doglegs
 
    !> Hole sections without any friction that a moving case relies on.

@@ -7,7 +7,7 @@ module dg_column
    use dg_number_text, only: csv_number, csv_text, put_csv_number
    use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
-   use dg_unit_kind, only: unit_label, unit_moment, unit_wall
+   use dg_unit_kind, only: unit_curvature, unit_label, unit_moment, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -117,8 +117,7 @@ contains
       case (quantity_stress); text = trim(units%stress_label)
       case (quantity_percent); text = '%'
       case (quantity_turns); text = 'turns'
-      case (quantity_curvature); text = 'deg/30 m'
-         if (field) text = 'deg/100 ft'
+      case (quantity_curvature); text = unit_label(units, unit_curvature)
       case (quantity_time); text = 's'
       case default; text = ''
       end select

@@ -8,7 +8,7 @@ module dg_survey_check
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: check_station_numbers, check_station_order, begins_below, begins_vertical, at_surface, sharpest_tie, curvature_words
+   public :: check_station_numbers, check_station_order, begins_below, begins_vertical, at_surface, sharpest_tie
 
    !> Depth within which the first station is at surface [m].
    real(wp), parameter :: at_surface = 1.0e-6_wp
@@ -78,14 +78,4 @@ contains
       logical :: vertical
       vertical = inclination < still_vertical
    end function begins_vertical
-
-   !> A curvature in the units of a deck, '4.5 deg/30 m'.
-   function curvature_words(units, curvature) result(words)
-      type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: curvature      !< [rad/m]
-      character(:), allocatable :: words
-      integer, parameter :: digits = 4
-      words = to_text(curvature/units%curvature, digits)//' '// &
-              trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))
-   end function curvature_words
 end module dg_survey_check
