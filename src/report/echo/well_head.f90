@@ -2,13 +2,14 @@
 module dg_well_head
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, component_type
-   use dg_drillstring, only: drillstring_type
+   use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_minimum_curvature, only: dogleg_between
    use dg_model, only: model_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_force, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -52,16 +53,15 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       character(:), allocatable :: line
-      real(wp) :: angle, dogleg, sharpest
+      real(wp) :: dogleg, sharpest
       integer :: i, steepest, place
       associate (path => model%trajectory)
          steepest = maxloc(path%inclination, dim=1)
          sharpest = 0.0_wp
          place = 1
          do i = 2, size(path%md)
-            angle = 2.0_wp*asin(min(1.0_wp, 0.5_wp*norm2(tangent_of(path%inclination(i), path%azimuth(i)) - &
-                                                          tangent_of(path%inclination(i - 1), path%azimuth(i - 1)))))
-            dogleg = angle/(path%md(i) - path%md(i - 1))
+            dogleg = dogleg_between(tangent_of(path%inclination(i - 1), path%azimuth(i - 1)), &
+                                    tangent_of(path%inclination(i), path%azimuth(i)))/(path%md(i) - path%md(i - 1))
             if (dogleg <= sharpest) cycle
             sharpest = dogleg
             place = i
@@ -71,8 +71,7 @@ contains
             trim(in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits))//'. Largest inclination '// &
             to_text(path%inclination(steepest)/units%angle, few)//' deg at '// &
             trim(in_units(units, unit_length, path%md(steepest), digits))
-         if (sharpest > 0.0_wp) line = line//', dogleg '//to_text(sharpest/units%curvature, few)//' '// &
-            trim(merge('deg/100 ft', 'deg/30 m  ', units%name == 'field'))//' at '// &
+         if (sharpest > 0.0_wp) line = line//', dogleg '//trim(in_units(units, unit_curvature, sharpest, few))//' at '// &
             trim(in_units(units, unit_length, path%md(place), digits))
       end associate
    end function path_line
@@ -84,19 +83,19 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth of the bit [m]
       real(wp), intent(out) :: air, mud, collars
-      real(wp) :: upper, lower, length, piece, middle, weight
+      real(wp) :: tops(size(string%components)), lower, length, piece, middle, weight
       logical :: below_pipe
       integer :: i, k, pieces
       air = 0.0_wp
       mud = 0.0_wp
       collars = 0.0_wp
-      lower = bit
+      tops = component_tops(string, bit - top_md(model%trajectory))
       below_pipe = .true.
-      do i = 1, size(string%components)
+      do i = 1, size(tops)
          associate (part => string%components(i))
-            upper = top_md(model%trajectory)
-            if (part%length > 0.0_wp .and. i < size(string%components)) upper = max(lower - part%length, upper)
-            length = lower - upper
+            lower = bit
+            if (i > 1) lower = bit - tops(i - 1)
+            length = lower - (bit - tops(i))
             pieces = max(1, ceiling(length/longest_piece))
             piece = length/real(pieces, wp)
             below_pipe = below_pipe .and. .not. is_pipe(part)
@@ -108,7 +107,6 @@ contains
                if (below_pipe) collars = collars + weight
             end do
             air = air + length*part%mass*model%gravity
-            lower = upper
          end associate
       end do
    end subroutine weigh

@@ -6,11 +6,13 @@ module dg_limits_table
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
    use dg_constants, only: pi
+   use dg_drillstring, only: component_tops
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
@@ -127,20 +129,21 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       character(*), intent(in) :: name                 !< of the case
-      real(wp) :: md, axial
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, md, axial
       integer :: i
-      md = model%cases(result%case_index)%bit_depth
+      bit = model%cases(result%case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
-         do i = 1, size(string%components)
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         do i = 1, size(tops)
             associate (part => string%components(i))
-               if (lower_case(part%kind) == jar_kind .and. part%length > 0.0_wp) then
-                  axial = result%profile%axial(minloc(abs(result%profile%md - (md - 0.5_wp*part%length)), dim=1))
-                  call append_text(lines, '  Jar '//part%name//' in '//name//': '// &
-                     trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
-                     trim(in_units(units, unit_force, abs(axial), few))//' at '// &
-                     to_text(anint((md - 0.5_wp*part%length)/units%length))//' '//trim(units%length_label))
-               end if
-               md = md - part%length
+               if (lower_case(part%kind) /= jar_kind .or. .not. tops(i) < tops(size(tops))) cycle      ! or above surface
+               md = bit - (tops(i) - 0.5_wp*part%length)
+               axial = result%profile%axial(minloc(abs(result%profile%md - md), dim=1))
+               call append_text(lines, '  Jar '//part%name//' in '//name//': '// &
+                                trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
+                                trim(in_units(units, unit_force, abs(axial), few))//' at '// &
+                                to_text(anint(md/units%length))//' '//trim(units%length_label))
             end associate
          end do
       end associate

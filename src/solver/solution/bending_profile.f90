@@ -22,12 +22,13 @@ module dg_bending_profile
    use dg_case_result, only: case_result_type
    use dg_contact_edges, only: moments_of_misplacing
    use dg_contact_list, only: list_contacts
+   use dg_drillstring, only: component_tops
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_moved_walls, only: firm, less_firm
-   use dg_trajectory, only: arc_at, frame_on_arc, inclination_of, trajectory_type
+   use dg_trajectory, only: arc_at, frame_on_arc, inclination_of, top_md, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -157,17 +158,18 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp) :: md
-      real(wp) :: lower
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit
       integer :: i
-      lower = model%cases(case_index)%bit_depth
+      bit = model%cases(case_index)%bit_depth
       md = missing
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         do i = 1, size(string%components)
-            if (.not. is_missing(string%components(i)%sensor)) then
-               md = lower - string%components(i)%sensor
-               return
-            end if
-            lower = lower - string%components(i)%length
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         do i = 1, size(tops)
+            if (is_missing(string%components(i)%sensor)) cycle
+            md = bit - string%components(i)%sensor
+            if (i > 1) md = md - tops(i - 1)
+            return
          end do
       end associate
    end function sensor_depth
