@@ -2,8 +2,9 @@
 module dg_survey_columns
    use dg_kinds, only: wp
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
+   use dg_table_text, only: squeezed
    use dg_table_unit, only: read_unit
-   use dg_text, only: lower_case, nearest_name, quoted, text_type
+   use dg_text, only: nearest_name, quoted, text_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -181,26 +182,16 @@ contains
       type(heading_type), intent(in) :: heading, asked
       integer, intent(in) :: attempt
       logical :: alike
+      character(*), parameter :: marks = '"_'
       select case (attempt)
       case (1)
          alike = heading%text == asked%text
       case (2)
-         alike = squeezed(heading%text) == squeezed(asked%text)
+         alike = squeezed(heading%text, marks) == squeezed(asked%text, marks)
       case default
          alike = heading%name == asked%name .and. heading%name /= '' .and. (asked%unit == '' .or. asked%unit == heading%unit)
       end select
    end function is_alike
-
-   !> Small letters without blanks, tabs, quotes and underscores.
-   pure function squeezed(text) result(tight)
-      character(*), intent(in) :: text
-      character(:), allocatable :: tight
-      integer :: i
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), ' "_'//achar(9)) == 0) tight = tight//lower_case(text(i:i))
-      end do
-   end function squeezed
 
    pure function nearest_heading(name, headings) result(advice)
       character(*), intent(in) :: name

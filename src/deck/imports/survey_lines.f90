@@ -7,7 +7,7 @@ module dg_survey_lines
    use dg_survey_heading, only: column_md
    use dg_survey_layout, only: is_unit_row
    use dg_table_number, only: plain_number
-   use dg_table_text, only: content_length, row_type
+   use dg_table_text, only: content_length, row_type, squeezed
    use dg_text, only: lower_case, text_type
    implicit none
    private
@@ -119,20 +119,10 @@ contains
       integer :: i
       is = .false.
       do i = max(layout%first_header, 1), min(layout%first_row - 1, size(lines))
-         if (content_length(lines(i)%text) > 0) is = is .or. squeezed(lines(i)%text) == squeezed(lines(line)%text)
+         if (content_length(lines(i)%text) > 0) is = is .or. squeezed(lines(i)%text, '') == squeezed(lines(line)%text, '')
       end do
       if (.not. is) is = is_unit_row(lines(line)%text, layout)
    end function is_header_again
-
-   pure function squeezed(text) result(tight)
-      character(*), intent(in) :: text
-      character(:), allocatable :: tight
-      integer :: i
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), ' '//achar(9)) == 0) tight = tight//lower_case(text(i:i))
-      end do
-   end function squeezed
 
    !> Whether a line begins with what a spreadsheet shows for an error: #N/A, #REF!, ...
    pure function is_error_cell(text) result(is)

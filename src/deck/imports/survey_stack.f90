@@ -5,7 +5,7 @@ module dg_survey_stack
    use dg_survey_words, only: role_along, role_angle, role_azi, role_corrected, role_datum, role_direction, role_drift, role_grid, &
       role_magnetic, role_measured, role_neutral, role_of, role_plan, role_station, role_total, role_true, role_unit, &
       role_unknown, role_vertical, words_of
-   use dg_table_text, only: content_length, row_type, split_row
+   use dg_table_text, only: close_brackets, content_length, row_type, split_row
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -83,7 +83,7 @@ contains
       type(row_type) :: words, phrases, row, wide_row
       character(:), allocatable :: header, data_text
       integer :: i, data_line
-      header = closed(lines(last)%text(:content_length(lines(last)%text)))
+      header = close_brackets(lines(last)%text(:content_length(lines(last)%text)), joint=.true.)
       call split_row(header, ' ', words)
       call part_phrases(header, phrases)
       if (first_line == last) then
@@ -145,27 +145,6 @@ contains
          end if
       end subroutine take
    end subroutine stack_by_place
-
-   !> A line in which a bracket stands right behind its heading and holds no blanks, so that 'MD (from RKB)' is one word.
-   pure function closed(text) result(tight)
-      character(*), intent(in) :: text
-      character(:), allocatable :: tight
-      integer :: i, depth
-      depth = 0
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), '([') == 1) then
-            depth = depth + 1
-            tight = trim(tight)
-         end if
-         if (depth == 0 .or. scan(text(i:i), ' '//achar(9)) == 0) then
-            tight = tight//text(i:i)
-         else if (scan(tight(len(tight):), '([_') == 0) then
-            tight = tight//'_'
-         end if
-         if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
-      end do
-   end function closed
 
    !> Joins words that make one heading: Measured Depth, Hole Angle, Inc deg.
    subroutine join_words(words)

@@ -5,7 +5,7 @@ module dg_table_text
    implicit none
    private
    public :: skipped_rows_type, skipped_words
-   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, &
+   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
              split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
@@ -97,11 +97,16 @@ contains
       end do
    end function blank_brackets
 
-   !> The text without blanks before and inside brackets, so that 'MD (m)' is one field.
-   pure function close_brackets(text) result(tight)
+   !> The text without blanks before and inside brackets, so that 'MD (m)' is one field. With `joint` blanks inside become one '_',
+   !> so that the words of 'MD (from RKB)' stay apart.
+   pure function close_brackets(text, joint) result(tight)
       character(*), intent(in) :: text
+      logical, intent(in), optional :: joint       !< absent: no
       character(:), allocatable :: tight
+      logical :: joined
       integer :: i, depth
+      joined = .false.
+      if (present(joint)) joined = joint
       depth = 0
       tight = ''
       do i = 1, len(text)
@@ -109,10 +114,26 @@ contains
             depth = depth + 1
             tight = trim(tight)
          end if
-         if (depth == 0 .or. scan(text(i:i), ' '//tab) == 0) tight = tight//text(i:i)
+         if (depth == 0 .or. scan(text(i:i), ' '//tab) == 0) then
+            tight = tight//text(i:i)
+         else if (joined) then
+            if (scan(tight(len(tight):), '([_') == 0) tight = tight//'_'
+         end if
          if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
       end do
    end function close_brackets
+
+   !> Small letters without blanks, tabs and the letters of `also`.
+   pure function squeezed(text, also) result(tight)
+      character(*), intent(in) :: text
+      character(*), intent(in) :: also
+      character(:), allocatable :: tight
+      integer :: i
+      tight = ''
+      do i = 1, len(text)
+         if (scan(text(i:i), ' '//tab//also) == 0) tight = tight//lower_case(text(i:i))
+      end do
+   end function squeezed
 
    !> A line without its comment; '' where nothing but blanks, tabs and separators stands before it.
    pure function without_comment(line) result(text)
