@@ -2,7 +2,7 @@
 !> grade that was meant. 'DP 5 19.5 S-135' means 'DP 5 19.50 NC50 S135'.
 module dg_catalogue_advice
    use dg_catalogue, only: catalogue_type, kind_of_grades
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: read_fraction, read_real
    use dg_kinds, only: wp
    use dg_text, only: append_text, edit_distance, lower_case, suggestion, text_type
    implicit none
@@ -194,23 +194,14 @@ contains
       character(*), intent(in) :: word
       real(wp), intent(out) :: number
       logical, intent(out) :: legal
-      real(wp) :: above, below
-      integer :: slash, hyphen
       number = 0.0_wp
       legal = verify(word, '0123456789.-/') == 0 .and. scan(word, '0123456789') == 1
       if (.not. legal) return
-      slash = index(word, '/')
-      if (slash == 0) then
+      if (index(word, '/') > 0) then
+         call read_fraction(word, number, legal)
+      else
          legal = index(word, '-') == 0
          if (legal) call read_real(word, number, legal)
-         return
       end if
-      hyphen = index(word, '-')
-      legal = hyphen < slash
-      if (legal .and. hyphen > 0) call read_real(word(:hyphen - 1), number, legal)
-      if (legal) call read_real(word(hyphen + 1:slash - 1), above, legal)
-      if (legal) call read_real(word(slash + 1:), below, legal)
-      if (legal) legal = below > 0.0_wp
-      if (legal) number = number + above/below
    end subroutine read_size
 end module dg_catalogue_advice

@@ -6,7 +6,7 @@ module dg_deck_number
    use dg_text, only: lower_case
    implicit none
    private
-   public :: read_real, read_integer, read_logical
+   public :: read_real, read_integer, read_logical, read_fraction
 
    character(*), parameter :: digits = '0123456789'
 
@@ -116,4 +116,33 @@ contains
       case default; legal = .false.
       end select
    end subroutine read_logical
+
+   !> A mixed fraction, 8-1/2 or 8 1/2, or one alone, 1/2.
+   pure subroutine read_fraction(text, number, legal)
+      character(*), intent(in) :: text
+      real(wp), intent(out) :: number
+      logical, intent(out) :: legal
+      real(wp) :: above, below
+      integer :: slash, gap
+      number = 0.0_wp
+      slash = index(text, '/')
+      legal = slash > 1 .and. slash < len(text)
+      if (.not. legal) return
+      gap = scan(text(:slash), '- ', back=.true.)
+      legal = all_digits(text(gap + 1:slash - 1)) .and. all_digits(text(slash + 1:))
+      if (legal .and. gap > 0) legal = all_digits(text(:gap - 1))
+      if (.not. legal) return
+      if (gap > 0) call read_real(text(:gap - 1), number, legal)
+      call read_real(text(gap + 1:slash - 1), above, legal)
+      call read_real(text(slash + 1:), below, legal)
+      legal = below > 0.0_wp
+      if (legal) number = number + above/below
+   end subroutine read_fraction
+
+   !> True for a text of digits alone.
+   pure function all_digits(text) result(are)
+      character(*), intent(in) :: text
+      logical :: are
+      are = len(text) > 0 .and. verify(text, '0123456789') == 0
+   end function all_digits
 end module dg_deck_number

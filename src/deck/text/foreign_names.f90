@@ -1,6 +1,6 @@
 !> Names that other programs and the rig have for groups and keys of a deck, for advice on unknown ones. None of them is read.
 module dg_foreign_names
-   use dg_text, only: joined, nearest_name
+   use dg_text, only: nearest_name, suggestion
    implicit none
    private
    public :: group_advice, key_advice, meant_key
@@ -164,12 +164,10 @@ contains
       character(*), intent(in) :: meant, name
       character(*), intent(in) :: legal(:)
       character(:), allocatable :: advice
-      advice = meant
-      if (advice == '') advice = nearest_name(name, legal)
-      if (advice /= '') then
-         advice = "did you mean '"//advice//"'?"
+      if (meant /= '') then
+         advice = "did you mean '"//meant//"'?"
       else
-         advice = 'legal: '//joined(legal, ', ')
+         advice = suggestion(name, legal)
       end if
    end function worded
 end module dg_foreign_names

@@ -1,6 +1,6 @@
 !> Advice on numbers of a deck that are written as people write them: 8-1/2, 5", 135 ksi; or in a unit of another name: psi, lbf.
 module dg_value_advice
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: read_fraction, read_real
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
    use dg_kinds, only: wp
    use dg_text, only: lower_case, to_text
@@ -83,32 +83,4 @@ contains
       end if
       bare = text(:last)
    end function without_mark
-
-   !> A mixed fraction, 8-1/2 or 8 1/2, or one alone, 1/2.
-   pure subroutine read_fraction(text, number, legal)
-      character(*), intent(in) :: text
-      real(wp), intent(out) :: number
-      logical, intent(out) :: legal
-      real(wp) :: above, below
-      integer :: slash, gap
-      number = 0.0_wp
-      slash = index(text, '/')
-      legal = slash > 1 .and. slash < len(text)
-      if (.not. legal) return
-      gap = scan(text(:slash), '- ', back=.true.)
-      legal = all_digits(text(gap + 1:slash - 1)) .and. all_digits(text(slash + 1:))
-      if (legal .and. gap > 0) legal = all_digits(text(:gap - 1))
-      if (.not. legal) return
-      if (gap > 0) call read_real(text(:gap - 1), number, legal)
-      call read_real(text(gap + 1:slash - 1), above, legal)
-      call read_real(text(slash + 1:), below, legal)
-      legal = below > 0.0_wp
-      if (legal) number = number + above/below
-   end subroutine read_fraction
-
-   pure function all_digits(text) result(are)
-      character(*), intent(in) :: text
-      logical :: are
-      are = len(text) > 0 .and. verify(text, digits) == 0
-   end function all_digits
 end module dg_value_advice
