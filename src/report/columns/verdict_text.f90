@@ -11,7 +11,10 @@ module dg_verdict_text
                          verdict_type
    implicit none
    private
-   public :: verdict_reason, verdict_sentences, unchecked_codes
+   public :: verdict_reason, verdict_sentences, unchecked_codes, row_mark, mark_meaning
+
+   !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
+   character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
 
    !> Digits of loads, depths and factors.
    integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3

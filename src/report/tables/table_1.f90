@@ -10,6 +10,7 @@ module dg_table_1
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_force, unit_label, unit_moment
    use dg_units, only: unit_system_type
+   use dg_verdict_text, only: mark_meaning, row_mark
    use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
    private
@@ -31,9 +32,6 @@ module dg_table_1
    integer, parameter :: gap = 1
    !> Narrower than that a column of words tells nothing.
    integer, parameter :: least_section = 15, least_name = 6
-
-   !> Behind a row that cannot be done or has no solution. A blank stands before it where there is room for one.
-   character(*), parameter :: row_mark = '!'
 
    !> Which columns there are, and how wide those of words are.
    type :: layout_type
@@ -73,7 +71,7 @@ contains
          first = last + 1
       end do
       call append_text(lines, repeat('-', width_of(layout)))
-      if (any(marked)) call append_text(lines, row_mark//' cannot be done, or no solution')
+      if (any(marked)) call append_text(lines, mark_meaning)
       load = as_measured(results%hookload, results%weight_indicator)
       other = cases%measured_hookload
       call append_error(lines, trim(merge('Weight indicator', 'Hook load       ', layout%shown(col_indicator)))// &

@@ -15,6 +15,7 @@ module dg_sweep_table
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_no, answer_yes, limit_title
+   use dg_verdict_text, only: mark_meaning, row_mark
    implicit none
    private
    public :: sweep_table, sweep_sentences
@@ -60,7 +61,7 @@ contains
          call append_passed(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
-      if (any(answer_of(points) /= answer_yes)) call append_text(lines, '! cannot be done, or no solution')
+      if (any(answer_of(points) /= answer_yes)) call append_text(lines, mark_meaning)
       call append_lost(lines, units, sweep, points)
    end function sweep_table
 
@@ -194,7 +195,7 @@ contains
                                                       as_measured(found%hookload, found%weight_indicator)), &
                                         units%force, cell_width - 1, hookload_digits)
                end if
-               row = row//merge(' ', '!', answer_of(found) == answer_yes)
+               row = row//merge(' ', row_mark, answer_of(found) == answer_yes)
             end associate
          end do
          call append_text(lines, trim(row))
