@@ -10,7 +10,8 @@ module dg_test_survey_file
    use dg_kinds, only: wp
    use dg_survey_file, only: read_survey_file, station_list_type
    use dg_table_text, only: split_fields
-   use dg_text, only: append_text, text_type
+   use dg_table_lines, only: lines_between
+   use dg_text, only: text_type
    use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
@@ -403,25 +404,16 @@ contains
    subroutine write_table(table, from, to)
       character(*), intent(in) :: table
       character, intent(in), optional :: from, to
-      type(text_type), allocatable :: lines(:)
       type(error_type), allocatable :: error
       character(len(table)) :: text
-      integer :: first, length, i
+      integer :: i
       text = table
       do i = 1, len(text)
          if (present(from) .and. present(to)) then
             if (text(i:i) == from) text(i:i) = to
          end if
       end do
-      allocate (lines(0))
-      first = 1
-      do while (first <= len(text))
-         length = index(text(first:), '|') - 1
-         if (length < 0) length = len(text) - first + 1
-         call append_text(lines, text(first:first + length - 1))
-         first = first + length + 1
-      end do
-      call write_text_file(path, lines, error)
+      call write_text_file(path, lines_between(text, '|'), error)
       call assertFalse(allocated(error))
    end subroutine write_table
 end module dg_test_survey_file

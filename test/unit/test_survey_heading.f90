@@ -8,7 +8,7 @@ module dg_test_survey_heading
    use dg_kinds, only: wp
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
    use dg_survey_heading, only: column_name, heading_type, read_heading
-   use dg_text, only: append_text, text_type
+   use dg_table_lines, only: lines_between
    use dg_units, only: si_units
    implicit none
    private
@@ -260,19 +260,10 @@ contains
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
-      type(text_type), allocatable :: lines(:)
       type(column_names_type) :: named
       type(error_type), allocatable :: error
-      integer :: first, length, i
-      allocate (lines(0))
-      first = 1
-      do while (first <= len(table))
-         length = index(table(first:), ';') - 1
-         if (length < 0) length = len(table) - first + 1
-         call append_text(lines, table(first:first + length - 1))
-         first = first + length + 1
-      end do
-      call write_text_file(path, lines, error)
+      integer :: i
+      call write_text_file(path, lines_between(table, ';'), error)
       call assertFalse(allocated(error))
       do i = 1, 3
          named%names(i)%text = ''
