@@ -34,8 +34,8 @@ module dg_catalogue_advice
 
 contains
 
-   !> What to write instead of `name`: the entries of its kind and size whose weight is the same, else near, else all; of these
-   !> the ones whose connection is written most like it. Without a size: how to list the kind.
+   !> Names of the catalogue near `name`. First come entries of its kind and size with the same weight, then with a near one, then
+   !> all. Of these the most similar connection counts. Without a size: the command that lists the kind.
    function catalogue_advice(catalogue, name) result(advice)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
@@ -151,7 +151,7 @@ contains
       kind = ''
    end function kind_of
 
-   !> The grade of the catalogue that is written so; '' where there is none.
+   !> Name of a grade in the catalogue, found without regard to hyphens; '' for an unknown grade.
    pure function grade_name(catalogue, word) result(name)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: word        !< as `bare` gives it

@@ -95,7 +95,7 @@ contains
 
    contains
 
-      !> The count before a value, with its *; '' where there is none.
+      !> Repeat count before a value, '4*' in '4*20'; '' without one.
       pure function count_of(written) result(text)
          character(*), intent(in) :: written
          character(:), allocatable :: text

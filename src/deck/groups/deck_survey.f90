@@ -28,7 +28,7 @@ module dg_deck_survey
 contains
 
    !> Stations of the group &trajectory of the deck `path`, in SI units and fit for new_trajectory where `sound`; every fault else.
-   !> `notes` gets what is to be told of the files that were read.
+   !> `notes` receives messages on the survey files.
    subroutine read_stations(path, group, units, stations, sound, notes, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: group
@@ -153,7 +153,7 @@ contains
       end if
    end subroutine take_parent
 
-   !> Whether the hole above the first station is known: it is at surface, vertical there, or the deck tells.
+   !> Refuses a survey that begins inclined below surface without tie_on or parent_file.
    subroutine check_begin(path, group, units, from_file, stations, sound, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: group
