@@ -91,10 +91,9 @@ contains
       collars = 0.0_wp
       tops = component_tops(string, bit - top_md(model%trajectory))
       below_pipe = .true.
+      lower = bit
       do i = 1, size(tops)
          associate (part => string%components(i))
-            lower = bit
-            if (i > 1) lower = bit - tops(i - 1)
             length = lower - (bit - tops(i))
             pieces = max(1, ceiling(length/longest_piece))
             piece = length/real(pieces, wp)
@@ -107,6 +106,7 @@ contains
                if (below_pipe) collars = collars + weight
             end do
             air = air + length*part%mass*model%gravity
+            lower = bit - tops(i)
          end associate
       end do
    end subroutine weigh
