@@ -52,8 +52,8 @@ module dg_whirling
 contains
 
    !> Share of circumferential friction's force that climbs, by element [-]: less than 1 where the soft string is compressed near
-   !> buckling, and 0 for a turning string in a vertical stretch of hole in which it is compressed at all, as no weight holds it
-   !> to a side there. Where it is less than 1 anywhere, torques at bit and top act semi-tangentially; for a string that slides
+   !> buckling, and 0 in a vertical stretch of hole in which it is compressed at all, as no weight holds it to a side there: for a
+   !> turning string in any such stretch, for another one in a hole that is vertical all along. Where it is less than 1 anywhere, torques at bit and top act semi-tangentially; for a string that slides
    !> without turning, which has no such force, that is all that it says. A torque about the string's own axis at a free bit would
    !> drive its coil around a vertical stretch for ever. A shaft without friction keeps it: it buckles as Greenhill's (1883).
    pure subroutine find_climb(model, case_index, mesh, compressed, climb)
@@ -75,6 +75,7 @@ contains
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
+         if (straight_down .and. ratio > 0.0_wp) climb(e) = 0.0_wp
       end do
       call free_vertical_stretches(vertical, axial, mesh%rotary, climb)
    end subroutine find_climb
