@@ -218,7 +218,7 @@ contains
       type(run_type) :: run
       character(:), allocatable :: deck, limit
       run = run_deck_text(good_deck())
-      call assertTrue(index(run%output, 'Not checked: pipe strength (no yield)') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Not checked, no rating given: pipe strength (no yield)') > 0, message=run%output)
       call last_limit(limit)
       call assertEqual('', limit, message='nothing is known')
       deck = replaced(good_deck(), 'id = 108.6', "id = 108.6104, yield = 930.792, wear_class = 'premium', connection = 'nc50', "// &

@@ -4,7 +4,7 @@ module dg_test_verdict
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged
    use dg_component, only: buoyed_weight, tube_area
-   use dg_constants, only: degree
+   use dg_constants, only: degree, pi
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_find_verdict, only: find_verdict
@@ -40,6 +40,7 @@ contains
       call suite%addTest(TestMethod('push_needed', test_push))
       call suite%addTest(TestMethod('too_much_weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('rig_and_its_reserve', test_rig))
+      call suite%addTest(TestMethod('limit_behind_the_reserve', test_reserve_limit))
       call suite%addTest(TestMethod('top_drive', test_top_drive))
       call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
       call suite%addTest(TestMethod('locked_up', test_locked_up))
@@ -111,6 +112,7 @@ contains
       call assertRelativelyEqual(friction*tan(angle), verdict%used%value, close, message='used')
       call assertRelativelyEqual(weight_of(model)*cos(angle), verdict%allowed%value, close, message='weight along the hole')
       call assertRelativelyEqual(1.0_wp/(friction*tan(angle)), verdict%friction_reserve%value, close, message='reserve')
+      call assertEqual(limit_string_weight, verdict%reserve_limit)
    end subroutine test_weight
 
    !> Friction of 0.7 holds a string at 60 degrees: W (f sin a - cos a) of push. Turned, it goes down.
@@ -131,6 +133,8 @@ contains
                        ' kN of push needed at surface', reason)
       reason = verdict_sentences(si_units(), model%cases(1), verdict)
       call assertTrue(index(reason, 'Rotate the string') > 0, message=reason)
+      call assertRelativelyEqual(1.0_wp/(0.7_wp*tan(angle)), verdict%possible_friction%value, close, message='less friction')
+      call assertTrue(index(reason, 'Possible with about 0.825 times the friction given') > 0, message=reason)
    end subroutine test_push
 
    !> Sliding with one and a half of the weight on bit that the string brings to the bit.
@@ -174,7 +178,33 @@ contains
       call judge(model, given(0.9_wp*load), verdict)
       call assertEqual(answer_no, verdict%answer, message='too heavy for the rig')
       call assertEqual(limit_rig, verdict%limit)
+      call assertRelativelyEqual(1.0_wp - 0.1_wp*load/(weight_of(model)*friction*sin(angle)), verdict%possible_friction%value, &
+                                 close)
+      call judge(model, given(0.9_wp*weight_of(model)*cos(angle)), verdict)
+      call assertEqual(answer_no, verdict%answer, message='too heavy without friction')
+      call assertFalse(verdict%possible_friction%present, message='friction does not decide')
    end subroutine test_rig
+
+   !> A heavy block uses most of the rig. Friction grows the string's tension faster than the load of the rig.
+   subroutine test_reserve_limit()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      character(:), allocatable :: text
+      real(wp) :: load
+      call build(model, operation_trip_out, 0.0_wp)
+      load = weight_of(model)*(cos(angle) + friction*sin(angle))
+      model%rig%given = .true.
+      model%rig%block_weight = load
+      associate (pipe => model%strings(1)%components(1))
+         pipe%yield = load/(0.8_wp*0.25_wp*pi*(pipe%od**2 - pipe%id**2))
+      end associate
+      call judge(model, given(2.0_wp*load/0.85_wp), verdict)
+      call assertEqual(limit_rig, verdict%limit, message='today')
+      call assertEqual(limit_tension, verdict%reserve_limit, message='with more friction')
+      allocate (character(0) :: text)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'times the friction given, limited by tension') > 0, message=text)
+   end subroutine test_reserve_limit
 
    !> Torque f W sin a times the radius of the string.
    subroutine test_top_drive()
@@ -214,7 +244,8 @@ contains
       names = unchecked_codes(verdict)
       call assertEqual('joint_torsion make_up_torque slips fatigue', names)
       names = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(names, 'Not checked: joint torsion, make-up torque, slips, fatigue') > 0, message=names)
+      call assertTrue(index(names, 'Not checked, no rating given: joint torsion, make-up torque, slips, fatigue') > 0, &
+                      message=names)
    end subroutine test_not_checked
 
    !> A string that is locked up cannot be done, and its weight on bit is told.

@@ -7,7 +7,7 @@ module dg_find_verdict
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_design_factors, only: design_factors_type
-   use dg_friction_reserve, only: find_friction_reserve, own_weight, weight_share
+   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, own_weight, weight_share
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, given, moves_axially, optional_real, rotates
    use dg_model, only: model_type, string_index
@@ -46,8 +46,11 @@ contains
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
-            if (verdict%answer == answer_yes) &
-               call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve)
+            if (verdict%answer == answer_yes) then
+               call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
+            else
+               call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
+            end if
          end if
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
              .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) &

@@ -1,4 +1,4 @@
-!> Factor by which all friction of a load case may grow before a limit is passed.
+!> Factor by which all friction of a load case may grow before a limit is passed, or must shrink so that none is.
 !>
 !> The result is not solved again. Axial force and torque along the string change as those of the soft string do, times the ratio of
 !> the result's friction to that of the soft string at today's friction.
@@ -14,12 +14,15 @@ module dg_friction_reserve
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
+   use dg_verdict, only: limit_lock_up, limit_string_weight
    implicit none
    private
-   public :: find_friction_reserve, own_weight, weight_share
+   public :: find_friction_reserve, find_possible_friction, own_weight, weight_share
 
-   !> Largest factor that is looked for, and to what part of it [-].
-   real(wp), parameter :: most = 10.0_wp, narrowness = 1.0e-4_wp
+   !> Smallest and largest factor that are looked for, and to what part of it [-].
+   real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
+   !> So far beyond the factor, over it, a limit is passed [-].
+   real(wp), parameter :: beyond = 0.01_wp
    !> Friction of the soft string below this part of its weight scales nothing [-].
    real(wp), parameter :: no_friction = 1.0e-6_wp
    !> Share of a limit by a string that locks up [-].
@@ -35,35 +38,65 @@ module dg_friction_reserve
 
 contains
 
-   !> The factor, > 1; absent where no limit is passed up to ten times today's friction.
-   pure subroutine find_friction_reserve(model, result, design, rig_limit, reserve)
+   !> The factor, > 1; absent where no limit is passed up to ten times today's friction, and where one is passed today.
+   pure subroutine find_friction_reserve(model, result, design, rig_limit, reserve, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       type(optional_real), intent(out) :: reserve
-      type(soft_type) :: soft
-      type(bracket_type) :: bracket
-      real(wp) :: factor, at_most, now
-      if (.not. allocated(result%profile%md)) return
-      call begin_soft(model, result, soft)
-      if (.not. allocated(soft%axial)) return
-      now = margin_at(model, result, design, rig_limit, soft, 1.0_wp)
-      at_most = margin_at(model, result, design, rig_limit, soft, most)
-      if (at_most >= 0.0_wp .or. now < 0.0_wp) return
-      bracket = new_bracket(1.0_wp, now, most, at_most)
-      do while (.not. is_narrow(bracket, narrowness*most))
-         factor = next_try(bracket, narrowness*most)
-         call narrow(bracket, factor, margin_at(model, result, design, rig_limit, soft, factor))
-      end do
-      reserve = given(bracket%low)
+      integer, intent(out) :: limit                      !< that is passed beyond the factor; 0: none
+      real(wp) :: margin
+      limit = 0
+      call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve)
+      if (reserve%present) call find_margin(model, result, design, rig_limit, soft_of(model, result), &
+                                            (1.0_wp + beyond)*reserve%value, margin, limit)
    end subroutine find_friction_reserve
 
-   !> Soft string at today's friction. Not allocated where it locks up.
-   pure subroutine begin_soft(model, result, soft)
+   !> Of a result that passes a limit, the part of today's friction, < 1, with which it does not; absent where friction is not what
+   !> decides.
+   pure subroutine find_possible_friction(model, result, design, rig_limit, part)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result       !< converged
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
+      type(optional_real), intent(out) :: part
+      call find_factor(model, result, design, rig_limit, [least, 1.0_wp], part)
+   end subroutine find_possible_friction
+
+   !> The factor between two at which a limit is reached; absent where none is passed at the upper one, or one is at the lower one.
+   pure subroutine find_factor(model, result, design, rig_limit, between, found)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(soft_type), intent(out) :: soft
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit
+      real(wp), intent(in) :: between(2)       !< [-]
+      type(optional_real), intent(out) :: found
+      type(soft_type) :: soft
+      type(bracket_type) :: bracket
+      real(wp) :: factor, margin(2), here
+      integer :: i, limit
+      if (.not. allocated(result%profile%md)) return
+      soft = soft_of(model, result)
+      if (.not. allocated(soft%axial)) return
+      do i = 1, 2
+         call find_margin(model, result, design, rig_limit, soft, between(i), margin(i), limit)
+      end do
+      if (margin(2) >= 0.0_wp .or. margin(1) < 0.0_wp) return
+      bracket = new_bracket(between(1), margin(1), between(2), margin(2))
+      do while (.not. is_narrow(bracket, narrowness*between(2)))
+         factor = next_try(bracket, narrowness*between(2))
+         call find_margin(model, result, design, rig_limit, soft, factor, here, limit)
+         call narrow(bracket, factor, here)
+      end do
+      found = given(bracket%low)
+   end subroutine find_factor
+
+   !> Soft string at today's friction. Not allocated where it locks up.
+   pure function soft_of(model, result) result(soft)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(soft_type) :: soft
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
       ! A string that turns as it goes down was found to come farther than the soft string with the friction of coils.
@@ -79,26 +112,28 @@ contains
          if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
          if (turning > 0.0_wp) soft%torque_ratio = max((result%torque - load_case%tob)/turning, 0.0_wp)
       end associate
-   end subroutine begin_soft
+   end function soft_of
 
-   !> One minus the share of the most used limit with all friction times a factor [-].
-   pure function margin_at(model, result, design, rig_limit, soft, factor) result(margin)
+   !> One minus the share of the most used limit with all friction times a factor, and that limit.
+   pure subroutine find_margin(model, result, design, rig_limit, soft, factor, margin, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit
       type(soft_type), intent(in) :: soft
       real(wp), intent(in) :: factor       !< [-]
-      real(wp) :: margin
+      real(wp), intent(out) :: margin      !< [-]
+      integer, intent(out) :: limit        !< number of dg_verdict; 0: none is known
       type(case_result_type) :: other
       type(along_string_type) :: along
       type(utilisation_type) :: utilisation
       type(soft_totals_type) :: totals
-      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial))
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), share
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
       if (totals%runaway) then
          margin = 1.0_wp - locked
+         limit = limit_lock_up
          return
       end if
       other%case_index = result%case_index
@@ -112,10 +147,14 @@ contains
       call find_along_string(model, other, along)
       call find_utilisation(model, other, along, design, rig_limit, utilisation)
       margin = 1.0_wp
-      if (utilisation%governing > 0) margin = 1.0_wp - utilisation%used(utilisation%governing)%value
-      if (.not. top_md(model%trajectory) > 0.0_wp) &
-         margin = min(margin, 1.0_wp - weight_share(model%cases(result%case_index), other))
-   end function margin_at
+      limit = utilisation%governing
+      if (limit > 0) margin = 1.0_wp - utilisation%used(limit)%value
+      if (top_md(model%trajectory) > 0.0_wp) return
+      share = weight_share(model%cases(result%case_index), other)
+      if (.not. margin > 1.0_wp - share) return
+      margin = 1.0_wp - share
+      limit = limit_string_weight
+   end subroutine find_margin
 
    !> Buoyed weight along the hole [N].
    elemental function own_weight(load_case, result) result(weight)

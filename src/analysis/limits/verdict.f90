@@ -27,7 +27,9 @@ module dg_verdict
       type(optional_real) :: md                     !< where [m]; absent for the whole string
       type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m or Pa]
       logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
-      type(optional_real) :: friction_reserve       !< factor by which all friction may grow until the answer is no [-]
+      type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
+      integer :: reserve_limit = 0                  !< limit that is passed then
+      type(optional_real) :: possible_friction      !< no: part of all friction, < 1, with which the answer is yes [-]
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]

@@ -19,6 +19,8 @@ module dg_verdict_text
    !> Digits of loads, depths and factors.
    integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3
    real(wp), parameter :: percent = 0.01_wp
+   !> Part of a limit from which on the text says that little is left [-].
+   real(wp), parameter :: close_to_limit = 0.95_wp
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
 
@@ -72,12 +74,21 @@ contains
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             trim(in_units(units, unit_length, verdict%buckled_length, shown))
          if (verdict%friction_reserve%present) text = text//'. Works up to about '// &
-            to_text(verdict%friction_reserve%value, shown_factor)//' times the friction given'
-         if (any(verdict%not_checked)) text = text//'. Not checked: '//unchecked_text(verdict)
+            to_text(verdict%friction_reserve%value, shown_factor)//' times the friction given'//reserve_end(verdict)
+         if (any(verdict%not_checked)) text = text//'. Not checked, no rating given: '//unchecked_text(verdict)
       else
          text = 'No solution was found'
       end if
    end function verdict_sentences
+
+   !> The limit that ends the friction reserve, where it is another one than the limit used most today.
+   pure function reserve_end(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = ''
+      if (verdict%reserve_limit > 0 .and. verdict%reserve_limit /= verdict%limit) &
+         text = ', limited by '//trim(limit_title(verdict%reserve_limit))
+   end function reserve_end
 
    !> Push at surface that a string needs [N].
    pure function push_of(verdict) result(push)
@@ -92,10 +103,13 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (.not. verdict%turning_hookload%present) return
-      text = '. Rotate the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
-      if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
-         ' of buoyed weight where the hole is steep'
+      if (verdict%turning_hookload%present) then
+         text = '. Rotate the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
+         if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
+            ' of buoyed weight where the hole is steep'
+      end if
+      if (verdict%possible_friction%present) text = text//'. Possible with about '// &
+         to_text(verdict%possible_friction%value, shown_factor)//' times the friction given'
    end function help_text
 
    !> The limit used most and what is left of it.
@@ -107,7 +121,9 @@ contains
          text = 'No limit is known'
          return
       end if
-      text = trim(limit_title(verdict%limit))//' '//to_text(verdict%used%value/percent, shown_factor)//' % used'// &
+      text = ''
+      if (verdict%used%value > close_to_limit) text = 'Close to its limit: '
+      text = text//trim(limit_title(verdict%limit))//' '//to_text(verdict%used%value/percent, shown_factor)//' % used'// &
              place_text(units, verdict)
       if (verdict%allowed%present) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'

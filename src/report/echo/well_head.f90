@@ -18,6 +18,8 @@ module dg_well_head
    !> Longest piece whose fluids are those at its middle [m].
    real(wp), parameter :: longest_piece = 50.0_wp
    integer, parameter :: few = 3, digits = 5
+   !> Hole sections whose friction factors are listed one by one.
+   integer, parameter :: most_listed = 4
    !> Kinds that are no collars: their weight is not put on the bit.
    character(*), parameter :: pipe_kinds(2) = [character(9) :: 'drillpipe', 'hwdp']
 
@@ -33,6 +35,7 @@ contains
       integer :: i, k
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
+      call append_text(lines, friction_line(model))
       do i = 1, size(model%strings)
          deepest = 0.0_wp
          do k = 1, size(model%cases)
@@ -75,6 +78,46 @@ contains
             trim(in_units(units, unit_length, path%md(place), digits))
       end associate
    end function path_line
+
+   !> Friction factors of the hole sections, and of load cases that have their own.
+   pure function friction_line(model) result(line)
+      type(model_type), intent(in) :: model
+      character(:), allocatable :: line
+      character(:), allocatable :: own
+      integer :: i
+      line = 'Friction factor'
+      if (size(model%holes) <= most_listed) then
+         do i = 1, size(model%holes)
+            associate (hole => model%holes(i))
+               line = line//' '//pair_text(hole%friction_axial, hole%friction_rotary)
+               if (hole%name /= '') line = line//' in '//hole%name
+               if (i < size(model%holes)) line = line//','
+            end associate
+         end do
+      else
+         line = line//' '//to_text(minval(model%holes%friction_axial), few)//' to '// &
+            to_text(maxval(model%holes%friction_axial), few)//' axial, '// &
+            to_text(minval(model%holes%friction_rotary), few)//' to '// &
+            to_text(maxval(model%holes%friction_rotary), few)//' rotary in '//to_text(size(model%holes))//' hole sections'
+      end if
+      own = ''
+      do i = 1, size(model%cases)
+         associate (load_case => model%cases(i))
+            if (.not. (load_case%friction_axial%present .or. load_case%friction_rotary%present)) cycle
+            if (own /= '') own = own//', '
+            own = own//load_case%name
+         end associate
+      end do
+      if (own /= '') line = line//'. Load cases with their own: '//own
+   end function friction_line
+
+   !> Two factors as one number where they are equal.
+   pure function pair_text(axial, rotary) result(text)
+      real(wp), intent(in) :: axial, rotary     !< [-]
+      character(:), allocatable :: text
+      text = to_text(axial, few)
+      if (abs(axial - rotary) > 0.0_wp) text = text//' axial and '//to_text(rotary, few)//' rotary'
+   end function pair_text
 
    !> Weights of a string in the hole [N], what stands above the first station left out: in air, in its fluids, and in its fluids of
    !> all below the lowest drill pipe.

@@ -186,8 +186,8 @@ contains
       character(:), allocatable :: text
       real(wp) :: largest, moment, other_moment
       if (other%status /= result_converged) then
-         call add_message(result, 'A coiled string may stop in more than one way. Two other starts found no equilibrium, so '// &
-                          'the range of hook load and moments is unknown')
+         call add_message(result, 'A helically buckled string can stop at several hook loads. Two other starts found '// &
+                          'none, so the range of hook load and moments is unknown')
          return
       end if
       text = ''
@@ -204,7 +204,7 @@ contains
             text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
          end if
       end if
-      if (text /= '') call add_message(result, 'A coiled string may stop in more than one way. From another start, '// &
+      if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
                                        trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
                                                   mirrored))//text)
    end subroutine tell_range
@@ -231,12 +231,11 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'Contact force is '//trim(in_units(units, unit_force, found%by_analysis, shown))// &
-                          ' on long elements (hook load, torque) and '// &
-                          trim(in_units(units, unit_force, found%by_beam, shown))//' on short ones (moments, side forces). '// &
-                          'Allow '//to_text(100.0_wp*share, shown_clearances)//' % on contact force, most of it from '// &
-                          trim(in_units(units, unit_length, found%md(1), shown_depth))//' to '// &
-                          trim(in_units(units, unit_length, found%md(2), shown_depth)))
+         call add_message(result, 'Allow '//to_text(100.0_wp*share, shown_clearances)//' % on contact force, mostly between '// &
+                          trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
+                          trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
+                          trim(in_units(units, unit_force, found%by_analysis, shown))//' for hook load and torque, and '// &
+                          trim(in_units(units, unit_force, found%by_beam, shown))//' for moments and side forces')
       end associate
    end subroutine tell_unlike_contact
 
@@ -297,8 +296,8 @@ contains
                           ' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: friction of the coiled string grows without bound above '// &
-                       trim(in_units(model%units, unit_length, totals%runaway_md, shown))//'. '
+      result%message = 'Locked up: from '//trim(in_units(model%units, unit_length, totals%runaway_md, shown))// &
+                       ' up to surface, friction of helical buckling grows without bound. '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
          result%message = result%message//'No push at surface brings more than '// &
