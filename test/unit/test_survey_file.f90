@@ -162,8 +162,8 @@ contains
 
    !> A unit that we do not know is never silently one that we do.
    subroutine test_unknown_units()
-      character(*), parameter :: lengths(13) = [character(10) :: 'kft', 'km', 'cm', 'in', '0.1in', '0.1 in', 'yd', 'X', &
-         'ft x 100', '10 m', 'm/ft', 'deg', "'"]
+      character(*), parameter :: lengths(12) = [character(10) :: 'kft', 'km', 'cm', 'in', '0.1in', '0.1 in', 'yd', 'X', &
+         'ft x 100', '10 m', 'm/ft', 'deg']
       character(*), parameter :: angles(18) = [character(10) :: 'gon', 'grad', 'g', 'mrad', 'mil', 'mils', '%', 'per cent', &
          'percent', 'rev', 'arcmin', "'", 'deg/30m', 'centesimal', 'm', 'X', 'deg rad', 'RKB']
       integer :: i
@@ -194,8 +194,9 @@ contains
          call refuse('above: '//wrong_rows(i), trim(wrong_rows(i))//'|'//head//metres, '; convert it')
          call refuse('below: '//wrong_rows(i), head//trim(wrong_rows(i))//'|'//metres, '; convert it')
       end do
-      call refuse('the mark of feet', "',deg,deg|"//head//metres, '; convert it')
-      call refuse('marks of feet', "',deg,deg,'|MD,Inc,Azi,TVD|0,0,90,0|500,10,90.25,495|1234.5,45.5,100,1100", '; convert it')
+      call accept('the mark of feet', "',deg,deg|"//head//feet)
+      call accept('marks of feet', "',deg,deg,'|MD,Inc,Azi,TVD|0,0,90,0|1640.419947507,10,90.25,1630|4050.1968504,45.5,100,3600")
+      call refuse('marks of minutes', "',',deg|"//head//metres, '; convert it')
       call accept('above, with titles', 'Well A, 2024||ft,deg,deg||MD,Inc,Azi|'//feet)
       call accept('above, by blanks', 'ft deg deg|MD Inc Azi|0 0 90|1640.419947507 10 90.25|4050.1968504 45.5 100')
       call accept('a datum alone', 'RKB,deg,deg|'//head//metres)

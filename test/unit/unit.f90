@@ -29,6 +29,7 @@ contains
       use dg_test_run_outcome, only: run_outcome_suite
       use dg_test_survey_file, only: survey_file_suite
       use dg_test_survey_heading, only: survey_heading_suite
+      use dg_test_witsml_survey, only: witsml_survey_suite
       use dg_test_units, only: units_suite
       use dg_test_closest_point, only: closest_point_suite
       use dg_test_tortuosity, only: tortuosity_suite
@@ -101,6 +102,7 @@ contains
       call suite%addTest(run_outcome_suite())
       call suite%addTest(survey_file_suite())
       call suite%addTest(survey_heading_suite())
+      call suite%addTest(witsml_survey_suite())
       call suite%addTest(ten_digits_suite())
       call suite%addTest(units_suite())
       call suite%addTest(trajectory_suite())

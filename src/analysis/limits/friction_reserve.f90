@@ -46,11 +46,13 @@ contains
       type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       type(optional_real), intent(out) :: reserve
       integer, intent(out) :: limit                      !< that is passed beyond the factor; 0: none
+      type(soft_type) :: soft
       real(wp) :: margin
       limit = 0
       call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve)
-      if (reserve%present) call find_margin(model, result, design, rig_limit, soft_of(model, result), &
-                                            (1.0_wp + beyond)*reserve%value, margin, limit)
+      if (.not. reserve%present) return
+      call begin_soft(model, result, soft)
+      call find_margin(model, result, design, rig_limit, soft, (1.0_wp + beyond)*reserve%value, margin, limit)
    end subroutine find_friction_reserve
 
    !> Of a result that passes a limit, the part of today's friction, < 1, with which it does not; absent where friction is not what
@@ -77,7 +79,7 @@ contains
       real(wp) :: factor, margin(2), here
       integer :: i, limit
       if (.not. allocated(result%profile%md)) return
-      soft = soft_of(model, result)
+      call begin_soft(model, result, soft)
       if (.not. allocated(soft%axial)) return
       do i = 1, 2
          call find_margin(model, result, design, rig_limit, soft, between(i), margin(i), limit)
@@ -93,10 +95,10 @@ contains
    end subroutine find_factor
 
    !> Soft string at today's friction. Not allocated where it locks up.
-   pure function soft_of(model, result) result(soft)
+   pure subroutine begin_soft(model, result, soft)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(soft_type) :: soft
+      type(soft_type), intent(out) :: soft
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
       ! A string that turns as it goes down was found to come farther than the soft string with the friction of coils.
@@ -112,7 +114,7 @@ contains
          if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
          if (turning > 0.0_wp) soft%torque_ratio = max((result%torque - load_case%tob)/turning, 0.0_wp)
       end associate
-   end function soft_of
+   end subroutine begin_soft
 
    !> One minus the share of the most used limit with all friction times a factor, and that limit.
    pure subroutine find_margin(model, result, design, rig_limit, soft, factor, margin, limit)

@@ -37,7 +37,7 @@ contains
       logical, intent(out) :: sound
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(fault_list_type), intent(inout) :: faults
-      character(*), parameter :: of_files(3) = [character(12) :: 'md_column', 'inc_column', 'azi_column']
+      character(*), parameter :: of_files(4) = [character(12) :: 'md_column', 'inc_column', 'azi_column', 'survey_well']
       logical :: from_file
       integer :: i
       sound = .false.
@@ -91,6 +91,7 @@ contains
       do column = 1, 3
          names%names(column)%text = trim(adjustl(text_of(group, trim(column_name(column))//'_column', '')))
       end do
+      names%well = trim(adjustl(text_of(group, 'survey_well', '')))
       if (names_hold) then
          call read_named(faults)
       else
@@ -99,6 +100,7 @@ contains
          do column = 1, 3
             names%names(column)%text = ''
          end do
+         names%well = ''
          call read_named(faults)
       end if
 

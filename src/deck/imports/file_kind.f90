@@ -4,7 +4,7 @@ module dg_file_kind
    use dg_text, only: lower_case
    implicit none
    private
-   public :: foreign_kind
+   public :: foreign_kind, is_xml
 
    !> Bytes that are looked at.
    integer, parameter :: first_bytes = 1024
@@ -25,11 +25,10 @@ contains
       character(*), intent(in) :: begin
       character(:), allocatable :: kind
       character(*), parameter :: old_excel = char(208)//char(207)//char(17)//char(224)
-      character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
       character(*), parameter :: csv = 'Save the sheet as CSV, and name that file'
       character(*), parameter :: unpack = 'Unpack it, and name the file that was in it'
       character(*), parameter :: export = 'Export the survey as CSV, and name that file'
-      character(len(begin)) :: text
+      character(:), allocatable :: text
       kind = ''
       if (starts(begin, 'PK'//char(3)//char(4)) .or. starts(begin, 'PK'//char(5)//char(6))) then
          if (index(begin, 'opendocument.spreadsheet') > 0) then
@@ -65,14 +64,9 @@ contains
          kind = 'is a DLIS log. '//export
       end if
       if (kind /= '') return
-      text = begin
-      if (starts(text, byte_order_mark)) text = begin(len(byte_order_mark) + 1:)
-      text = lower_case(text(max(1, verify(text, ' '//achar(9)//achar(10)//achar(13))):))
+      text = plain_begin(begin)
       if (starts(text, '<!doctype html') .or. starts(text, '<html') .or. starts(text, '<table')) then
          kind = 'is a web page (HTML). Open it in a spreadsheet, save the sheet as CSV, and name that file'
-      else if (starts(text, '<')) then
-         kind = 'is an XML document. '//export
-         if (index(text, 'witsml') > 0 .or. index(text, 'trajectory') > 0) kind = 'is a WITSML document (XML). '//export
       else if (starts(text, '{') .or. is_list(text)) then
          kind = 'is JSON. '//export
       else if (index(begin, achar(0)) > 0 .and. .not. (starts(begin, char(255)//char(254)) .or. &
@@ -80,6 +74,23 @@ contains
          kind = 'is no text: it holds bytes of zero. '//export
       end if
    end function kind_of
+
+   !> Whether a file is an XML document, a web page not counted.
+   function is_xml(path) result(is)
+      character(*), intent(in) :: path
+      logical :: is
+      is = starts(plain_begin(file_begin(path, first_bytes)), '<') .and. foreign_kind(path) == ''
+   end function is_xml
+
+   !> The first bytes in lower case, without a mark of byte order and what is blank before them.
+   pure function plain_begin(begin) result(text)
+      character(*), intent(in) :: begin
+      character(:), allocatable :: text
+      character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+      text = begin
+      if (starts(text, byte_order_mark)) text = begin(len(byte_order_mark) + 1:)
+      text = lower_case(text(max(1, verify(text, ' '//achar(9)//achar(10)//achar(13))):))
+   end function plain_begin
 
    pure function starts(text, with)
       character(*), intent(in) :: text, with

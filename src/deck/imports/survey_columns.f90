@@ -13,6 +13,7 @@ module dg_survey_columns
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type
       type(text_type) :: names(3)
+      character(:), allocatable :: well          !< trajectory of a WITSML document; not allocated: the only one
    end type column_names_type
 
    !> Columns of a table and the SI values of their units.

@@ -1,8 +1,8 @@
 !> Reads stations from a table as other programs export it: CSV (comma or semicolon), tabs or blanks, decimal comma, headings in
-!> any order with or without units, lines above the header, rows of units above or below it; or a LAS file.
+!> any order with or without units, lines above the header, rows of units above or below it; or a LAS file, or a WITSML document.
 module dg_survey_file
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
-   use dg_file_kind, only: foreign_kind
+   use dg_file_kind, only: foreign_kind, is_xml
    use dg_file_lines, only: read_lines
    use dg_survey_columns, only: column_names_type, layout_type, missing_columns
    use dg_survey_heading, only: column_azi
@@ -13,6 +13,7 @@ module dg_survey_file
    use dg_table_text, only: skipped_rows_type, skipped_words
    use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_witsml_survey, only: witsml_table
    implicit none
    private
    public :: station_list_type, read_survey_file, column_names_type
@@ -34,7 +35,7 @@ contains
       type(marks_type) :: marks
       type(column_names_type) :: names
       type(skipped_rows_type) :: skipped(size(kind_names))
-      character(:), allocatable :: failure
+      character(:), allocatable :: failure, chosen
       integer :: n, i
       logical :: told
 
@@ -51,7 +52,13 @@ contains
       if (present(units_told)) told = units_told
       failure = foreign_kind(path)
       allocate (lines(0))
-      if (failure == '') call read_lines(path, lines, failure)
+      chosen = ''
+      if (is_xml(path)) then
+         if (.not. allocated(names%well)) names%well = ''
+         call witsml_table(path, names%well, lines, chosen, failure)
+      else if (failure == '') then
+         call read_lines(path, lines, failure)
+      end if
       call blank_controls(lines)
       n = size(lines)
       allocate (stations%md(n), stations%inclination(n), stations%azimuth(n), stations%listed(3, n), stations%rival(3, n), &
@@ -75,6 +82,8 @@ contains
       end if
       call cut_stations(stations, n)
       if (sound) call finish_stations(layout, skipped, stations, sound, faults)
+      if (chosen /= '' .and. stations%columns /= '') chosen = chosen//'. '
+      stations%columns = chosen//stations%columns
    end subroutine read_survey_file
 
    !> Makes blanks of feeds of pages, of marks of the end of a file, and of blanks that do not break a line (UTF-8).

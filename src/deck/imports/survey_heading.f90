@@ -40,7 +40,7 @@ contains
       character(:), allocatable :: name, inside, rest
       integer :: i
       heading%text = trim(adjustl(text))
-      call part_brackets(text, name, inside)
+      call part_brackets(feet_spelt(text), name, inside)
       call words_of(name, words)
       call words_of(inside, bracket_words)
       allocate (roles(size(words)))
@@ -63,6 +63,26 @@ contains
       end do
       call classify(roles, words, index(lower_case(text), 'from') > 0, heading)
    end subroutine read_heading
+
+   !> A text with the mark of feet at its end, or before its last bracket, as a word: MD', MD ('). Quotes around a text stay.
+   pure function feet_spelt(text) result(spelt)
+      character(*), intent(in) :: text
+      character(:), allocatable :: spelt
+      character(*), parameter :: mark = ''''
+      !> Prime and right quotation mark in UTF-8.
+      character(3), parameter :: other_marks(2) = [char(226)//char(128)//char(178), char(226)//char(128)//char(153)]
+      integer :: last, length, i
+      spelt = text
+      last = verify(text, ' )]}', back=.true.)
+      if (last < 2 .or. index(adjustl(text), mark) == 1) return
+      length = merge(1, 0, text(last:last) == mark)
+      do i = 1, size(other_marks)
+         if (last > 3) then
+            if (text(last - 2:last) == other_marks(i)) length = 3
+         end if
+      end do
+      if (length > 0) spelt = text(:last - length)//' ft'//text(last + 1:)
+   end function feet_spelt
 
    !> Whether all words of a text are those of headings, and one of them tells a quantity, or a north without a unit: such a line
    !> belongs to the header.

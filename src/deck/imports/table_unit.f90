@@ -144,7 +144,7 @@ contains
          end select
       else
          select case (name)
-         case ('ft', 'f', 'feet', 'foot'); value = foot
+         case ('ft', 'f', 'feet', 'foot', ''''); value = foot
          case ('usft', 'ftus'); value = survey_foot
          case ('m', 'meter', 'metre', 'meters', 'metres'); value = 1.0_wp
          case default

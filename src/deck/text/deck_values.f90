@@ -26,8 +26,8 @@ module dg_deck_values
    !> Texts that a list may have; numbers may be as many as repeat counts allow.
    integer, parameter :: most_texts = 1000
    !> Keys of texts that become no cell of a table: file names, and headings of other programs' tables.
-   character(*), parameter :: not_in_cells(12) = [character(14) :: 'output_dir', 'catalogue_file', 'survey_file', 'file', 'md', &
-      'axial', 'torque', 'side_force', 'md_column', 'inc_column', 'azi_column', 'parent_file']
+   character(*), parameter :: not_in_cells(13) = [character(14) :: 'output_dir', 'catalogue_file', 'survey_file', 'file', 'md', &
+      'axial', 'torque', 'side_force', 'md_column', 'inc_column', 'azi_column', 'survey_well', 'parent_file']
 
 contains
 

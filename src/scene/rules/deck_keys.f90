@@ -34,6 +34,7 @@ module dg_deck_keys
 
    ! Bounds [deck units of SI].
    real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
+   real(wp), parameter :: shortest = 1.0e-3_wp    ! m; the shortest contact
    real(wp), parameter :: widest = 5.0e3_wp       ! mm
    real(wp), parameter :: narrowest = 1.0_wp      ! mm; less is a diameter in metres
    real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
@@ -70,7 +71,7 @@ module dg_deck_keys
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
-   type(key_rule_type), parameter :: trajectory_keys(12) = [ &
+   type(key_rule_type), parameter :: trajectory_keys(13) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
       key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
@@ -79,6 +80,8 @@ module dg_deck_keys
          meaning='heading of the measured depth in survey_file, as it stands there; default: found by known headings'), &
       key_rule_type('trajectory', 'inc_column', kind_text, meaning='heading of the inclination, likewise'), &
       key_rule_type('trajectory', 'azi_column', kind_text, meaning='heading of the azimuth, likewise'), &
+      key_rule_type('trajectory', 'survey_well', kind_text, &
+         meaning='which trajectory of a WITSML survey_file: its name, or that of its well or wellbore'), &
       key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
          meaning='measured depths of the stations'), &
       key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &
@@ -263,7 +266,7 @@ module dg_deck_keys
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
-      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=0.0_wp, open=.true., high=deepest, &
+      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=shortest, high=deepest, &
          meaning='measured depth of the bit'), &
       key_rule_type('load_case', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
          meaning='weight on bit; > 0 pushes the bit, < 0 pulls it'), &
