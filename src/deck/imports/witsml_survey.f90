@@ -45,8 +45,8 @@ module dg_witsml_survey
 
 contains
 
-   !> Turns the document `path` into a table: a header, then a row for each station. Each row has the number of the station's line in
-   !> the document, where every station begins a line. `chosen` says which trajectory it is.
+   !> Turns the document `path` into a table: a header, then a row for each station. Each row has the number of the station's line
+   !> in the document, where every station begins a line. `chosen` says which trajectory it is.
    subroutine witsml_table(path, wanted, lines, chosen, failure)
       character(*), intent(in) :: path
       character(*), intent(in) :: wanted               !< name of the trajectory, its well or wellbore; '': the only one

@@ -55,7 +55,8 @@ contains
    !> buckling, and 0 in a vertical stretch of hole in which it is compressed at all, as no weight holds it to a side there: for a
    !> turning string in any such stretch, for another one in a hole that is vertical all along. Where it is less than 1 anywhere,
    !> torques at bit and top act semi-tangentially; for a string that slides without turning, which has no such force, that is all
-   !> that it says. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft without friction keeps it: it buckles as Greenhill's (1883).
+   !> that it says. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft without
+   !> friction keeps it: it buckles as Greenhill's (1883).
    pure subroutine find_climb(model, case_index, mesh, compressed, climb)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
