@@ -1,7 +1,7 @@
 !> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
 module dg_well_head
    use dg_kinds, only: wp
-   use dg_component, only: buoyed_weight, component_type
+   use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, is_bit
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_minimum_curvature, only: dogleg_between
@@ -9,7 +9,7 @@ module dg_well_head
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_curvature, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -48,8 +48,46 @@ contains
          if (collars > 0.0_wp .and. collars < mud) line = line//', below the drill pipe '// &
             trim(in_units(units, unit_force, collars, few))
          call append_text(lines, line)
+         line = clearance_line(units, model, model%strings(i), deepest)
+         if (line /= '') call append_text(lines, line)
       end do
    end function well_head
+
+   !> The least clearance of a string in its hole with the bit at a depth, the bit itself left out; '' where nothing but a bit is in
+   !> the hole.
+   pure function clearance_line(units, model, string, bit) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: bit              !< measured depth [m]
+      character(:), allocatable :: text
+      real(wp) :: tops(size(string%components)), lower, upper, widest, clearance, least, place
+      integer :: i, k, part
+      text = ''
+      least = huge(least)
+      part = 0
+      place = 0.0_wp
+      tops = component_tops(string, bit - top_md(model%trajectory))
+      lower = bit
+      do i = 1, size(tops)
+         upper = bit - tops(i)
+         if (.not. is_bit(string%components(i)) .and. lower > upper) then
+            widest = max(contact_diameter(string%components(i), upper), centralizer_diameter(string%components(i)))
+            do k = 1, size(model%holes)
+               if (model%holes(k)%md_top >= lower .or. model%holes(k)%md_bottom <= upper) cycle
+               clearance = 0.5_wp*(model%holes(k)%diameter - widest)
+               if (clearance >= least) cycle
+               least = clearance
+               part = i
+               place = min(lower, model%holes(k)%md_bottom)
+            end do
+         end if
+         lower = upper
+      end do
+      if (part == 0) return
+      text = 'Least clearance of '//string%name//' '//trim(in_units(units, unit_diameter, least, few))//' on a side: '// &
+             string%components(part)%name//' at '//trim(in_units(units, unit_length, place, digits))
+   end function clearance_line
 
    !> Depths, the largest inclination and the sharpest dogleg with where they are.
    pure function path_line(units, model) result(line)
@@ -83,8 +121,8 @@ contains
    pure function friction_line(model) result(line)
       type(model_type), intent(in) :: model
       character(:), allocatable :: line
-      character(:), allocatable :: own
-      integer :: i
+      real(wp) :: low, high
+      integer :: i, own
       line = 'Friction factor'
       if (size(model%holes) <= most_listed) then
          do i = 1, size(model%holes)
@@ -100,15 +138,21 @@ contains
             to_text(minval(model%holes%friction_rotary), few)//' to '// &
             to_text(maxval(model%holes%friction_rotary), few)//' rotary in '//to_text(size(model%holes))//' hole sections'
       end if
-      own = ''
+      own = 0
+      low = huge(low)
+      high = 0.0_wp
       do i = 1, size(model%cases)
-         associate (load_case => model%cases(i))
-            if (.not. (load_case%friction_axial%present .or. load_case%friction_rotary%present)) cycle
-            if (own /= '') own = own//', '
-            own = own//load_case%name
+         associate (axial => model%cases(i)%friction_axial, rotary => model%cases(i)%friction_rotary)
+            if (axial%present .or. rotary%present) own = own + 1
+            if (axial%present) low = min(low, axial%value)
+            if (axial%present) high = max(high, axial%value)
+            if (rotary%present) low = min(low, rotary%value)
+            if (rotary%present) high = max(high, rotary%value)
          end associate
       end do
-      if (own /= '') line = line//'. Load cases with their own: '//own
+      if (own == 0) return
+      line = line//'. '//to_text(own)//' of '//to_text(size(model%cases))//' load cases have their own, '//to_text(low, few)
+      if (high > low) line = line//' to '//to_text(high, few)
    end function friction_line
 
    !> Two factors as one number where they are equal.
