@@ -3,11 +3,11 @@
 
 Usage: check_library.py [--write | --names]
 
-  --names  the names that the module makes public, and the components of its types, are those listed in src/README.md
-  --write  brings that list up to date: a change of it is a change of what is promised (README.md, "As a library")
+  --names  the names that the module makes public, and the components of its types, are those listed in src/library/README.md
+  --write  brings that list up to date: a change of it is a change of what is promised (src/library/README.md)
 
-Without an option besides: the lines of fpm.toml and the programs that README.md shows are built in a folder outside the
-repository, where pkg-config finds no HDF5, and must print what README.md says.
+Without an option besides: the lines of fpm.toml and the programs that src/library/README.md shows are built in a folder outside the
+repository, where pkg-config finds no HDF5, and must print what it says.
 """
 import os
 import pathlib
@@ -21,7 +21,7 @@ from check_docs import without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOOR = ROOT / "src/library/drillgap.f90"
-LIST = ROOT / "src/README.md"
+LIST = ROOT / "src/library/README.md"
 BEGIN, END = "<!-- names of the library -->\n", "<!-- end of names -->\n"
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
 
@@ -55,7 +55,7 @@ def listing():
 def check_names(write):
     text = LIST.read_text(encoding="utf-8")
     if text.count(BEGIN) != 1 or text.count(END) != 1:
-        raise SystemExit(f"FAULT src/README.md: no marks {BEGIN.strip()} and {END.strip()}")
+        raise SystemExit(f"FAULT src/library/README.md: no marks {BEGIN.strip()} and {END.strip()}")
     head, rest = text.split(BEGIN)
     old, tail = rest.split(END)
     new = listing()
@@ -65,7 +65,7 @@ def check_names(write):
         for mark, one, other in (("gone", old, new), ("new", new, old)):
             for word in sorted(set(re.findall(r"`(\w+)`", one)) - set(re.findall(r"`(\w+)`", other))):
                 print(f"  {mark}: {word}")
-        raise SystemExit("FAULT src/README.md: the names of the library are not those listed; where that is meant, say so in "
+        raise SystemExit("FAULT src/library/README.md: the names of the library are not those listed; where that is meant, say so in "
                          "CHANGELOG.md and run .ci/check_library.py --write")
 
 
@@ -75,7 +75,7 @@ def printed_after(text, start):
     for (language, body), (_, after) in zip(found, found[1:]):
         if language == "fortran" and body.startswith(start):
             return after
-    raise SystemExit(f"FAULT README.md: no program begins with {start}")
+    raise SystemExit(f"FAULT src/library/README.md: no program begins with {start}")
 
 
 def run(command, folder):
@@ -87,12 +87,12 @@ def run(command, folder):
 
 
 def check_programs():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = LIST.read_text(encoding="utf-8")
     blocks = FENCED.findall(text)
     manifest = [body for language, body in blocks if language == "toml" and "drillgap" in body]
     programs = [body for language, body in blocks if language == "fortran"]
     if len(manifest) != 1 or len(programs) != 2:
-        raise SystemExit(f"FAULT README.md: {len(manifest)} manifests and {len(programs)} programs, expected 1 and 2")
+        raise SystemExit(f"FAULT src/library/README.md: {len(manifest)} manifests and {len(programs)} programs, expected 1 and 2")
     with tempfile.TemporaryDirectory() as folder:
         project = pathlib.Path(folder) / "my_well"
         (project / "app").mkdir(parents=True)
@@ -111,7 +111,7 @@ def check_programs():
             promised = printed_after(text, f"program {name}\n")
             print(f"  {name} prints", printed, sep="\n", end="")
             if printed != promised:
-                raise SystemExit(f"FAULT README.md: {name} prints something else")
+                raise SystemExit(f"FAULT src/library/README.md: {name} prints something else")
 
 
 def main(arguments):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps the pictures that README.md shows true: they are those of the sample decks, drawn anew and compared by all their texts
+"""Keeps the pictures that README.md and output/README.md show true: they are those of the sample decks, drawn anew and compared by all their texts
 (titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
 
 Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
@@ -26,9 +26,9 @@ def main(arguments):
         deck, mark, folder = argument.partition("=")
         if argument != "--write":
             folders[deck if mark else pathlib.Path(deck).name] = pathlib.Path(folder if mark else deck)
-    readme = pathlib.Path("README.md").read_text(encoding="utf-8")
-    named = sorted(set(re.findall(r"\]\(output/examples/(\S+\.svg)\)", readme)))
-    faults = [] if named else ["README.md shows no picture"]
+    named = sorted({name for readme in ("README.md", "output/README.md")
+                    for name in re.findall(r"\]\((?:output/)?examples/(\S+\.svg)\)", pathlib.Path(readme).read_text(encoding="utf-8"))})
+    faults = [] if named else ["README.md and output/README.md show no picture"]
     for name in named:
         deck = max((d for d in folders if name.startswith(d + "_")), key=len, default=None)
         if deck is None:
@@ -41,7 +41,7 @@ def main(arguments):
             shutil.copyfile(fresh, kept)
         elif not kept.exists() or texts(kept) != texts(fresh):
             faults.append(f"{kept} is not what the run of {deck} draws; check_pictures.py --write brings it up to date")
-    faults += [f"{p}: README.md does not show it" for p in SHOWN.glob("*") if p.name not in named]
+    faults += [f"{p}: neither README.md nor output/README.md shows it" for p in SHOWN.glob("*") if p.name not in named]
     print(f"{len(named)} pictures")
     for fault in faults:
         print("FAULT", fault)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Measures figures of README.md anew: iterations, equilibrium and independence of the mesh of GP1, and the well of Johancsik
-et al. beside an open library. Prints each figure with what README.md says of it.
+"""Measures figures of test/README.md anew: iterations, equilibrium and independence of the mesh of GP1, and the well of Johancsik
+et al. beside an open library. Prints each figure with what test/README.md says of it.
 
 Usage: check_readme.py PROGRAM SCRATCH_FOLDER GP1_RESULTS JOHANCSIK_RESULTS
 """
@@ -22,7 +22,7 @@ def summary(folder):
 def said(readme, pattern):
     found = re.search(pattern, readme)
     if not found:
-        raise SystemExit(f"README.md has nothing like: {pattern}")
+        raise SystemExit(f"test/README.md has nothing like: {pattern}")
     return [float(number) for number in found.groups()]
 
 
@@ -43,7 +43,7 @@ def gp1_with(program, scratch, length):
 def main():
     program, scratch = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
     scratch.mkdir(parents=True, exist_ok=True)
-    readme = pathlib.Path("README.md").read_text(encoding="utf-8")
+    readme = pathlib.Path("test/README.md").read_text(encoding="utf-8")
     gp1 = [row for row in summary(sys.argv[3]) if row["model"] == "mcge"]
     others = [gp1_with(program, scratch, length) for length in LENGTHS]
     pairs = [(row, other) for rows in others for row, other in zip(gp1, rows)]
@@ -53,10 +53,10 @@ def main():
     def at_most(what, value, limit):
         print(f"{what}: {value:.4g}, said {limit:g}")
         if not value <= limit:
-            faults.append(f"{what}: {value}, README.md says {limit}")
+            faults.append(f"{what}: {value}, test/README.md says {limit}")
 
     at_most("most iterations of a GP1 row", max(int(row["iterations"]) for row in gp1),
-            said(readme, r"takes fewer than (\d+) rounds")[0] - 1)
+            said(readme, r"takes fewer than (\d+) iterations")[0] - 1)
     at_most("equilibrium of GP1, kN", max(float(row["equilibrium_kN"]) for row in gp1), said(readme, r"GP1: under (\S+) kN")[0])
     hook, torque = said(readme, r"moves no hook load by more than (\S+) kN and no torque by more than (\S+) kN\.m\.")
     at_most("hook load against element length, kN", max(abs(float(a["hookload_kN"]) - float(b["hookload_kN"])) for a, b in pairs), hook)

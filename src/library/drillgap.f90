@@ -40,7 +40,7 @@ module drillgap
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    implicit none
    private
-   ! Names that stay (README.md, "As a library"; .ci/check_library.py compares).
+   ! Names that stay (README.md beside this file; .ci/check_library.py compares).
    public :: wp, pi, degree, missing, is_missing, optional_real, given
    public :: error_type, status_bad_input, status_failure
    public :: model_parts_type, survey_type, interpolation_minimum_curvature, interpolation_spline
@@ -85,7 +85,7 @@ module drillgap
 contains
 
    !> Makes a model of parts. Error (status_bad_input): its message has one line for each thing that is wrong, with the component
-   !> of `parts` that it is in. Then no model is made. Example: "As a library" in README.md, its first program.
+   !> of `parts` that it is in. Then no model is made. Example: README.md beside this file.
    subroutine new_model(model, parts, error)
       type(model_type), intent(out) :: model
       type(model_parts_type), intent(in) :: parts
@@ -97,8 +97,8 @@ contains
    end subroutine new_model
 
    !> Reads a deck with the files that it names. Error (status_bad_input): one line for each fault, with file and line. Load cases
-   !> and methods are taken; what else the deck asks for (sweeps, calibrations, ...) is the program's. Example: "As a library" in
-   !> README.md, its second program.
+   !> and methods are taken; what else the deck asks for (sweeps, calibrations, ...) is the program's. Example: README.md
+   !> beside this file.
    subroutine read_deck(path, deck, error)
       character(*), intent(in) :: path
       type(deck_type), intent(out) :: deck
