@@ -182,7 +182,7 @@ def key_table(group, rules, labels, factors, numerics):
         if later == "*":
             legal = "not in this version"
         elif choices == "*":
-            legal = "see below"
+            legal = "see &load_case"
         elif choices:
             legal = ", ".join(f"`'{word}'`" for word in choices.split())
             if later:
