@@ -5,5 +5,5 @@ module dg_version
    public :: program_name, program_version
 
    character(*), parameter :: program_name = 'drillgap'
-   character(*), parameter :: program_version = '0.2.0'
+   character(*), parameter :: program_version = '0.3.0'
 end module dg_version
