@@ -3,8 +3,8 @@
 
 Each deck is run twice with a &solver of its own, no other: once empty, and once with fidelity 'fast', which finds no moments on
 elements of their own, and a short element_length. A case counts where both converge. Moments are compared at the rows of
-the first, in per cent of the largest of the second; prints each case, then medians, ninth tenths and worst of all. Checks nothing:
-README.md tells what was seen. Strings that coil may lie in another phase; their differences along the string say little.
+the first, in per cent of the largest of the second; prints each case, then medians, ninth tenths and worst of all. Checks nothing.
+Strings that coil may lie in another phase; their differences along the string say little.
 
 The shorter the second's elements, the better it is: on the end of a stabiliser's blade it wants centimetres.
 

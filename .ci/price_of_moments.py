@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What moments at the default settings cost, in instructions, which no busy machine changes: each load case of each deck alone, by
 valgrind's callgrind. Prints the solution with moments over that without them, and the solution on elements of 1 m without them
-over the default; then medians, least and largest. Checks nothing: README.md tells what was seen.
+over the default; then medians, least and largest. Checks nothing.
 
 Of a deck's &solver only tool_joints and gap_location stay. A case counts where it is solved, by both settings for the second number.
 
