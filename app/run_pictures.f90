@@ -28,7 +28,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: page_error
       type(picture_list_type) :: pictures
-      type(text_type), allocatable :: echo(:), before(:), after(:), tables(:)
+      type(text_type), allocatable :: echo(:), before(:), after(:)
       integer :: i
       call begin_pictures(run%job, run%model, run%results, pictures, error)
       do i = 1, size(studies%items)
@@ -43,9 +43,8 @@ contains
          folder_in(run%job)//'/all.gp draws them where there is one')
       call echo_studies(studies, run%job, before, after)
       call echo_lines(run%job, run%model, before, after, echo)
-      allocate (tables(0))
-      if (allocated(run%printed%lines)) tables = run%printed%lines
-      call write_html_report(run%job, run%model, run%results, wholes, tables, run%printed%outcome, pictures, echo, page_error)
+      call write_html_report(run%job, run%model, run%results, wholes, alongs, run%printed, pictures, echo, &
+                             page_error)
       call add_error(error, page_error)
    end subroutine run_pictures
 end module dg_run_pictures

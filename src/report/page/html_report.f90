@@ -1,29 +1,31 @@
 !> report.html: one page of a run that can be mailed and opened anywhere: answers, results, limits, warnings, pictures, what was
 !> assumed, the deck. It refers to nothing outside itself.
 module dg_html_report
-   use dg_case_result, only: case_result_type, result_converged, result_status_name
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
-   use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
    use dg_html_outcome, only: append_lost, append_outcome
+   use dg_html_pictures, only: append_pictures
    use dg_html_short, only: append_short
    use dg_html_style, only: append_style
-   use dg_html_text, only: append_inline_svg, append_preformatted, append_table, html_safe
+   use dg_html_text, only: append_preformatted, append_table, html_safe
    use dg_html_verdict, only: append_verdicts
    use dg_kinds, only: wp
    use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
-   use dg_picture_data, only: picture_data_type
-   use dg_picture_list, only: folder_in, picture_list_type, picture_type
+   use dg_picture_list, only: picture_list_type
    use dg_column, only: field_list_type
    use dg_results_h5, only: time_stamp
-   use dg_run_outcome, only: outcome_type
+   use dg_page_data, only: append_page_data, governing_case
+   use dg_page_script, only: script_hash, script_lines
+   use dg_printed_text, only: printed_text_type
    use dg_summary_file, only: summary_columns, summary_fields
    use dg_text, only: text_type, to_text
-   use dg_verdict, only: answer_name, answer_yes
+   use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
    use dg_warnings_table, only: warning_order, warning_text
    use dg_whole_string, only: whole_string_type
@@ -50,15 +52,16 @@ module dg_html_report
 
 contains
 
-   !> Writes the page into the output folder. `tables` are those of calibrations, sweeps, studies and comparisons as they were
-   !> printed, `outcome` what became of all solutions; `echo` is the deck as the program understood it, line by line.
-   subroutine write_html_report(job, model, results, wholes, tables, outcome, pictures, echo, error)
+   !> Writes the page into the output folder: answers, results, warnings, charts of the load case nearest to a limit; then, folded,
+   !> all else. `printed` has the tables of studies and what became of all solutions; `echo` is the deck as the program understood
+   !> it, line by line.
+   subroutine write_html_report(job, model, results, wholes, alongs, printed, pictures, echo, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      type(text_type), intent(in) :: tables(:)
-      type(outcome_type), intent(in) :: outcome
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(printed_text_type), intent(in) :: printed
       type(picture_list_type), intent(in) :: pictures
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
@@ -66,33 +69,71 @@ contains
       integer :: i
       call start_page(job, lines)
       call append_verdicts(lines, job, model, results, wholes)
+      if (size(results) > 0) call append_results(lines, job, model, results, wholes)
       call append_warnings(lines, job, model, results)
-      call append_outcome(lines, job%units, outcome)
+      call append_outcome(lines, job%units, printed%outcome)
       if (allocated(model%path_notes)) then
          do i = 1, size(model%path_notes)
             call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
          end do
       end if
-      call append_short(lines, job, model, results, wholes, outcome)
+      call append_short(lines, job, model, results, wholes, printed%outcome)
+      call append_lost(lines, job%units, printed%outcome)
+      call append_pictures(lines, job, model, pictures, governing_case(job, results, wholes))
       if (size(results) > 0) then
-         call append_results(lines, job, model, results, wholes)
+         call open_fold(lines, 'Limits')
          call append_limits(lines, job, model, results, wholes)
+         call close_fold(lines)
       end if
-      call append_lost(lines, job%units, outcome)
-      if (size(tables) > 0) then
-         call add_line(lines, '<h2>Calibrations, sweeps, studies, comparisons</h2>')
-         call append_preformatted(lines, tables)
+      if (allocated(printed%lines)) then
+         if (size(printed%lines) > 0) then
+            call open_fold(lines, 'Calibrations, sweeps, studies, comparisons')
+            call append_preformatted(lines, printed%lines)
+            call close_fold(lines)
+         end if
       end if
-      call append_pictures(lines, job, model, pictures)
-      call add_line(lines, '<h2>What was computed</h2>')
+      call open_fold(lines, 'What was computed')
       call append_preformatted(lines, echo)
       call append_assumptions(lines, job)
-      if (size(results) > 0) call append_costs(lines, job, model, results, wholes)
-      call add_line(lines, '<h2>Deck</h2>')
+      call close_fold(lines)
+      if (size(results) > 0) then
+         call open_fold(lines, 'How it was solved')
+         call append_costs(lines, job, model, results, wholes)
+         call close_fold(lines)
+      end if
+      call open_fold(lines, 'Deck')
       call append_deck(lines, job%deck_text)
+      call close_fold(lines)
+      call add_line(lines, '</main>')
+      if (governing_case(job, results, wholes) > 0) then
+         call append_page_data(lines, job, model, results, alongs, wholes)
+         call append_script(lines)
+      end if
       call add_line(lines, '</body></html>')
       call write_text_file(job%output_dir//'/report.html', lines%lines(:lines%count), error)
    end subroutine write_html_report
+
+   !> Begins a part of the page that is folded: its heading opens it.
+   subroutine open_fold(lines, heading)
+      type(line_list_type), intent(inout) :: lines
+      character(*), intent(in) :: heading
+      call add_line(lines, '<details class="fold"><summary><h2>'//heading//'</h2></summary>')
+   end subroutine open_fold
+
+   subroutine close_fold(lines)
+      type(line_list_type), intent(inout) :: lines
+      call add_line(lines, '</details>')
+   end subroutine close_fold
+
+   !> The script of the page. Its text is what the policy of the page names by its hash.
+   subroutine append_script(lines)
+      type(line_list_type), intent(inout) :: lines
+      integer :: i
+      do i = 1, size(script_lines)
+         call add_line(lines, trim(merge('<script>', '        ', i == 1))//trim(script_lines(i))// &
+                          trim(merge('</script>', '         ', i == size(script_lines))))
+      end do
+   end subroutine append_script
 
    !> Head of the page: title, when and with what it was made.
    subroutine start_page(job, lines)
@@ -104,10 +145,12 @@ contains
       call add_line(lines, '<!DOCTYPE html>')
       call add_line(lines, '<html lang="en"><head><meta charset="utf-8">')
       call add_line(lines, '<meta name="viewport" content="width=device-width, initial-scale=1">')
+      call add_line(lines, '<meta http-equiv="Content-Security-Policy" content="default-src ''none''; '// &
+                       'style-src ''unsafe-inline''; img-src data:; script-src ''sha256-'//script_hash//'''">')
       call add_line(lines, '<title>'//html_safe(title)//'</title>')
       stamp = time_stamp()
       call append_style(lines, title, program_name//' '//program_version//', '//stamp)
-      call add_line(lines, '</head><body>')
+      call add_line(lines, '</head><body><main>')
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
       call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(stamp)// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
@@ -194,7 +237,6 @@ contains
       integer, allocatable :: rows(:)
       logical, allocatable :: marked(:)
       integer :: i, k, columns
-      call add_line(lines, '<h2>Limits</h2>')
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
                     'the limit. Safety factors need a yield strength in the deck.</p>')
       call add_line(lines, '<p>neutral top: uppermost neutral point, tension above, compression below. overpull margin: pull '// &
@@ -237,77 +279,6 @@ contains
       end if
    end function factors_text
 
-   !> Those of the run first, then those of each case.
-   subroutine append_pictures(lines, job, model, list)
-      type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(picture_list_type), intent(in) :: list
-      integer :: i, k
-      call add_line(lines, '<h2>Pictures</h2>')
-      if (.not. all(list%pictures%drawn)) &
-         call add_line(lines, '<p class="note warn">'//to_text(count(.not. list%pictures%drawn))//' of '// &
-                       to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
-                       'stand in the folder of results.</p>')
-      do i = 0, size(model%cases)
-         if (i > 0) then
-            if (any(list%pictures%case_index == i .and. list%pictures%drawn)) &
-               call add_line(lines, '<h3>'//html_safe(model%cases(i)%name)//'</h3>')
-         end if
-         do k = 1, size(list%pictures)
-            if (list%pictures(k)%case_index == i .and. list%pictures(k)%drawn) call append_picture(lines, job, list%pictures(k), k)
-         end do
-      end do
-      if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
-   end subroutine append_pictures
-
-   subroutine append_picture(lines, job, picture, number)
-      type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(picture_type), intent(in) :: picture
-      integer, intent(in) :: number
-      type(text_type), allocatable :: svg(:)
-      character(:), allocatable :: failure
-      call read_lines(folder_in(job)//'/'//picture%name//'.svg', svg, failure)
-      call add_line(lines, '<figure>')
-      if (failure == '') then
-         call append_inline_svg(lines, svg, 'p'//to_text(number))
-      else
-         call add_line(lines, '<p class="note warn">Picture '//html_safe(failure)//'</p>')
-      end if
-      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
-      call append_data(lines, job, picture%data)
-      call add_line(lines, '</figure>')
-   end subroutine append_picture
-
-   !> The numbers of a picture, in a table that opens beneath it; the file that has all.
-   subroutine append_data(lines, job, data)
-      type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(picture_data_type), intent(in) :: data
-      character(:), allocatable :: link
-      character(len(data%columns%name)) :: shown(size(data%columns))
-      logical :: marked(size(data%rows))
-      integer :: i, k
-      link = '<a href="'//html_safe(data%file)//'">'//html_safe(data%file)//'</a>'
-      if (size(data%rows) == 0) then
-         call add_line(lines, '<p class="data">Numbers: '//link//'</p>')
-         return
-      end if
-      marked = .false.
-      do i = 1, size(shown)
-         shown(i) = data%columns(i)%name
-         if (shown(i) == 'can_be_done') marked = [(data%rows(k)%fields(i)%text /= trim(answer_name(answer_yes)), &
-                                                   k=1, size(data%rows))]
-         if (shown(i) == 'status') marked = [(data%rows(k)%fields(i)%text /= trim(result_status_name(result_converged)), &
-                                              k=1, size(data%rows))]
-      end do
-      call add_line(lines, '<details><summary>Numbers</summary>')
-      call append_table(lines, data%columns, shown, job%units, data%rows, marked)
-      if (data%every > 1) call add_line(lines, '<p>One row of each '//to_text(data%every)//'.</p>')
-      call add_line(lines, '<p>All: '//link//'</p></details>')
-   end subroutine append_data
-
    !> What every result rests on, and what each model adds.
    subroutine append_assumptions(lines, job)
       type(line_list_type), intent(inout) :: lines
@@ -335,7 +306,6 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      call add_line(lines, '<h2>How it was solved</h2>')
       call add_line(lines, '<p>equilibrium: what is left of the sum of all forces on the string, supports included.</p>')
       call append_summary(lines, job, model, results, wholes, cost_shown)
    end subroutine append_costs

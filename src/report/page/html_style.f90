@@ -2,6 +2,7 @@
 module dg_html_style
    use dg_html_text, only: css_string
    use dg_line_list, only: add_line, line_list_type
+   use dg_page_script, only: style_lines
    implicit none
    private
    public :: append_style
@@ -20,7 +21,8 @@ module dg_html_style
       'pre{font-size:.78em;background:#f6f6f6;padding:.8em;overflow-x:auto;line-height:1.35}svg{width:100%;height:auto}', &
       'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
       'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}', &
-      'details,.data{font-size:.9em;margin:.3em 0}summary{cursor:pointer;color:#0072B2}a{color:#0072B2}']
+      'details,.data{font-size:.9em;margin:.3em 0}summary{cursor:pointer;color:#0072B2}a{color:#0072B2}', &
+      '.fold{font-size:1em}.fold>summary h2{display:inline;border:none}.fold[open]>summary{margin-bottom:.6em}']
 
    !> A screen that is set dark. Pictures are turned about in lightness, so that paper becomes black and colours stay what they are.
    character(*), parameter :: dark(*) = [character(128) :: &
@@ -69,6 +71,9 @@ contains
       call add_line(lines, '@bottom-right{content:counter(page)" / "counter(pages)}}')
       do i = 1, size(paper)
          call add_line(lines, trim(paper(i)))
+      end do
+      do i = 1, size(style_lines)
+         call add_line(lines, trim(style_lines(i)))
       end do
       call add_line(lines, '</style>')
    end subroutine append_style

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Keeps src/report/page/page_script.f90, the script and style that the program puts into a page, equal to page.js and page.css.
+
+Usage: embed_page.py [--write]     --write makes the source anew
+"""
+import base64
+import hashlib
+import pathlib
+import sys
+
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "src/report/page"
+SOURCE = PAGE / "page_script.f90"
+LONGEST = 110   # letters of a line in a line of Fortran, which may have 132
+
+
+def lines_of(name):
+    return [line.rstrip() for line in (PAGE / name).read_text(encoding="ascii").splitlines()]
+
+
+def array(name, lines):
+    """Lines as an array of Fortran, each in pieces."""
+    width = max(len(line) for line in lines)
+    text = [f"   character(*), parameter :: {name}({len(lines)}) = [character({width}) :: &"]
+    for line in lines:
+        pieces = [""]
+        for letter in line:
+            if len(pieces[-1]) >= LONGEST:
+                pieces.append("")
+            pieces[-1] += letter.replace("'", "''")
+        text += [f"      '{piece}'// &" for piece in pieces[:-1]] + [f"      '{pieces[-1]}', &"]
+    text[-1] = text[-1][:-3] + "]"
+    return text
+
+
+def module():
+    script = lines_of("page.js")
+    digest = hashlib.sha256("\n".join(script).encode("ascii")).digest()
+    return "\n".join([
+        "!> The script and the style that a page carries: page.js and page.css, and the hash of the script by which the page lets it run.",
+        "!> Written by .ci/embed_page.py --write; change those files, not this.",
+        "module dg_page_script", "   implicit none", "   private", "   public :: script_hash, script_lines, style_lines", "",
+        f"   character(*), parameter :: script_hash = '{base64.b64encode(digest).decode()}'",
+        *array("script_lines", script), *array("style_lines", lines_of("page.css")), "end module dg_page_script", ""])
+
+
+def main():
+    text = module()
+    if "--write" in sys.argv[1:]:
+        SOURCE.write_text(text, encoding="ascii")
+    same = SOURCE.exists() and SOURCE.read_text(encoding="ascii") == text
+    if not same:
+        print("FAULT src/report/page/page_script.f90 is not what page.js and page.css make; run .ci/embed_page.py --write")
+    return 0 if same else 1
+
+
+sys.exit(main())

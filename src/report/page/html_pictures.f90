@@ -1,0 +1,97 @@
+!> Pictures of the page: the place of the charts that its script draws, with fixed pictures for where there is no script, and the
+!> pictures of the whole run.
+module dg_html_pictures
+   use dg_case_result, only: result_converged, result_status_name
+   use dg_file_lines, only: read_lines
+   use dg_html_text, only: append_inline_svg, append_table, html_safe
+   use dg_job, only: job_type
+   use dg_line_list, only: add_line, line_list_type
+   use dg_model, only: model_type
+   use dg_picture_data, only: picture_data_type
+   use dg_picture_list, only: folder_in, picture_list_type, picture_type
+   use dg_text, only: text_type, to_text
+   use dg_verdict, only: answer_name, answer_yes
+   implicit none
+   private
+   public :: append_pictures
+
+contains
+
+   !> Charts that the script draws, and fixed pictures in their place where there is no script: those of the load case that is nearest
+   !> to a limit. Then the pictures of the whole run.
+   subroutine append_pictures(lines, job, model, list, shown)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(picture_list_type), intent(in) :: list
+      integer, intent(in) :: shown               !< that load case; 0: none has a picture
+      integer :: k
+      if (.not. all(list%pictures%drawn)) &
+         call add_line(lines, '<p class="note warn">'//to_text(count(.not. list%pictures%drawn))//' of '// &
+                       to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
+                       'stand in the folder of results.</p>')
+      if (shown > 0) then
+         call add_line(lines, '<h2>Along the string</h2>')
+         call add_line(lines, '<div id="live"></div><div class="static">')
+         call add_line(lines, '<p>Load case '//html_safe(model%cases(shown)%name)//'. Pictures of all load cases stand in the '// &
+                          'folder <code>pictures</code>.</p>')
+         do k = 1, size(list%pictures)
+            if (list%pictures(k)%case_index == shown .and. list%pictures(k)%drawn) &
+               call append_picture(lines, job, list%pictures(k), k)
+         end do
+         call add_line(lines, '</div>')
+      end if
+      if (any(list%pictures%case_index == 0 .and. list%pictures%drawn)) call add_line(lines, '<h2>Pictures of the run</h2>')
+      do k = 1, size(list%pictures)
+         if (list%pictures(k)%case_index == 0 .and. list%pictures(k)%drawn) call append_picture(lines, job, list%pictures(k), k)
+      end do
+      if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
+   end subroutine append_pictures
+
+   subroutine append_picture(lines, job, picture, number)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(picture_type), intent(in) :: picture
+      integer, intent(in) :: number
+      type(text_type), allocatable :: svg(:)
+      character(:), allocatable :: failure
+      call read_lines(folder_in(job)//'/'//picture%name//'.svg', svg, failure)
+      call add_line(lines, '<figure>')
+      if (failure == '') then
+         call append_inline_svg(lines, svg, 'p'//to_text(number))
+      else
+         call add_line(lines, '<p class="note warn">Picture '//html_safe(failure)//'</p>')
+      end if
+      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
+      call append_data(lines, job, picture%data)
+      call add_line(lines, '</figure>')
+   end subroutine append_picture
+
+   !> The numbers of a picture, in a table that opens beneath it; the file that has all.
+   subroutine append_data(lines, job, data)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(picture_data_type), intent(in) :: data
+      character(:), allocatable :: link
+      character(len(data%columns%name)) :: shown(size(data%columns))
+      logical :: marked(size(data%rows))
+      integer :: i, k
+      link = '<a href="'//html_safe(data%file)//'">'//html_safe(data%file)//'</a>'
+      if (size(data%rows) == 0) then
+         call add_line(lines, '<p class="data">Numbers: '//link//'</p>')
+         return
+      end if
+      marked = .false.
+      do i = 1, size(shown)
+         shown(i) = data%columns(i)%name
+         if (shown(i) == 'can_be_done') marked = [(data%rows(k)%fields(i)%text /= trim(answer_name(answer_yes)), &
+                                                   k=1, size(data%rows))]
+         if (shown(i) == 'status') marked = [(data%rows(k)%fields(i)%text /= trim(result_status_name(result_converged)), &
+                                              k=1, size(data%rows))]
+      end do
+      call add_line(lines, '<details><summary>Numbers</summary>')
+      call append_table(lines, data%columns, shown, job%units, data%rows, marked)
+      if (data%every > 1) call add_line(lines, '<p>One row of each '//to_text(data%every)//'.</p>')
+      call add_line(lines, '<p>All: '//link//'</p></details>')
+   end subroutine append_data
+end module dg_html_pictures

@@ -1,0 +1,151 @@
+!> Curves of the page: columns of a profile as texts 'step value step value ...', thinned as pictures are.
+!>
+!> Depths are steps in thousandths of the deck's unit of length, values have five digits of its units. Straight lines between the
+!> points that are kept are within `tolerance` of the column's range of all others. A missing value is empty.
+module dg_page_curves
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_profile, only: profile_type
+   use dg_column, only: column_type, quantity_force, quantity_text, unit_size
+   use dg_constants, only: pi
+   use dg_depth_curve, only: force_on_length, kept_points
+   use dg_missing, only: is_missing
+   use dg_profile_columns, only: profile_codes, profile_columns, profile_values
+   use dg_text, only: put_piece, text_type, to_text
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: curve_columns, curve_count, profile_curves
+
+   !> Profile columns that are curves: all but the depth and the side of a jump, and one more.
+   integer, parameter :: curve_count = size(profile_columns) - 1
+   character(*), parameter :: clock = 'clock', joint_force = 'side_force_on_joint'
+   !> Length of string that the extra curve adds up side force on, a joint of pipe, and places of it.
+   real(wp), parameter :: joint = 9.5_wp
+   integer, parameter :: joint_places = 1000
+   integer, parameter :: digits = 5, longest_pair = 32
+   !> Change of an angle that is kept, at least [rad], and values that are all alike [-].
+   real(wp), parameter :: least_turn = pi/180.0_wp, alike = 1.0e-9_wp
+
+contains
+
+   !> The columns of the curves in their order.
+   pure function curve_columns() result(columns)
+      type(column_type) :: columns(curve_count)
+      integer :: i, n
+      n = 0
+      do i = 1, size(profile_columns)
+         if (profile_columns(i)%name == 'md' .or. profile_columns(i)%name == 'side') cycle
+         n = n + 1
+         columns(n) = profile_columns(i)
+      end do
+      columns(curve_count) = column_type(joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint')
+   end function curve_columns
+
+   !> A text for each of `curve_columns`; '' where a column has no value.
+   pure subroutine profile_curves(profile, along, units, tolerance, texts)
+      type(profile_type), intent(in) :: profile
+      type(along_string_type), intent(in) :: along
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: tolerance          !< of a column's range [-]
+      type(text_type), intent(out) :: texts(:)
+      type(column_type) :: columns(curve_count)
+      real(wp) :: values(size(profile%md)), places(0:joint_places), unit
+      integer :: codes(size(profile%md)), i, k, n
+      columns = curve_columns()
+      n = size(profile%md)
+      do k = 1, curve_count
+         unit = unit_size(columns(k)%quantity, units)
+         if (columns(k)%name == joint_force) then
+            call profile_values('side_force', profile, along, values)
+            places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
+            texts(k)%text = curve_text(places, force_on_length(profile%md, values, joint, places), unit, units%length, tolerance)
+         else if (columns(k)%quantity == quantity_text) then
+            call profile_codes(trim(columns(k)%name), profile, along, codes)
+            texts(k)%text = states_text(profile%md, codes, units%length)
+         else
+            call profile_values(trim(columns(k)%name), profile, along, values)
+            if (columns(k)%name == clock) then
+               texts(k)%text = angle_text(profile%md, values, unit, units%length, tolerance)
+            else
+               texts(k)%text = curve_text(profile%md, values, unit, units%length, tolerance)
+            end if
+         end if
+      end do
+   end subroutine profile_curves
+
+   !> A curve of numbers.
+   pure function curve_text(md, values, unit, length, tolerance) result(text)
+      real(wp), intent(in) :: md(:), values(:)      !< [SI]
+      real(wp), intent(in) :: unit, length          !< of values and depths [SI]
+      real(wp), intent(in) :: tolerance             !< of the range [-]
+      character(:), allocatable :: text
+      logical :: there(size(values)), kept(size(values))
+      real(wp) :: range
+      there = .not. is_missing(values)
+      text = ''
+      if (.not. any(there)) return
+      range = maxval(values, mask=there) - minval(values, mask=there)
+      if (all(there) .and. range <= alike*maxval(abs(values))) then
+         kept = .false.
+         kept([1, size(kept)]) = .true.
+      else
+         kept = kept_points(md, values, tolerance*range)
+      end if
+      text = pairs_text(md, values, kept, unit, length)
+   end function curve_text
+
+   !> An angle, which is thinned without its jumps from a full turn to zero.
+   pure function angle_text(md, values, unit, length, tolerance) result(text)
+      real(wp), intent(in) :: md(:), values(:), unit, length, tolerance
+      character(:), allocatable :: text
+      real(wp) :: steady(size(values)), turn
+      integer :: i
+      steady = values
+      turn = 0.0_wp
+      do i = 2, size(values)
+         if (is_missing(values(i)) .or. is_missing(values(i - 1))) cycle
+         if (values(i) - values(i - 1) > pi) turn = turn - 2.0_wp*pi
+         if (values(i) - values(i - 1) < -pi) turn = turn + 2.0_wp*pi
+         steady(i) = values(i) + turn
+      end do
+      text = pairs_text(md, values, kept_points(md, steady, max(least_turn, tolerance*2.0_wp*pi)), unit, length)
+   end function angle_text
+
+   !> States by their number: both ends of each change.
+   pure function states_text(md, codes, length) result(text)
+      real(wp), intent(in) :: md(:), length
+      integer, intent(in) :: codes(:)
+      character(:), allocatable :: text
+      logical :: kept(size(codes))
+      integer :: i
+      kept = .false.
+      kept([1, size(codes)]) = .true.
+      do i = 2, size(codes)
+         if (codes(i) /= codes(i - 1)) kept(i - 1:i) = .true.
+      end do
+      text = pairs_text(md, real(codes, wp), kept, 1.0_wp, length)
+   end function states_text
+
+   !> The text of the points that are kept.
+   pure function pairs_text(md, values, kept, unit, length) result(text)
+      real(wp), intent(in) :: md(:), values(:), unit, length
+      logical, intent(in) :: kept(:)
+      character(:), allocatable :: text
+      real(wp), parameter :: per_unit = 1000.0_wp
+      character(:), allocatable :: room
+      integer :: i, filled, place, last
+      allocate (character(longest_pair*count(kept)) :: room)
+      filled = 0
+      last = 0
+      do i = 1, size(md)
+         if (.not. kept(i)) cycle
+         place = nint(per_unit*md(i)/length)
+         if (filled > 0) call put_piece(room, filled, ' ')
+         call put_piece(room, filled, to_text(place - last)//' ')
+         if (.not. is_missing(values(i))) call put_piece(room, filled, to_text(values(i)/unit, digits))
+         last = place
+      end do
+      text = room(:filled)
+   end function pairs_text
+end module dg_page_curves

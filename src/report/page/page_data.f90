@@ -1,0 +1,287 @@
+!> What the script of the page draws from (page.js): units, columns, load cases, charts, strings, curves, contacts, as JSON.
+!> Numbers are in the deck's units.
+module dg_page_data
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_column, only: column_type, quantity_curvature, quantity_none, quantity_text, unit_size, unit_text
+   use dg_component, only: closed_diameter
+   use dg_drillstring, only: component_tops
+   use dg_html_text, only: spaced
+   use dg_job, only: job_type, leading_model, model_name
+   use dg_json_text, only: json_number, json_string
+   use dg_line_list, only: add_line, line_list_type
+   use dg_model, only: model_type, string_index
+   use dg_page_curves, only: curve_columns, curve_count, profile_curves
+   use dg_profile_columns, only: code_names
+   use dg_text, only: text_type, to_text
+   use dg_trajectory, only: top_md
+   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_verdict, only: answer_no
+   use dg_whole_string, only: whole_string_type
+   implicit none
+   private
+   public :: append_page_data, governing_case, has_curves
+
+   !> Charts of the page: panels side by side over one depth, each with columns of a profile. `turn`: an angle; `most`: values above
+   !> are not shown; `limit`: a dashed line without part in the range.
+   character(*), parameter :: charts(*) = [character(330) :: &
+      '{"title":"Forces","panels":[{"label":"effective axial force","curves":[{"column":"axial"}]},'// &
+      '{"label":"torque","curves":[{"column":"torque"}]},'// &
+      '{"label":"side force on 9.5 m","curves":[{"column":"side_force_on_joint"}]},', &
+      '{"label":"bending moment","curves":[{"column":"bending"}]},'// &
+      '{"label":"clock angle","curves":[{"column":"clock"}],"turn":true,"low":0,"high":360,"ticks":[0,90,180,270]}]},', &
+      '{"title":"Strength","panels":[{"label":"von Mises stress","curves":[{"column":"von_mises"}]},'// &
+      '{"label":"safety factor","curves":[{"column":"safety_factor"}],"most":10},', &
+      '{"label":"bending stress","curves":[{"column":"bending_stress"}]},'// &
+      '{"label":"bending range in a turn","curves":[{"column":"bending_range"}]}]},', &
+      '{"title":"Buckling","panels":[{"label":"axial force and limit","curves":[{"column":"axial"},'// &
+      '{"column":"sinusoidal_load","sign":-1,"limit":true}]},', &
+      '{"label":"margin to buckling","curves":[{"column":"buckling_margin"}]},'// &
+      '{"label":"displacement","curves":[{"column":"displacement"}]},{"label":"standoff","curves":[{"column":"standoff"}]}]},', &
+      '{"title":"Well","panels":[{"label":"inclination","curves":[{"column":"inclination"}]},'// &
+      '{"label":"azimuth","curves":[{"column":"azimuth"}]},', &
+      '{"label":"dogleg","curves":[{"column":"dogleg"}]},{"label":"true vertical depth","curves":[{"column":"tvd"}]}]}']
+   !> Names of quantities in the data, by their numbers in dg_column from none to curvature; the second are texts.
+   character(*), parameter :: quantity_words(0:11) = [character(9) :: 'none', '', 'length', 'width', 'angle', 'force', 'moment', &
+      'line', 'stress', 'percent', 'turns', 'curvature']
+   !> Thinning of curves, over the range of a column [-]: the finest with which the data stay below `most_letters`.
+   real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
+   integer, parameter :: most_letters = 4000000
+   integer, parameter :: digits = 7, contact_digits = 4
+
+contains
+
+   !> Whether a result has curves.
+   elemental function has_curves(result) result(has)
+      type(case_result_type), intent(in) :: result
+      logical :: has
+      has = result%status == result_converged .and. allocated(result%profile%md)
+   end function has_curves
+
+   !> The load case that is shown first: with curves, the first that cannot be done, else the one nearest to a limit; 0: none.
+   pure function governing_case(job, results, wholes) result(number)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      integer :: number
+      real(wp) :: used, most
+      integer :: i
+      number = 0
+      most = -1.0_wp
+      do i = 1, size(results)
+         if (.not. has_curves(results(i)) .or. results(i)%model /= leading_model(job)) cycle
+         used = 0.0_wp
+         if (wholes(i)%verdict%used%present) used = wholes(i)%verdict%used%value
+         if (wholes(i)%verdict%answer == answer_no) used = huge(used)
+         if (used <= most) cycle
+         most = used
+         number = results(i)%case_index
+      end do
+   end function governing_case
+
+   !> The data, in an element of the page.
+   subroutine append_page_data(lines, job, model, results, alongs, wholes)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(text_type) :: curves(curve_count, size(results))
+      integer :: i, k
+      do k = 1, size(tolerances)
+         do i = 1, size(results)
+            if (has_curves(results(i))) &
+               call profile_curves(results(i)%profile, alongs(i), job%units, tolerances(k), curves(:, i))
+         end do
+         if (letters_of(curves) <= most_letters) exit
+      end do
+      k = min(k, size(tolerances))
+      call add_line(lines, '<script type="application/json" id="data">')
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":["SI","field"],"tolerance":'// &
+                       json_number(tolerances(k), 2)//',"start":'// &
+                       to_text(max(governing_case(job, results, wholes) - 1, 0))//',')
+      call append_quantities(lines, job%units)
+      call append_columns(lines)
+      call append_cases(lines, job, model, results)
+      call add_line(lines, '"charts":[')
+      do i = 1, size(charts)
+         call add_line(lines, trim(charts(i)))
+      end do
+      call add_line(lines, '],"profiles":[')
+      call append_profiles(lines, job, results, curves)
+      call add_line(lines, ']}</script>')
+   end subroutine append_page_data
+
+   !> Letters of all curves.
+   pure function letters_of(curves) result(number)
+      type(text_type), intent(in) :: curves(:, :)
+      integer :: number
+      integer :: i, k
+      number = 0
+      do i = 1, size(curves, 2)
+         do k = 1, size(curves, 1)
+            if (allocated(curves(k, i)%text)) number = number + len(curves(k, i)%text)
+         end do
+      end do
+   end function letters_of
+
+   !> Unit and factor of each quantity in each system, from the deck's units.
+   subroutine append_quantities(lines, units)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(unit_system_type) :: systems(2)
+      character(:), allocatable :: text
+      integer :: q, k
+      systems = [si_units(), field_units()]
+      text = '"quantities":{'
+      do q = quantity_none, quantity_curvature
+         if (q == quantity_text) cycle
+         if (q > quantity_none) text = text//','
+         text = text//json_string(trim(quantity_words(q)))//':{'
+         do k = 1, size(systems)
+            if (k > 1) text = text//','
+            text = text//json_string(trim(systems(k)%name))//':['//json_string(unit_text(q, systems(k)))//','// &
+                   json_number(unit_size(q, units)/unit_size(q, systems(k)), digits)//']'
+         end do
+         text = text//'}'
+      end do
+      call add_line(lines, text//'},')
+   end subroutine append_quantities
+
+   !> Label, quantity and meaning of each column; of states their words.
+   subroutine append_columns(lines)
+      type(line_list_type), intent(inout) :: lines
+      type(column_type) :: columns(curve_count)
+      character(10) :: names(0:2)
+      character(:), allocatable :: text
+      integer :: i, k
+      columns = curve_columns()
+      call add_line(lines, '"columns":{')
+      do i = 1, curve_count
+         text = json_string(trim(columns(i)%name))//':{"label":'//json_string(spaced(trim(columns(i)%name)))// &
+                ',"quantity":'//json_string(trim(quantity_words(merge(quantity_none, columns(i)%quantity, &
+                                                                 columns(i)%quantity == quantity_text))))// &
+                ',"meaning":'//json_string(trim(columns(i)%meaning))
+         if (columns(i)%quantity == quantity_text) then
+            names = code_names(trim(columns(i)%name))
+            text = text//',"words":['
+            do k = lbound(names, 1), ubound(names, 1)
+               if (k > lbound(names, 1)) text = text//','
+               text = text//json_string(trim(names(k)))
+            end do
+            text = text//']'
+         end if
+         call add_line(lines, text//'}'//trim(merge(',', ' ', i < curve_count)))
+      end do
+      call add_line(lines, '},')
+   end subroutine append_columns
+
+   !> Name, depth and string of each load case, whether a method found no solution; names of methods.
+   subroutine append_cases(lines, job, model, results)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: text
+      integer :: i
+      logical :: solved
+      call add_line(lines, '"cases":[')
+      do i = 1, size(model%cases)
+         solved = all(results%status == result_converged .or. results%case_index /= i)
+         text = '{"name":'//json_string(model%cases(i)%name)//',"depth":'// &
+                json_number(model%cases(i)%bit_depth/job%units%length, digits)//',"converged":'// &
+                trim(merge('true ', 'false', solved))//',"parts":['//parts_text(job, model, i)//']}'
+         if (i < size(model%cases)) text = text//','
+         call add_line(lines, text)
+      end do
+      text = '],"models":['
+      do i = 1, size(job%models)
+         if (i > 1) text = text//','
+         text = text//json_string(trim(model_name(job%models(i))))
+      end do
+      call add_line(lines, text//'],')
+   end subroutine append_cases
+
+   !> Components of the string of a load case: name, diameter, from and to above the bit.
+   function parts_text(job, model, case_index) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      character(:), allocatable :: text
+      real(wp), allocatable :: tops(:)
+      real(wp) :: lower
+      integer :: i, string
+      string = string_index(model%strings, model%cases(case_index)%string)
+      allocate (tops, source=component_tops(model%strings(string), &
+                                            model%cases(case_index)%bit_depth - top_md(model%trajectory)))
+      text = ''
+      lower = 0.0_wp
+      do i = 1, size(tops)
+         associate (part => model%strings(string)%components(i))
+            if (i > 1) text = text//','
+            text = text//'{"name":'//json_string(part%name)//',"od":'// &
+                   json_number(closed_diameter(part)/job%units%diameter, digits)//',"from":'// &
+                   json_number(lower/job%units%length, digits)//',"to":'//json_number(tops(i)/job%units%length, digits)//'}'
+            lower = tops(i)
+         end associate
+      end do
+   end function parts_text
+
+   !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
+   subroutine append_profiles(lines, job, results, curves)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), intent(in) :: curves(:, :)
+      type(column_type) :: columns(curve_count)
+      integer :: rows(count(has_curves(results))), i, k, j, same
+      character(:), allocatable :: text
+      columns = curve_columns()
+      rows = pack([(i, i=1, size(results))], has_curves(results))
+      do i = 1, size(rows)
+         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"model":'// &
+                          to_text(findloc(job%models, results(rows(i))%model, dim=1) - 1)//',"curves":{')
+         text = ''
+         do k = 1, curve_count
+            associate (curve => curves(k, rows(i))%text)
+               if (curve == '') cycle
+               same = 0
+               do j = 1, i - 1
+                  if (curves(k, rows(j))%text == curve) exit
+                  same = j
+               end do
+               if (text /= '') call add_line(lines, text//',')
+               text = json_string(trim(columns(k)%name))//':'
+               if (j < i) then
+                  text = text//to_text(same)
+               else
+                  text = text//'"'//curve//'"'
+               end if
+            end associate
+         end do
+         call add_line(lines, text)
+         call add_line(lines, '},"contacts":['//contacts_text(job, results(rows(i)))//']}'// &
+                          trim(merge(',', ' ', i < size(rows))))
+      end do
+   end subroutine append_profiles
+
+   !> Depth, force and clock angle of each contact.
+   function contacts_text(job, result) result(text)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: result
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (.not. allocated(result%contacts)) return
+      do i = 1, size(result%contacts)
+         associate (contact => result%contacts(i))
+            if (i > 1) text = text//','
+            text = text//'['//json_number(contact%md/job%units%length, digits)//','// &
+                   json_number(contact%force/job%units%force, contact_digits)//','// &
+                   json_number(contact%clock/job%units%angle, contact_digits)//']'
+         end associate
+      end do
+   end function contacts_text
+end module dg_page_data
