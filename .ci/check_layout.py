@@ -6,7 +6,7 @@ import sys
 
 TOP = {"fpm.toml", "README.md", "CHANGELOG.md", "LICENSE", "src", "app", "test", "input", "output", "build"}
 LONGEST = {"src": 400, "app": 400, "test": 600}   # lines a file
-TABLES = {"src/scene/rules/deck_keys.f90"}           # longer: one table, a row a key
+TABLES = {"src/report/page/page_script.f90", "src/scene/rules/deck_keys.f90"}           # longer: one table, a row a key
 LARGEST = 120   # lines a procedure, those that it contains among them
 MOST_ARGUMENTS = 9
 # Procedures that are longer, and why.

@@ -121,6 +121,7 @@ def run(program, deck):
         words = Words()
         words.feed(source)
         page = "\n".join(words.texts)
+        source = re.sub(r"<script.*?</script>", "", source, flags=re.S)
         whole = ENTITY.sub(lambda found: html.unescape(found.group()), OPEN_TAGS.sub(r"<\1/>", source))
         inline = ["".join(e.itertext()) for e in xml.fromstring(whole).iter(SVG_TEXT)]
     except (OSError, xml.ParseError, UnicodeDecodeError) as error:

@@ -11,6 +11,7 @@ import sys
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "src/report/page"
 SOURCE = PAGE / "page_script.f90"
 LONGEST = 110   # letters of a line in a line of Fortran, which may have 132
+PART = 100      # lines in a statement, which may have 255 lines of Fortran
 
 
 def lines_of(name):
@@ -18,9 +19,19 @@ def lines_of(name):
 
 
 def array(name, lines):
-    """Lines as an array of Fortran, each in pieces."""
+    """Lines as an array of Fortran, each in pieces, in parts that have no more lines than a statement of Fortran may have."""
     width = max(len(line) for line in lines)
-    text = [f"   character(*), parameter :: {name}({len(lines)}) = [character({width}) :: &"]
+    parts = [lines[i:i + PART] for i in range(0, len(lines), PART)]
+    text = []
+    for number, part in enumerate(parts, 1):
+        text += [f"   character({width}), parameter :: {name}_{number}({len(part)}) = [character({width}) :: &", *rows(part)]
+    whole = ", ".join(f"{name}_{number}" for number in range(1, len(parts) + 1))
+    return text + [f"   character({width}), parameter :: {name}({len(lines)}) = [{whole}]"]
+
+
+def rows(lines):
+    """Rows of an array."""
+    text = []
     for line in lines:
         pieces = [""]
         for letter in line:

@@ -180,7 +180,7 @@ def faults_of_failure(place, status, drawn):
     if len(place.pictures()) != drawn:
         faults.append(f"{len(place.pictures())} pictures instead of {drawn}")
     page = (place.out / "report.html").read_text(encoding="utf-8")
-    if page.count("<svg") != drawn or "are not drawn" not in page:
+    if page.count("<svg") > drawn or "are not drawn" not in page:
         faults.append(f"the page has {page.count('<svg')} pictures")
     return faults
 

@@ -3,8 +3,11 @@
 The deck is judged by what `--check` printed of it (the echo), whose strings and mud give the buoyed weight on a way of their
 own. Shared by hostile_decks.py and fuzz.py.
 """
+import base64
 import csv
+import hashlib
 import html.parser
+import json
 import math
 import re
 import xml.etree.ElementTree
@@ -291,7 +294,7 @@ class Cells(html.parser.HTMLParser):
         self.cells, self.scripts, self.inside, self.text = [], [], False, False
 
     def handle_starttag(self, tag, attributes):
-        if tag in ("script", "iframe", "img", "link", "object") or any(k.startswith("on") for k, _ in attributes):
+        if tag in ("iframe", "img", "link", "object") or any(k.startswith("on") for k, _ in attributes):
             self.scripts.append(tag)
         if tag == "td":
             self.inside, self.text = True, ("class", "text") in attributes
@@ -303,6 +306,21 @@ class Cells(html.parser.HTMLParser):
     def handle_data(self, data):
         if self.inside and not self.text:
             self.cells.append(data.strip())
+
+
+def faults_of_scripts(text):
+    """A page has its data and the script that it names by its hash, or neither."""
+    scripts = re.findall(r"<script([^>]*)>(.*?)</script>", text, re.S | re.I)
+    if not scripts:
+        return []
+    if [attributes for attributes, _ in scripts] != [' type="application/json" id="data"', ""]:
+        return [f"report.html holds scripts {[attributes for attributes, _ in scripts]}"]
+    try:
+        json.loads(scripts[0][1], parse_constant=float.fromhex)
+    except ValueError as error:
+        return [f"report.html: its data are no JSON: {error}"]
+    digest = base64.b64encode(hashlib.sha256(scripts[1][1].encode()).digest()).decode()
+    return [] if f"script-src 'sha256-{digest}'" in text else ["report.html: its script is not the one that it names"]
 
 
 def faults_of_page(out):
@@ -326,6 +344,7 @@ def faults_of_page(out):
         cells.feed(text)
         if cells.scripts:
             found.append(f"report.html holds {cells.scripts[:3]}")
+        found += faults_of_scripts(text)
         bad = [cell for cell in cells.cells if NO_NUMBER.fullmatch(cell)]
         if bad:
             found.append(f"report.html: {bad[:3]}")

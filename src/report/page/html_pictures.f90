@@ -17,8 +17,8 @@ module dg_html_pictures
 
 contains
 
-   !> Charts that the script draws, and fixed pictures in their place where there is no script: those of the load case that is nearest
-   !> to a limit. Then the pictures of the whole run.
+   !> Charts that the script draws, and fixed pictures in their place where there is no script: those of the load case that is
+   !> nearest to a limit. Then the pictures of the whole run.
    subroutine append_pictures(lines, job, model, list, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job

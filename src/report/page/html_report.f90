@@ -13,7 +13,7 @@ module dg_html_report
    use dg_html_text, only: append_preformatted, append_table, html_safe
    use dg_html_verdict, only: append_verdicts
    use dg_kinds, only: wp
-   use dg_job, only: job_type, model_mcge, model_mixed, model_name, model_rigid, model_soft
+   use dg_job, only: job_type, leading_model, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
@@ -77,9 +77,9 @@ contains
             call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
          end do
       end if
-      call append_short(lines, job, model, results, wholes, printed%outcome)
       call append_lost(lines, job%units, printed%outcome)
       call append_pictures(lines, job, model, pictures, governing_case(job, results, wholes))
+      call append_short(lines, job, model, results, wholes, printed%outcome)
       if (size(results) > 0) then
          call open_fold(lines, 'Limits')
          call append_limits(lines, job, model, results, wholes)
@@ -117,7 +117,7 @@ contains
    subroutine open_fold(lines, heading)
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: heading
-      call add_line(lines, '<details class="fold"><summary><h2>'//heading//'</h2></summary>')
+      call add_line(lines, '<details class="fold"><summary>'//heading//'</summary>')
    end subroutine open_fold
 
    subroutine close_fold(lines)
@@ -202,7 +202,7 @@ contains
       call append_summary(lines, job, model, results, wholes, summary_shown)
    end subroutine append_results
 
-   !> Those columns of summary.csv, a table a model.
+   !> Those columns of summary.csv, a table a model. Only that of the leading model is open.
    subroutine append_summary(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -221,8 +221,9 @@ contains
             call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), &
                                 wholes(rows(i))%verdict, job%units, fields(i))
          end do
-         call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
+         if (job%models(k) /= leading_model(job)) call open_fold(lines, 'Model '//trim(model_name(job%models(k))))
          call append_table(lines, summary_columns, shown, job%units, fields, wholes(rows)%verdict%answer /= answer_yes)
+         if (job%models(k) /= leading_model(job)) call close_fold(lines)
       end do
    end subroutine append_summary
 

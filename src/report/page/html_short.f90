@@ -49,7 +49,7 @@ contains
          call append_models(lines, job, model, results, rows)
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
          i = count([(has_message(results(rows(i))), i=1, size(rows))])
-         if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings: see below.</li>')
+         if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings, listed above.</li>')
       end if
       if (allocated(outcome%sentences)) then
          do i = 1, size(outcome%sentences)

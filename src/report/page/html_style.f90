@@ -22,7 +22,7 @@ module dg_html_style
       'svg text{font-family:"DejaVu Sans",Arial,sans-serif}figure{margin:1em 0;break-inside:avoid}', &
       'figcaption{font-size:.85em;color:#555}ul{margin:.4em 0}', &
       'details,.data{font-size:.9em;margin:.3em 0}summary{cursor:pointer;color:#0072B2}a{color:#0072B2}', &
-      '.fold{font-size:1em}.fold>summary h2{display:inline;border:none}.fold[open]>summary{margin-bottom:.6em}']
+      '.fold{font-size:1em}.fold>summary{font-size:1.1em;font-weight:600}']
 
    !> A screen that is set dark. Pictures are turned about in lightness, so that paper becomes black and colours stay what they are.
    character(*), parameter :: dark(*) = [character(128) :: &

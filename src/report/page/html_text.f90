@@ -89,7 +89,7 @@ contains
       integer :: i, k, row
       integer, allocatable :: used(:)
       allocate (used(0))
-      head = '<div class="wide"><table><thead><tr>'
+      head = '<div class="wide" tabindex="0"><table><thead><tr>'
       do k = 1, size(shown)
          do i = 1, size(columns)
             if (columns(i)%name == shown(k)) exit
@@ -100,7 +100,7 @@ contains
          unit = ''
          if (columns(i)%quantity /= quantity_text) unit = unit_text(columns(i)%quantity, units)
          head = head//'<th'//trim(merge(' class="text"', '             ', columns(i)%quantity == quantity_text))//' title="'// &
-            html_safe(trim(columns(i)%meaning))//'">'//spaced(trim(columns(i)%name))//'<br><small>'// &
+            html_safe(trim(columns(i)%meaning))//'" scope="col">'//spaced(trim(columns(i)%name))//'<br><small>'// &
             html_safe(unit)//'</small></th>'
       end do
       call add_line(page, head//'</tr></thead><tbody>')

@@ -6,8 +6,9 @@ module dg_html_verdict
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_label
    use dg_model, only: model_type
+   use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_length
-   use dg_verdict, only: answer_no
+   use dg_verdict, only: answer_no, verdict_type
    use dg_verdict_table, only: answer_word, unlike_text, verdict_heading
    use dg_verdict_text, only: verdict_sentences
    use dg_whole_string, only: whole_string_type
@@ -15,7 +16,7 @@ module dg_html_verdict
    private
    public :: append_verdicts
 
-   integer, parameter :: shown_depth = 5     !< digits
+   integer, parameter :: shown_depth = 5, link_digits = 7     !< of depths
 
 contains
 
@@ -34,7 +35,7 @@ contains
       do k = 1, size(results)
          if (results(k)%model /= leading_model(job)) cycle
          associate (load_case => model%cases(results(k)%case_index), verdict => wholes(k)%verdict)
-            call add_line(lines, '<tr><td class="text">'//html_safe(load_case%name)//'<br><small>'// &
+            call add_line(lines, '<tr><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small>'// &
                              spaced(trim(operation_label(load_case%operation)))//', '// &
                              trim(in_units(job%units, unit_length, load_case%bit_depth, shown_depth))// &
                              '</small></td><td class="text"><b'// &
@@ -49,4 +50,23 @@ contains
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       end do
    end subroutine append_verdicts
+
+   !> The name of a load case as a link to its charts, at the depth of the limit that decides.
+   pure function case_link(job, name, verdict) result(link)
+      type(job_type), intent(in) :: job
+      character(*), intent(in) :: name
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: link
+      integer :: i
+      link = '<a href="#case='
+      do i = 1, len(name)
+         if (name(i:i) == '+') then
+            link = link//'%2B'
+         else
+            link = link//html_safe(name(i:i))     ! letters, digits and _ - .
+         end if
+      end do
+      if (verdict%md%present) link = link//'&amp;depth='//to_text(verdict%md%value/job%units%length, link_digits)
+      link = link//'">'//html_safe(name)//'</a>'
+   end function case_link
 end module dg_html_verdict

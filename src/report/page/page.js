@@ -312,6 +312,8 @@ function build() {
    view.section = make(make(lower, 'h:figure', {}), 'svg', {viewBox: '0 0 200 200', role: 'img', 'aria-label': 'string in the hole at this depth'})
    const well = make(lower, 'h:figure', {}), pick = make(well, 'h:select', {'aria-label': 'colour of the well', onchange: e => { state.tint = e.target.value; draw_3d() }})
    for (const n in D.columns) if (!D.columns[n].words) make(pick, 'h:option', {value: n, ...(n === state.tint ? {selected: ''} : {})}, D.columns[n].label)
+   const sides = {'3D': [-0.6, 0.35], plan: [0, Math.PI / 2], 'from south': [0, 0], 'from east': [-Math.PI / 2, 0]}
+   for (const name in sides) make(well, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw_3d() }}, name)
    view.well = make(well, 'svg', {viewBox: '0 0 460 400', role: 'img', 'aria-label': 'the well in three dimensions', tabindex: 0})
    view.assembly = make(make(root, 'h:figure', {}), 'svg', {viewBox: '0 0 1000 250', role: 'img', 'aria-label': 'lowest 40 m of the string in the hole'})
    const l = make(root, 'h:label', {})

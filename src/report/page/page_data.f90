@@ -21,7 +21,7 @@ module dg_page_data
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: append_page_data, governing_case, has_curves
+   public :: append_page_data, governing_case
 
    !> Charts of the page: panels side by side over one depth, each with columns of a profile. `turn`: an angle; `most`: values above
    !> are not shown; `limit`: a dashed line without part in the range.

@@ -5,8 +5,8 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'zx/WOXVDikck1IeTXMi71VjJ2BmUuU3FXiaxnoo/w/Y='
-   character(*), parameter :: script_lines(381) = [character(273) :: &
+   character(*), parameter :: script_hash = 'TljVjzbTNu52vuOB4UmeNC0xOOmCZLa6wyGO2GFyN0U='
+   character(273), parameter :: script_lines_1(100) = [character(273) :: &
       '// Interactive part of a report: no library, nothing fetched. All that is shown stands in the page''s data (id'// &
       '="data"):', &
       '// D.columns, D.quantities, D.profiles (thinned curves), D.charts (which curve stands in which panel). Numbers'// &
@@ -124,7 +124,8 @@ module dg_page_script
       '      if (!c.limit && panel.high === undefined) for (let i = from; i < to; i++)', &
       '         if (isFinite(curve.v[i])) { low = Math.min(low, sign * curve.v[i]); high = Math.max(high, sign * curv'// &
       'e.v[i]) }', &
-      '   }', &
+      '   }']
+   character(273), parameter :: script_lines_2(100) = [character(273) :: &
       '   if (panel.high === undefined) { if (high === low) { low--; high++ } const air = (high - low) * .05; if (low'// &
       ' < 0) low -= air; high += air }', &
       '   if (panel.most) high = Math.min(high, panel.most)', &
@@ -237,7 +238,8 @@ module dg_page_script
       '      const r = value_at(p, ''displacement'', state.depth) * 2 * s, a = value_at(p, ''clock'', state.depth) * '// &
       'Math.PI / 180', &
       '      make(svg, ''circle'', {cx: 100 + r * Math.sin(a), cy: 100 - r * Math.cos(a), r: value_at(p, ''od'', stat'// &
-      'e.depth) * s, fill: ''none'', ''stroke-width'': 2, ...look_of(p)})', &
+      'e.depth) * s, fill: ''none'', ''stroke-width'': 2, ...look_of(p)})']
+   character(273), parameter :: script_lines_3(100) = [character(273) :: &
       '   }', &
       '}', &
       '', &
@@ -372,7 +374,8 @@ module dg_page_script
       'aria-pressed'', o === b); draw() }, class: ''tab''}, c.title) })', &
       '   const units = make(bar, ''h:button'', {type: ''button'', onclick: () => { state.units = D.systems[(D.system'// &
       's.indexOf(state.units) + 1) % D.systems.length]; units.textContent = ''units: '' + state.units; draw() }}, ''u'// &
-      'nits: '' + state.units)', &
+      'nits: '' + state.units)']
+   character(273), parameter :: script_lines_4(83) = [character(273) :: &
       '   make(bar, ''h:button'', {type: ''button'', onclick: () => { state.top = 0; state.bottom = deepest(); draw()'// &
       ' }}, ''whole depth'')', &
       '   make(bar, ''h:button'', {type: ''button'', onclick: () => { state.bottom = deepest(); state.top = Math.max('// &
@@ -395,6 +398,10 @@ module dg_page_script
       'e well'', onchange: e => { state.tint = e.target.value; draw_3d() }})', &
       '   for (const n in D.columns) if (!D.columns[n].words) make(pick, ''h:option'', {value: n, ...(n === state.tin'// &
       't ? {selected: ''''} : {})}, D.columns[n].label)', &
+      '   const sides = {''3D'': [-0.6, 0.35], plan: [0, Math.PI / 2], ''from south'': [0, 0], ''from east'': [-Math.'// &
+      'PI / 2, 0]}', &
+      '   for (const name in sides) make(well, ''h:button'', {type: ''button'', onclick: () => { [state.yaw, state.pi'// &
+      'tch] = sides[name]; draw_3d() }}, name)', &
       '   view.well = make(well, ''svg'', {viewBox: ''0 0 460 400'', role: ''img'', ''aria-label'': ''the well in thr'// &
       'ee dimensions'', tabindex: 0})', &
       '   view.assembly = make(make(root, ''h:figure'', {}), ''svg'', {viewBox: ''0 0 1000 250'', role: ''img'', ''ar'// &
@@ -481,7 +488,8 @@ module dg_page_script
       '   root.replaceChildren()', &
       '   throw fault', &
       '}']
-   character(*), parameter :: style_lines(19) = [character(208) :: &
+   character(273), parameter :: script_lines(383) = [script_lines_1, script_lines_2, script_lines_3, script_lines_4]
+   character(222), parameter :: style_lines_1(19) = [character(222) :: &
       '.scripted .static{display:none}', &
       '#live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '#live svg{width:100%;height:auto;display:block}#live svg text{font-size:11px;fill:currentColor}#live svg .labe'// &
@@ -494,8 +502,9 @@ module dg_page_script
       'l:var(--steel);stroke:var(--ink)}', &
       '#live .force{stroke:#D55E00;stroke-width:3}#live .shadow{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
       '#live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
-      '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button{font:inherit;paddin'// &
-      'g:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor:pointer}', &
+      '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button{font:'// &
+      'inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor:pointe'// &
+      'r}', &
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
       '#live .key{width:28px;height:8px;display:inline-block;margin-right:.4em}', &
@@ -513,4 +522,5 @@ module dg_page_script
       '@media print{.bar,.side,.hint,#live input,#live select,#live label,#live .lower{display:none!important}.main{d'// &
       'isplay:block}', &
       '#live .panels{break-inside:avoid}#live svg.panel{max-height:none}.legend button{border:none}}']
+   character(222), parameter :: style_lines(19) = [style_lines_1]
 end module dg_page_script

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""Asks the script of report.html in a real browser without a screen: what it reads off at a depth must be what the CSV files have.
+
+The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
+Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
+other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that the browser has no complaint.
+
+Usage: check_page.py RESULTS_FOLDER      of GP1
+"""
+import csv
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import urllib.parse
+
+CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
+CASES = ("sliding_3190", "rotary_2075")
+MODELS = ("mcge", "soft")
+PARTS = (0.05, 0.31, 0.5, 0.72, 0.97)       # of the depth
+FIELD = {"ft": 1 / 0.3048, "klbf": 0.2248089431, "kft.lbf": 0.7375621493, "ksi": 0.1450377377}     # over m, kN, kN.m, MPa
+BIGGEST = 900_000           # bytes of the page
+
+
+def dom(page, view=""):
+    """The page as the browser has made it, and what it complained of."""
+    with tempfile.TemporaryDirectory() as home:
+        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={home}",
+                              "--virtual-time-budget=3000", "--dump-dom", page.resolve().as_uri() + ("#" + view if view else "")],
+                             capture_output=True, text=True, timeout=240, check=False)
+    return run.stdout, re.findall(r"CONSOLE[^\n]*", run.stderr)
+
+
+def readout(text):
+    """Rows of the table of values: quantity -> [unit, value, value ...]."""
+    table = re.search(r'id="readout".*?</table>', text, re.S)
+    if not table:
+        return {}
+    rows = re.findall(r"<tr>(.*?)</tr>", table.group(0), re.S)
+    cells = [[html.unescape(re.sub(r"<[^>]*>", "", cell)) for cell in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.S)] for row in rows]
+    return {row[0]: row[1:] for row in cells}
+
+
+class Profile:
+    """A profile_*.csv: values between rows as the page reads them."""
+
+    def __init__(self, folder, case, model):
+        with (folder / f"profile_{case}_{model}.csv").open(encoding="utf-8", newline="") as file:
+            self.rows = list(csv.DictReader(file))
+        self.depth = [float(row["md_m"]) for row in self.rows]
+
+    def column(self, name):
+        head = next(h for h in self.rows[0] if h == name or re.fullmatch(re.escape(name) + r"_(m|mm|deg|kN|kNm|kN_m|MPa|deg_30m|pct)", h))
+        return [float(row[head]) if row[head] else None for row in self.rows]
+
+    def at(self, name, depth):
+        """Value there, and the range of the column; None where there is none or the curve jumps within a metre."""
+        values = self.column(name)
+        i = max(k for k in range(len(self.depth)) if self.depth[k] <= depth)
+        i = min(i, len(self.depth) - 2)
+        near = [v for d, v in zip(self.depth, values) if abs(d - depth) < 1.0]
+        a, b = values[i], values[i + 1]
+        there = [v for v in values if v is not None]
+        if a is None or b is None or None in near or self.depth[i + 1] <= self.depth[i]:
+            return None, 0.0
+        return a + (b - a) * (depth - self.depth[i]) / (self.depth[i + 1] - self.depth[i]), max(there) - min(there)
+
+
+def faults_of_view(folder, page, data, view, field=False):
+    faults, compared = [], 0
+    query = urllib.parse.parse_qs(view)
+    text, complaints = dom(page, view)
+    faults += [f"{view}: the browser complains: {c}" for c in complaints]
+    rows = readout(text)
+    chart = next(c for c in data["charts"] if c["title"] == query["chart"][0])
+    wanted = [c["column"] for p in chart["panels"] for c in p["curves"]]
+    names = [name.split(" ") for name in rows.get("quantity", ["unit"])[1:] if " " in name]
+    profiles = [Profile(folder, case, model) for case, model in names]
+    if len(profiles) != len(MODELS) * len(query["case"]):
+        faults.append(f"{view}: the page shows {names}")
+    depth = float(query["depth"][0])
+    for name in wanted:
+        column = data["columns"][name]
+        told = rows.get(column["label"])
+        if told is None:
+            faults.append(f"{view}: no value of {column['label']}")
+            continue
+        if column.get("words") or name in ("clock", "azimuth", "side_force_on_joint"):
+            continue
+        factor = FIELD.get(told[0], 1.0) if field else 1.0
+        for profile, shown in zip(profiles, told[1:]):
+            value, extent = profile.at(name, depth)
+            if value is None or shown == "\u2013":
+                continue
+            compared += 1
+            digits = len(shown.partition(".")[2])
+            if not abs(float(shown) - value * factor) <= CLOSE * extent * factor + 0.51 * 10 ** -digits:
+                faults.append(f"{view}: {name} is shown as {shown}, the file has {value * factor:.6g}")
+    return faults, compared
+
+
+def faults_without_script(page):
+    """A page whose script is refused, or fails at once, has its fixed pictures and no charts."""
+    faults = []
+    text = page.read_text(encoding="utf-8")
+    broken = {"refused": re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", text, count=1),
+              "failing": re.sub(r"script-src 'sha256-[^']*'", "script-src 'unsafe-inline'", text, count=1).replace(
+                  "'use strict'", "'use strict'; throw new Error('on purpose')", 1)}
+    with tempfile.TemporaryDirectory() as scratch:
+        for name, changed in broken.items():
+            copy = pathlib.Path(scratch) / f"{name}.html"
+            copy.write_text(changed, encoding="utf-8")
+            made, _ = dom(copy)
+            if re.search(r'<html[^>]*class="[^"]*scripted', made) or 'id="readout"' in made:
+                faults.append(f"a page with a {name} script hides its fixed pictures")
+            if made.count("<svg") < 5:
+                faults.append(f"a page with a {name} script has {made.count('<svg')} pictures")
+    return faults
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    page = folder / "report.html"
+    text = page.read_text(encoding="utf-8")
+    faults = [] if len(text.encode()) <= BIGGEST else [f"the page has {len(text.encode())} bytes"]
+    data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S).group(1))
+    if "default-src 'none'" not in text or "unsafe-eval" in text or "script-src 'unsafe" in text:
+        faults.append("the page lets other scripts run")
+    compared = 0
+    for chart in data["charts"]:
+        for case, part in zip((CASES * 3)[:len(PARTS)], PARTS):
+            depth = round(part * next(c["depth"] for c in data["cases"] if c["name"] == case), 2)
+            view = urllib.parse.urlencode({"case": case, "chart": chart["title"], "depth": depth})
+            found, n = faults_of_view(folder, page, data, view)
+            faults, compared = faults + found, compared + n
+    two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
+    found, n = faults_of_view(folder, page, data, two, field=True)
+    faults, compared = faults + found + faults_without_script(page), compared + n
+    print(f"{compared} values read off the page")
+    if compared < 150:
+        faults.append(f"only {compared} values could be compared")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
