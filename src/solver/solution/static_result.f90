@@ -231,7 +231,7 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'Allow '//to_text(100.0_wp*share, shown_clearances)//' % on contact force, mostly between '// &
+         call add_message(result, 'Contact force: allow '//to_text(100.0_wp*share, shown_clearances)//' %, mostly between '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
                           trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
                           trim(in_units(units, unit_force, found%by_analysis, shown))//' for hook load and torque, and '// &
