@@ -136,14 +136,39 @@ def key_sources():
     return "\n".join([source("scene/rules/deck_keys.f90"), *map(without_comments, studies)])
 
 
+def unit_table():
+    """The table of src/base/units/quantity.f90: for each quantity its units by system, as label, suffix and factor in words."""
+    text = re.sub(r"&\s*\n\s*", "", source("base/units/quantity.f90"))
+
+    def unit(words):
+        plain = constructors(words if "(" in words else re.search(rf"\b{words} = (unit_type\(.*)", text).group(1), "unit_type")[0][0]
+        return unquoted(plain[0]), unquoted(plain[1]), plain[2]
+
+    return {plain[0]: [unit(words) for words in arguments(plain[1][1:-1])] for plain, _ in constructors(text, "row_type")}
+
+
+def units_table():
+    """The lines of the table of units, as they stand in input/README.md."""
+    said = dict(re.findall(r":: (quantity_\w+) = \d+ +!< (.*)", (ROOT / "src/base/units/quantity.f90").read_text(encoding="utf-8")))
+    systems = re.search(r"deck_systems = '([^']*)'", source("base/units/quantity.f90")).group(1).split()
+    lines = ["| quantity | " + " | ".join(systems) + " |", "|---" * (len(systems) + 1) + "|"]
+    for quantity, units in unit_table().items():
+        if units[0][0]:
+            cells = [label + (f" (`_{suffix}`)" if suffix else "") for label, suffix, _ in units[:len(systems)]]
+            name = quantity.removeprefix("quantity_").replace("_", " ")
+            lines.append(f"| {name}{': ' + said[quantity] if quantity in said else ''} | " + " | ".join(cells) + " |")
+    return lines
+
+
 def deck_units():
-    """Names of the units of a deck, SI and field, and the SI value of one, by the rules' names of units."""
-    kinds, units = source("base/units/unit_kind.f90"), source("base/units/units.f90")
-    labels = {name: (si, field or si) for name, si, field in
-              re.findall(r"case \((unit_\w+)\); label = (?:pick\()?'([^']*)'(?:, '([^']*)', '[^']*'\))?", kinds)}
-    factors = dict(re.findall(r"real\(wp\) :: (\w+) = ([\d.e]+)_wp", units))
-    used = dict(re.findall(r"case \((unit_\w+)\); factor = units%(\w+)", kinds))
-    return labels, {name: float(factors.get(field, 1.0)) for name, field in used.items()}
+    """Names of the units of a deck by system, and the SI value of one in SI, by the rules' names of units."""
+    constants = dict(re.findall(r"(\w+) = ([\d.e]+)_wp(?![*/])", source("base/units/quantity.f90")))
+    names = dict(re.findall(r"(unit_\w+) => (quantity_\w+)", source("base/units/unit_kind.f90")))
+    table = unit_table()
+    labels = {name: [label for label, _, _ in table[quantity][:-1]] for name, quantity in names.items()}
+    words = {name: table[quantity][0][2].replace("_wp", "") for name, quantity in names.items()}
+    factors = {name: constants.get(word, word) for name, word in words.items()}
+    return labels, {name: float(word) for name, word in factors.items() if re.fullmatch(r"[\d.e-]+", word)}
 
 
 def solver_defaults():
@@ -157,10 +182,16 @@ def solver_defaults():
     return found
 
 
+def text_of(words):
+    """The text of a constant of src/base/units/quantity.f90 by its name; any other words as they are."""
+    constant = re.search(rf"parameter :: {words} = ('[^']*')", source("base/units/quantity.f90")) if words.isidentifier() else None
+    return constant.group(1) if constant else words
+
+
 def key_table(group, rules, labels, factors, numerics):
     """The lines of the table of a group's keys, as they stand in input/README.md."""
     constants = real_constants(key_sources())
-    lines = ["| key | default | legal values | unit (field) | meaning |", "|---|---|---|---|---|"]
+    lines = ["| key | default | legal values | unit (field, metric) | meaning |", "|---|---|---|---|---|"]
     for plain, named in rules:
         if unquoted(plain[0]) != group:
             continue
@@ -178,7 +209,7 @@ def key_table(group, rules, labels, factors, numerics):
             default = f"`'{default}'`"
         elif default:
             default = f"`{default}`"
-        choices, later = unquoted(named.get("choices", "")), unquoted(named.get("later", ""))
+        choices, later = unquoted(text_of(named.get("choices", ""))), unquoted(named.get("later", ""))
         if later == "*":
             legal = "not in this version"
         elif choices == "*":
@@ -196,9 +227,10 @@ def key_table(group, rules, labels, factors, numerics):
             legal = f"> {low}, <= {high}" if named.get("open") == ".true." else f"{low} to {high}"
             if kind == "kind_integer":
                 legal = "whole, " + legal
-        si, field = labels.get(unit, ("", ""))
+        si, *others = labels.get(unit, [""])
+        units = si if set(others) <= {si} else f"{si} ({', '.join(others)})"
         name = f"`{key}(:)`" if named.get("array") == ".true." else f"`{key}`"
-        lines.append(f"| {name} | {default or '-'} | {legal} | {si if si == field else f'{si} ({field})'} | "
+        lines.append(f"| {name} | {default or '-'} | {legal} | {units} | "
                      f"{unquoted(named['meaning']).replace('<', '&lt;')} |".replace("|  |", "| - |"))
     return lines
 
@@ -229,6 +261,10 @@ def check_input(write):
         return f"<!-- keys of {match.group(1)} -->\n{table}<!-- end -->"
 
     renewed = marked.sub(fresh, text)
+    table = "<!-- units -->\n" + "\n".join(units_table()) + "\n<!-- end -->"
+    if table not in renewed:
+        faults.append("input/README.md: table of units is out of date; run .ci/check_docs.py --write")
+        renewed = re.sub(r"<!-- units -->\n.*?<!-- end -->", lambda _: table, renewed, flags=re.S)
     if write and renewed != text:
         path.write_text(renewed, encoding="utf-8")
         faults = [fault for fault in faults if "--write" not in fault]
@@ -242,16 +278,7 @@ def check_input(write):
 
 def header_suffixes():
     """What each quantity puts behind the name of a column, with SI units."""
-    labels = {name: value.strip() for name, value in
-              re.findall(r"character\(\d+\) :: (\w+_label) = '([^']*)'", source("base/units/units.f90"))}
-    text = source("report/columns/column.f90")
-    body = re.search(r"function column_header\(.*?end function column_header", text, re.S).group()
-    found = {}
-    for quantity, expression in re.findall(r"case \((quantity_\w+)\); header = header//(.*)", body):
-        terms = [term.strip() for term in expression.split("//")]
-        found[quantity] = "".join(unquoted(term) if term.startswith("'") else labels[re.match(r"trim\(units%(\w+)\)", term).group(1)]
-                                  for term in terms)
-    return found
+    return {quantity: f"_{units[0][1]}" for quantity, units in unit_table().items() if units[0][1]}
 
 
 def column_tables():

@@ -88,7 +88,8 @@ def drawn(rng, *names):
     name, deck, files = rng.choice([s for s in samples() if not names or s[0] in names])
     deck, files = deck.copy(), dict(files)
     if not names and rng.random() < 0.15:
-        deck, files = Deck.parse(random_decks.deck_text(random_decks.draw_deck(rng.randrange(10**6)), rng.random() < 0.5)), {}
+        deck, files = Deck.parse(random_decks.deck_text(random_decks.draw_deck(rng.randrange(10**6)),
+                                                         "field" if rng.random() < 0.5 else "SI")), {}
     job = deck.one("job")
     deck.set(job, "plots", ".true." if rng.random() < 0.04 else ".false.")
     deck.set(job, "hdf5", ".true." if rng.random() < 0.15 else ".false.")

@@ -3,10 +3,12 @@
 
 Usage: random_decks.py PATH_TO_DRILLGAP [--count N] [--seed S]
 
-Every seed is a well, a string of several parts and three load cases, solved by all four models, four times:
+Every seed is a well, a string of several parts and three load cases, solved by all four models, five times:
 
   the deck in SI units           on one thread and on two: every CSV file the same to the last digit, but for times
   the same deck in field units   numbers converted here, by factors of its own: read by the program as it is
+  and in metric units            likewise; every number of every CSV file of the models on the axis is then the same, by the unit
+                                 in the name of its column
   the SI deck by --convert       the program's own conversion
 
 What summary.csv says is the same in all units: hook load, friction and normal force over the largest force in the string,
@@ -14,6 +16,7 @@ torque over the largest torque. More than the tolerances below is a unit gone wr
 all. Prints the worst; ends in 'N passed, N failed'.
 """
 import argparse
+import contextlib
 import csv
 import math
 import pathlib
@@ -31,12 +34,26 @@ TOLERANCE, TOLERANCE_BESIDE = 1.0e-6, 5.0e-4
 GAPS = ("gaps_free", "gaps_elastic", "gaps_rigid")
 TIME_LIMIT = 300
 
-# The value in SI deck units of one field unit, from the definitions of foot, inch, pound, gallon and standard gravity.
+# The value in SI deck units of one unit of the others, from the definitions of foot, inch, pound, gallon and standard gravity.
 FOOT, INCH, POUND, GALLON, GRAVITY = 0.3048, 0.0254, 0.45359237, 231 * 0.0254**3, 9.80665
 FIELD = {
     "m": FOOT, "mm": 25.4, "deg": 1.0, "kg/m": POUND / FOOT, "kg/m3": POUND / GALLON, "kN": POUND * GRAVITY,
     "kN.m": POUND * GRAVITY * FOOT, "GPa": POUND * GRAVITY / INCH**2 / 1e3, "MPa": POUND * GRAVITY / INCH**2 / 1e3,
     "kN/m2": POUND * GRAVITY / FOOT**2, "m/s": FOOT, "m/s2": FOOT, "rpm": 1.0, "": 1.0}
+METRIC = {"m": 1.0, "mm": 25.4, "deg": 1.0, "kg/m": 1.0, "kg/m3": 1e3, "kN": 10.0, "kN.m": 1.0, "GPa": 1.0, "MPa": 0.1,
+          "kN/m2": 10.0, "m/s": 1.0, "m/s2": 1.0, "rpm": 1.0, "": 1.0}
+SYSTEMS = {"SI": dict.fromkeys(FIELD, 1.0), "field": FIELD, "metric": METRIC}
+# The value in SI columns of one unit of a column of the others, by the ending of its name, that of SI columns and of the others.
+ENDINGS = {
+    "field": {"m": ("ft", FOOT), "mm": ("in", 25.4), "kN": ("klbf", FIELD["kN"]), "kNm": ("kftlbf", FIELD["kN.m"]),
+              "kN_m": ("klbf_ft", FIELD["kN"] / FOOT), "MPa": ("ksi", FIELD["MPa"]), "deg_30m": ("deg_100ft", 30 / 30.48),
+              "kN_m2": ("klbf_ft2", FIELD["kN/m2"])},
+    "metric": {"mm": ("in", 25.4), "kN": ("kdaN", 10.0), "kN_m": ("kdaN_m", 10.0), "MPa": ("bar", 0.1), "kN_m2": ("kdaN_m2", 10.0)}}
+PRESSURES = {"field": ("psi", FIELD["MPa"] / 1e3), "metric": ("bar", 0.1)}
+AXIS_MODELS = ("soft", "rigid")
+# Not compared: times, angles that jump from 360 to 0, and, for ties, places of the largest.
+LEFT_OUT = ("seconds", "clock_deg", "azimuth_deg")
+SAME_COLUMN = 2.0e-6   # of the largest number of a column: files hold ten digits, decks seventeen
 UNIT = {
     "md": "m", "inc": "deg", "azi": "deg", "md_top": "m", "md_bottom": "m", "diameter": "mm", "wall_stiffness": "kN/m2",
     "mud_sheath": "mm", "fluid.density": "kg/m3", "component.density": "kg/m3", "length": "m", "od": "mm", "id": "mm",
@@ -108,16 +125,16 @@ def draw_deck(seed):
     return groups
 
 
-def deck_text(groups, field):
-    """The deck in SI or field units; 17 digits, so that a number read is the number written."""
+def deck_text(groups, system):
+    """The deck in a system of units; 17 digits, so that a number read is the number written."""
     lines = []
     for group, keys in groups:
-        words = ["units = 'field'"] if field and group == "job" else []
+        words = [f"units = '{system}'"] if group == "job" else []
         for key, value in keys.items():
             if isinstance(value, str):
                 words.append(f"{key} = {value}")
                 continue
-            factor = FIELD[UNIT.get(f"{group}.{key}", UNIT.get(key, ""))] if field else 1.0
+            factor = SYSTEMS[system][UNIT.get(f"{group}.{key}", UNIT.get(key, ""))]
             numbers = value if isinstance(value, list) else [value]
             words.append(f"{key} = " + ", ".join(repr(number / factor) for number in numbers))
         lines.append(f"&{group} " + "\n   ".join(words) + " /")
@@ -149,10 +166,45 @@ class Results:
 
 def number(row, column):
     """A number of a row in SI, whatever the units of the file."""
-    for ending, factor in (("kN", 1.0), ("klbf", FIELD["kN"]), ("kNm", 1.0), ("kftlbf", FIELD["kN.m"])):
+    for ending, factor in (("kN", 1.0), ("klbf", FIELD["kN"]), ("kdaN", METRIC["kN"]), ("kNm", 1.0), ("kftlbf", FIELD["kN.m"])):
         if f"{column}_{ending}" in row:
             return float(row[f"{column}_{ending}"]) * factor
     raise KeyError(column)
+
+
+def other_column(column, system):
+    """Name of a column of an SI file in the file of another system, and the value in SI columns of one of its unit."""
+    endings = ENDINGS[system] | ({"MPa": PRESSURES[system]} if column in ("pressure_MPa", "inside_pressure_MPa") else {})
+    for ending in sorted(endings, key=len, reverse=True):
+        if column.endswith(f"_{ending}"):
+            return column.removesuffix(ending) + endings[ending][0], endings[ending][1]
+    return column, 1.0
+
+
+def unlike_columns(one, other, system):
+    """Faults of the CSV files of models on the axis: names of columns, and numbers by their units."""
+    faults = []
+    for path in sorted(one.glob("*.csv")):
+        beam = path.name.startswith(("profile_", "contacts_", "history_")) and not path.stem.endswith(AXIS_MODELS)
+        if beam:
+            continue
+        if not (other / path.name).is_file():
+            faults.append(f"{path.name}: not in {system} units")
+            continue
+        mine, theirs = (list(csv.DictReader((folder / path.name).open(encoding="utf-8"))) for folder in (one, other))
+        keep = [i for i, row in enumerate(mine) if row.get("model", AXIS_MODELS[0]) in AXIS_MODELS]
+        for column in mine[0] if mine else ():
+            name, factor = other_column(column, system)
+            if name not in theirs[0]:
+                faults.append(f"{path.name}: no column {name} in {system} units")
+                continue
+            with contextlib.suppress(ValueError):
+                pairs = [(float(mine[i][column] or 0), float(theirs[i][name] or 0) * factor) for i in keep]
+                largest = max((abs(a) for a, _ in pairs), default=0.0)
+                off = max((abs(a - b) for a, b in pairs), default=0.0)
+                if column not in LEFT_OUT and "_md_" not in column and off > SAME_COLUMN * max(largest, 1e-3):
+                    faults.append(f"{path.name}: {name} is off by {off / max(largest, 1e-3):.1e} of its largest")
+    return faults
 
 
 class Check:
@@ -167,7 +219,7 @@ class Check:
     def seed(self, program, seed):
         """Faults of a seed."""
         groups = draw_deck(seed)
-        si = deck_text(groups, False)
+        si = deck_text(groups, "SI")
         with tempfile.TemporaryDirectory() as folder:
             home = pathlib.Path(folder)
             one, two = (Results(program, si, home, name, threads) for name, threads in (("one", 1), ("two", 2)))
@@ -177,11 +229,13 @@ class Check:
                       if two.files().get(name) != content]
             if (one.status, one.told) != (two.status, two.told):
                 faults.append("what is told differs between one and two threads")
-            field = Results(program, deck_text(groups, True), home, "field", 2)
+            field, metric = (Results(program, deck_text(groups, system), home, system, 2) for system in ("field", "metric"))
             converted = subprocess.run([program, "--convert", home / "one.nml"], capture_output=True, text=True, check=False)
             if converted.returncode:
                 return [*faults, f"not converted: {converted.stderr[:300]}"]
-            for name, other in (("field units", field), ("--convert", Results(program, converted.stdout, home, "converted", 2))):
+            for system, other in (("field", field), ("metric", metric)):
+                faults += unlike_columns(one.folder, other.folder, system)
+            for name, other in (("field units", field), ("metric units", metric), ("--convert", Results(program, converted.stdout, home, "converted", 2))):
                 faults += self.compare(seed, name, one, other)
             self.note("decks", 0.0, seed)
             return faults
@@ -220,7 +274,7 @@ def main():
     parser.add_argument("--print", type=int, help="print the deck of this seed and end")
     options = parser.parse_args()
     if options.print is not None:
-        print(deck_text(draw_deck(options.print), False))
+        print(deck_text(draw_deck(options.print), "SI"))
         return 0
     program = str(pathlib.Path(options.program).resolve())
     check, failed = Check(), 0

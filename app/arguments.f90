@@ -2,7 +2,10 @@
 module dg_arguments
    use dg_error, only: error_type, raise, status_bad_input
    use dg_part_list, only: is_count, read_part_list
-   use dg_text, only: append_text, lower_case, quoted, suggestion, text_type
+   use dg_deck_schema, only: listed
+   use dg_quantity, only: deck_systems
+   use dg_text, only: append_text, quoted, suggestion, text_type
+   use dg_units, only: deck_system
    use dg_version, only: program_name
    implicit none
    private
@@ -17,6 +20,7 @@ module dg_arguments
       integer :: parts = 0                    !< of so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
       character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
+      character(:), allocatable :: units     !< '', or the system of units for --convert
       logical :: again = .false.              !< points that did not converge are solved again
       logical :: check = .false.
       logical :: quiet = .false.
@@ -42,6 +46,7 @@ contains
       arguments%deck = ''
       arguments%output_dir = ''
       arguments%action = ''
+      arguments%units = ''
       arguments%chosen = [1]
       value = ''
       only_decks = .false.
@@ -54,7 +59,11 @@ contains
             cycle
          end if
          if (index(word, '-') /= 1 .or. len(word) == 1 .or. only_decks) then
-            if (arguments%deck /= '') then
+            if (arguments%deck /= '' .and. arguments%action == 'convert' .and. deck_system(word) > 0 .and. &
+                arguments%units == '') then
+               arguments%units = word
+               cycle
+            else if (arguments%deck /= '') then
                call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'. Give one')
             else if (word == '') then
                call refuse('the name of the deck is empty. Give a file')
@@ -107,9 +116,8 @@ contains
       if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
           .not. (arguments%help .or. arguments%version)) &
          call refuse('no deck given. Write '//program_name//' DECK.nml')
-      if (arguments%deck /= '' .and. arguments%action == 'template' .and. lower_case(arguments%deck) /= 'si' .and. &
-          lower_case(arguments%deck) /= 'field') &
-         call refuse('--template takes no deck and no units '//quoted(arguments%deck)//'. Write --template SI or --template field')
+      if (arguments%deck /= '' .and. arguments%action == 'template' .and. deck_system(arguments%deck) == 0) &
+         call refuse('--template takes no deck and no units '//quoted(arguments%deck)//'. Units are '//listed(deck_systems))
 
       if (.not. allocated(error) .and. arguments%parts > 0 .and. arguments%merge > 0) &
          call refuse('--part and --merge exclude each other. Join the parts when all are there')
@@ -182,11 +190,12 @@ contains
       call append_text(lines, '  --quiet        no notes, no progress')
       call append_text(lines, '  --help, -h     this text')
       call append_text(lines, '  --version, -v  name and version')
-      call append_text(lines, 'or: '//program_name//' --template [SI|field]         prints a commented deck to start from')
+      call append_text(lines, 'or: '//program_name//' --template [UNITS]            prints a commented deck to start from')
       call append_text(lines, '    '//program_name//' --list-catalogue [PATTERN]    '// &
                        'prints the catalogue of pipe, or what has PATTERN in its name')
-      call append_text(lines, '    '//program_name//' --convert DECK.nml            '// &
-                       'prints the deck in the other system of units, SI or field')
+      call append_text(lines, '    '//program_name//' --convert DECK.nml [UNITS]    '// &
+                       'prints the deck in other units')
+      call append_text(lines, 'UNITS: '//listed(deck_systems))
       call append_text(lines, 'exit status: 0 all cases solved, '// &
                        '2 bad command line, deck or data file, 3 a case did not converge, 1 else')
    end subroutine usage_lines

@@ -11,14 +11,15 @@ module dg_run_action
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_printed_text, only: print_lines
    use dg_process, only: someone_reads
    use dg_read_deck, only: build_deck
    use dg_registry, only: deck_groups
    use dg_standard_output, only: put_line
    use dg_text, only: append_text, lower_case, quoted, text_type
-   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_unit_kind, only: unit_diameter, unit_label, unit_mass, unit_stress
+   use dg_units, only: field_units, si_units, unit_system, unit_system_type
    implicit none
    private
    public :: run_action
@@ -30,9 +31,10 @@ module dg_run_action
 contains
 
    !> Does what the option `action` (without its dashes) says.
-   subroutine run_action(action, operand, status)
+   subroutine run_action(action, operand, wanted, status)
       character(*), intent(in) :: action
       character(*), intent(in) :: operand     !< '': none
+      character(*), intent(in) :: wanted      !< system of units for --convert; '': SI, or field from SI
       integer, intent(out) :: status          !< of the program
       type(text_type), allocatable :: lines(:), deck(:), notes(:)
       type(fault_list_type) :: faults
@@ -45,9 +47,7 @@ contains
       select case (action)
       case ('template')
          call deck_groups(groups)
-         units = si_units()
-         if (lower_case(operand) == 'field') units = field_units()
-         call deck_template(groups, units, lines)
+         call deck_template(groups, unit_system(operand), lines)
          call print_lines(lines)
          status = status_ok
       case ('list-catalogue')
@@ -64,7 +64,9 @@ contains
             status = status_bad_input
          else
             call deck_groups(groups)
-            call convert_deck(name, deck, job%units, groups, lines)
+            units = unit_system(wanted)
+            if (wanted == '' .and. job%units%name == units%name) units = field_units()
+            call convert_deck(name, deck, job%units, units, groups, lines)
             call print_deck(lines)
             status = status_ok
          end if
@@ -110,8 +112,7 @@ contains
             call append_text(lines, path)
             call append_text(lines, left_aligned('name', name_width)//left_aligned('kind', kind_width)//heading//heading// &
                              '  source')
-            call append_text(lines, repeat(' ', name_width + kind_width)//'      mm      mm    kg/m       mm    MPa'// &
-                             '      in      in  lbm/ft       in    ksi')
+            call append_text(lines, repeat(' ', name_width + kind_width)//heads(si_units())//heads(field_units()))
          end if
          call append_text(lines, entry_line(catalogue%entries(i)))
       end do
@@ -122,6 +123,15 @@ contains
       call print_lines(lines)
       status = status_ok
    end subroutine list_catalogue
+
+   !> Units of the columns of numbers.
+   function heads(units) result(text)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = right_aligned(unit_label(units, unit_diameter), 8)//right_aligned(unit_label(units, unit_diameter), 8)// &
+         right_aligned(unit_label(units, unit_mass), 8)//right_aligned(unit_label(units, unit_diameter), 9)// &
+         right_aligned(unit_label(units, unit_stress), 7)
+   end function heads
 
    !> One entry of the list.
    function entry_line(entry) result(line)

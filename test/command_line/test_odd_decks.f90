@@ -32,7 +32,7 @@ contains
       ! 29 kg/m in pounds a foot: below three quarters of what the tube weighs
       call note('joint_od = 168.3', 'joint_od = 168.3, mass = 19.5', 'mass = 19.5, but a tube')
       call note('joint_od = 168.3', 'joint_od = 168.3, youngs = 30', 'youngs = 30')
-      call note('md  = 0.0, 500.0, 900.0', 'md  = 0.0, 899.0, 900.0', 'the hole turns by 900 deg_30m')
+      call note('md  = 0.0, 500.0, 900.0', 'md  = 0.0, 899.0, 900.0', 'the hole turns by 900 deg/30 m')
       call note('od = 171.45', 'mass = 136.0, density = 2800.0, od = 171.45', 'mass = 136')
    end subroutine test_units
 

@@ -1,102 +1,104 @@
-!> Unit systems of decks and reports. Inside the program everything is SI; only deck and report convert.
-!> A factor is the SI value of one user unit: si = user*factor.
-!> Exact factors (NIST SP 811): foot 0.3048 m, inch 0.0254 m, pound 0.45359237 kg, US gallon 231 in3,
-!> pound-force = pound times standard gravity.
+!> Unit systems of decks and reports, each a column of the table of dg_quantity. Inside the program everything is SI; only deck
+!> and report convert. A factor is the SI value of one user unit: si = user*factor.
 module dg_units
    use dg_kinds, only: wp
-   use dg_constants, only: degree, pi, standard_gravity
+   use dg_quantity, only: quantity_angle, quantity_curvature, quantity_density, quantity_force, quantity_length, &
+      quantity_mass, quantity_moment, quantity_stress, quantity_wall, quantity_width, rows, system_base, system_count, &
+      system_field, system_name, system_si, unit_type
+   use dg_text, only: lower_case
    implicit none
    private
-   public :: unit_system_type, si_units, field_units, base_units
+   public :: unit_system_type, unit_system, system_of, si_units, field_units, base_units, deck_system, unit_in
 
-   real(wp), parameter :: foot = 0.3048_wp
-   real(wp), parameter :: inch = 0.0254_wp
-   real(wp), parameter :: pound = 0.45359237_wp
-   real(wp), parameter :: gallon = 231.0_wp*inch**3
-   real(wp), parameter :: pound_force = pound*standard_gravity
-   real(wp), parameter :: minute = 60.0_wp
-
+   !> SI, until `unit_system` fills it. `unit_in` tells the unit of any quantity; those that texts and pictures ask for most are
+   !> components.
    type :: unit_system_type
-      character(5) :: name = 'SI'
-      real(wp) :: length = 1.0_wp               !< m, ft
-      real(wp) :: diameter = 1.0e-3_wp          !< mm, in (also mud sheath, displacement)
-      real(wp) :: angle = degree                !< deg
-      real(wp) :: mass_per_length = 1.0_wp      !< kg/m, lbm/ft
-      real(wp) :: density = 1.0_wp              !< kg/m3, lbm/gal
-      real(wp) :: force = 1.0e3_wp              !< kN, klbf
-      real(wp) :: moment = 1.0e3_wp             !< kN.m, kft.lbf
-      real(wp) :: modulus = 1.0e9_wp            !< GPa, 1e6 psi
-      real(wp) :: stress = 1.0e6_wp             !< MPa, ksi
-      real(wp) :: wall_stiffness = 1.0e3_wp     !< kN/m2, klbf/ft2
-      real(wp) :: force_per_length = 1.0e3_wp   !< kN/m, klbf/ft
-      real(wp) :: curvature = degree/30.0_wp    !< deg/30 m, deg/100 ft [1/m]
-      real(wp) :: rotation_speed = 2.0_wp*pi/minute !< rpm [rad/s]
-      real(wp) :: trip_speed = 1.0_wp           !< m/s, ft/s
-      !> Suffixes of column headers in files.
-      character(8) :: length_label = 'm'
-      character(8) :: diameter_label = 'mm'
-      character(8) :: force_label = 'kN'
-      character(8) :: moment_label = 'kNm'
-      character(8) :: force_per_length_label = 'kN_m'
-      character(8) :: stress_label = 'MPa'
-      character(9) :: curvature_label = 'deg_30m'
-      character(8) :: wall_stiffness_label = 'kN_m2'
+      integer :: system = system_si           !< column of the table
+      character(6) :: name = system_name(system_si)
+      !> Factors.
+      real(wp) :: length = rows(quantity_length)%units(system_si)%factor             !< [m]
+      real(wp) :: diameter = rows(quantity_width)%units(system_si)%factor            !< [m]
+      real(wp) :: angle = rows(quantity_angle)%units(system_si)%factor               !< [rad]
+      real(wp) :: mass_per_length = rows(quantity_mass)%units(system_si)%factor      !< [kg/m]
+      real(wp) :: density = rows(quantity_density)%units(system_si)%factor           !< [kg/m3]
+      real(wp) :: force = rows(quantity_force)%units(system_si)%factor               !< [N]
+      real(wp) :: moment = rows(quantity_moment)%units(system_si)%factor             !< [N.m]
+      real(wp) :: stress = rows(quantity_stress)%units(system_si)%factor             !< [Pa]
+      real(wp) :: curvature = rows(quantity_curvature)%units(system_si)%factor       !< [1/m]
+      real(wp) :: wall_stiffness = rows(quantity_wall)%units(system_si)%factor       !< [N/m2]
+      !> Names of length and force, the same in texts and in headers of columns.
+      character(10) :: length_label = rows(quantity_length)%units(system_si)%label
+      character(10) :: force_label = rows(quantity_force)%units(system_si)%label
    end type unit_system_type
 
 contains
 
+   !> The system of that number.
+   pure function system_of(system) result(units)
+      integer, intent(in) :: system
+      type(unit_system_type) :: units
+      units%system = system
+      units%name = system_name(system)
+      units%length = factor(quantity_length)
+      units%diameter = factor(quantity_width)
+      units%angle = factor(quantity_angle)
+      units%mass_per_length = factor(quantity_mass)
+      units%density = factor(quantity_density)
+      units%force = factor(quantity_force)
+      units%moment = factor(quantity_moment)
+      units%stress = factor(quantity_stress)
+      units%curvature = factor(quantity_curvature)
+      units%wall_stiffness = factor(quantity_wall)
+      units%length_label = rows(quantity_length)%units(system)%label
+      units%force_label = rows(quantity_force)%units(system)%label
+   contains
+      pure function factor(quantity) result(one)
+         integer, intent(in) :: quantity
+         real(wp) :: one
+         one = rows(quantity)%units(system)%factor
+      end function factor
+   end function system_of
+
+   !> The unit of a quantity in a system.
+   elemental function unit_in(units, quantity) result(unit)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      type(unit_type) :: unit
+      unit = rows(quantity)%units(units%system)
+   end function unit_in
+
+   !> The system of that name, letter case aside; SI where there is none.
+   pure function unit_system(name) result(units)
+      character(*), intent(in) :: name
+      type(unit_system_type) :: units
+      units = system_of(max(deck_system(name), system_si))
+   end function unit_system
+
+   !> Number of the system of that name among those of decks, letter case aside; 0 where there is none.
+   pure function deck_system(name) result(system)
+      character(*), intent(in) :: name
+      integer :: system
+      do system = 1, system_count
+         if (system /= system_base .and. lower_case(system_name(system)) == lower_case(name)) return
+      end do
+      system = 0
+   end function deck_system
+
    !> The system of `units='SI'`.
    pure function si_units() result(units)
       type(unit_system_type) :: units
-      units = unit_system_type()
+      units = system_of(system_si)
    end function si_units
 
    !> The system of `units='field'`.
    pure function field_units() result(units)
       type(unit_system_type) :: units
-      units%name = 'field'
-      units%length = foot
-      units%diameter = inch
-      units%mass_per_length = pound/foot
-      units%density = pound/gallon
-      units%force = 1.0e3_wp*pound_force
-      units%moment = 1.0e3_wp*foot*pound_force
-      units%modulus = 1.0e6_wp*pound_force/inch**2
-      units%stress = 1.0e3_wp*pound_force/inch**2
-      units%wall_stiffness = 1.0e3_wp*pound_force/foot**2
-      units%force_per_length = 1.0e3_wp*pound_force/foot
-      units%curvature = degree/(100.0_wp*foot)
-      units%trip_speed = foot
-      units%length_label = 'ft'
-      units%diameter_label = 'in'
-      units%force_label = 'klbf'
-      units%moment_label = 'kftlbf'
-      units%force_per_length_label = 'klbf_ft'
-      units%stress_label = 'ksi'
-      units%curvature_label = 'deg_100ft'
-      units%wall_stiffness_label = 'klbf_ft2'
+      units = system_of(system_field)
    end function field_units
 
    !> Units of programs: those of SI without multiples, angles in radians. No deck has them.
    pure function base_units() result(units)
       type(unit_system_type) :: units
-      units%name = 'base'
-      units%diameter = 1.0_wp
-      units%angle = 1.0_wp
-      units%force = 1.0_wp
-      units%moment = 1.0_wp
-      units%modulus = 1.0_wp
-      units%stress = 1.0_wp
-      units%wall_stiffness = 1.0_wp
-      units%force_per_length = 1.0_wp
-      units%curvature = 1.0_wp
-      units%rotation_speed = 1.0_wp
-      units%diameter_label = 'm'
-      units%force_label = 'N'
-      units%moment_label = 'Nm'
-      units%force_per_length_label = 'N_m'
-      units%stress_label = 'Pa'
-      units%curvature_label = 'rad_m'
-      units%wall_stiffness_label = 'N_m2'
+      units = system_of(system_base)
    end function base_units
 end module dg_units

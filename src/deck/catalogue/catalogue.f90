@@ -9,11 +9,12 @@ module dg_catalogue
    use dg_deck_schema, only: key_rule_type
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
+   use dg_quantity, only: system_count, unit_type
    use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
    use dg_text_fault, only: find_text_fault
-   use dg_unit_kind, only: unit_factor, unit_label, unit_none
-   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_unit_kind, only: unit_factor
+   use dg_units, only: si_units, system_of, unit_in, unit_system_type
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
@@ -165,7 +166,7 @@ contains
       integer, allocatable, intent(out) :: columns(:)
       real(wp), allocatable, intent(out) :: factors(:)
       type(fault_list_type), intent(inout) :: faults
-      integer :: i, k
+      integer :: i, k, system
       allocate (columns(size(fields)), source=column_ignored)
       allocate (factors(size(fields)), source=1.0_wp)
       do i = 1, size(fields)
@@ -176,8 +177,9 @@ contains
          case ('connection'); columns(i) = column_connection
          case default
             do k = 1, size(numeric_keys)
-               call match(fields(i)%text, k, si_units())
-               call match(fields(i)%text, k, field_units())
+               do system = 1, system_count
+                  call match(fields(i)%text, k, system_of(system))
+               end do
             end do
             if (columns(i) == column_ignored) call add_fault(faults, path, line, 'catalogue: unknown column '// &
                quoted(fields(i)%text)//'; legal: name, kind, source, connection, and '//joined(numeric_keys, ', ')// &
@@ -317,24 +319,15 @@ contains
       text = trim(text)
    end function plain
 
-   !> Heading of a column: key and unit, without marks that names of columns do not have.
+   !> Heading of a column: key and unit, as in the files of results.
    pure function heading_of(rule, units) result(heading)
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: heading
-      character(:), allocatable :: label
-      integer :: i
+      type(unit_type) :: unit
+      unit = unit_in(units, rule%unit)
       heading = trim(rule%key)
-      if (rule%unit == unit_none) return
-      label = unit_label(units, rule%unit)
-      heading = heading//'_'
-      do i = 1, len(label)
-         select case (label(i:i))
-         case ('.'); cycle
-         case ('/', ' '); heading = heading//'_'
-         case default; heading = heading//label(i:i)
-         end select
-      end do
+      if (unit%suffix /= '') heading = heading//'_'//trim(unit%suffix)
    end function heading_of
 
    !> The rule of one of `numeric_keys`.

@@ -1,4 +1,4 @@
-!> A deck in the other system of units: numbers change in place, in ranges and keys that are comments too.
+!> A deck in another system of units: numbers change in place, in ranges and keys that are comments too.
 !> All else of the text stays.
 module dg_deck_convert
    use dg_kinds, only: wp
@@ -9,7 +9,7 @@ module dg_deck_convert
    use dg_load_case, only: operation_from_name, operation_name
    use dg_text, only: append_text, lower_case, text_type
    use dg_unit_kind, only: unit_factor
-   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_units, only: unit_system_type
    use dg_version, only: program_name
    implicit none
    private
@@ -20,22 +20,20 @@ module dg_deck_convert
 
 contains
 
-   !> The lines of a deck without fault, from SI to field units or back. Files that it names stay as they are: the converted deck
+   !> The lines of a deck without fault, in other units. Files that it names stay as they are: the converted deck
    !> tells their units.
-   subroutine convert_deck(path, read, units, groups, lines)
+   subroutine convert_deck(path, read, units, other, groups, lines)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: read(:)            !< the lines of the deck
       type(unit_system_type), intent(in) :: units       !< of the deck
+      type(unit_system_type), intent(in) :: other       !< that are wanted
       type(group_keys_type), intent(in) :: groups(:)    !< that a deck may have, with their keys
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(text_type), allocatable :: deck(:)
       type(token_type), allocatable :: tokens(:)
-      type(unit_system_type) :: other
       logical :: has_job
       integer :: i
       allocate (deck, source=read)
-      other = field_units()
-      if (units%name == 'field') other = si_units()
       call tokenize(deck, tokens)
       has_job = any([(tokens(i)%kind == token_group .and. lower_case(tokens(i)%text) == 'job', i=1, size(tokens))])
       call convert_tokens(tokens, units, other, groups, deck)

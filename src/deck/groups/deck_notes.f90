@@ -14,7 +14,7 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, unit_diameter, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_modulus
    implicit none
    private
    public :: note_oddities
@@ -140,7 +140,7 @@ contains
             if (curvature <= sharpest) cycle
             call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
                              trim(in_units(units, unit_length, stations%md(i), digits))//' the hole turns by '// &
-                             to_text(curvature/units%curvature, few_digits)//' '//trim(units%curvature_label)// &
+                             trim(in_units(units, unit_curvature, curvature, few_digits))// &
                              ', more than results were ever checked for; is a depth or an angle mistyped?')
             exit
          end do
@@ -197,7 +197,8 @@ contains
             'mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and density has '// &
             to_text(tube/units%mass_per_length, few_digits)//'; mind the units, and the density of what is not steel')
          if (part%youngs < softest .or. part%youngs > stiffest) call note('youngs = '// &
-            to_text(part%youngs/units%modulus, digits)//'; steel has '//to_text(steel/units%modulus, few_digits))
+            to_text(part%youngs/unit_factor(units, unit_modulus), digits)//'; steel has '// &
+            to_text(steel/unit_factor(units, unit_modulus), few_digits))
          if (item%connected .and. .not. part%joint_torsion > 0.0_wp) call note('the torque at which its connection yields is '// &
             'not known: it needs a joint_id (with tool joints) or an id and a yield (without) that leave a pin and a box; or '// &
             'give joint_torsion')

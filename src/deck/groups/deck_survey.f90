@@ -15,7 +15,7 @@ module dg_deck_survey
    use dg_survey_heading, only: column_name
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_curvature, unit_factor, unit_length
-   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_units, only: si_units, unit_system, unit_system_type
    implicit none
    private
    public :: read_stations
@@ -86,8 +86,7 @@ contains
       type(fault_list_type) :: unused
       integer :: column
       file_units = units
-      if (text_of(group, 'survey_units', '') == 'SI') file_units = si_units()
-      if (text_of(group, 'survey_units', '') == 'field') file_units = field_units()
+      if (is_given(group, 'survey_units')) file_units = unit_system(text_of(group, 'survey_units', ''))
       do column = 1, 3
          names%names(column)%text = trim(adjustl(text_of(group, trim(column_name(column))//'_column', '')))
       end do

@@ -29,10 +29,10 @@ module dg_open_deck
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, lower_case, to_text
+   use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    use dg_unusual_input, only: note_unusual
-   use dg_units, only: unit_system_type, si_units, field_units
+   use dg_units, only: unit_system, unit_system_type, si_units
    implicit none
    private
    public :: open_deck, close_deck
@@ -181,7 +181,7 @@ contains
          if (groups(i)%name /= 'job') cycle
          do j = 1, size(groups(i)%entries)
             if (groups(i)%entries(j)%key /= 'units' .or. size(groups(i)%entries(j)%values) == 0) cycle
-            if (lower_case(groups(i)%entries(j)%values(1)%text) == 'field') units = field_units()
+            units = unit_system(groups(i)%entries(j)%values(1)%text)
             return
          end do
       end do

@@ -3,11 +3,12 @@
 module dg_deck_template
    use dg_deck_keys, only: operation_words
    use dg_deck_number, only: read_real
-   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_real, kind_text, listed, range_text
+   use dg_deck_schema, only: group_keys_type, key_rule_type, kind_real, kind_text, listed, name_length, range_text, split_words
    use dg_kinds, only: wp
+   use dg_quantity, only: deck_systems
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: unit_factor, unit_label, unit_none
-   use dg_units, only: si_units, unit_system_type
+   use dg_unit_kind, only: unit_diameter, unit_factor, unit_force, unit_label, unit_length, unit_mass, unit_none
+   use dg_units, only: field_units, si_units, unit_system, unit_system_type
    use dg_version, only: program_name, program_version
    implicit none
    private
@@ -24,7 +25,7 @@ module dg_deck_template
 
    type(example_type), parameter :: examples(*) = [ &
       example_type('job', 1, 'title', '''My well'''), &
-      example_type('job', 1, 'units', '''SI''', '''field'''), &
+      example_type('job', 1, 'units', '''SI'''), &
       example_type('job', 1, 'models', '''mcge'', ''soft'''), &
       example_type('trajectory', 1, 'md', '0, 600, 1500, 2400', '0, 2000, 5000, 8000'), &
       example_type('trajectory', 1, 'inc', '0, 0, 60, 60'), &
@@ -63,6 +64,8 @@ module dg_deck_template
    integer, parameter :: remark_column = 42
    !> Significant digits of a default that is not stated in the units of the deck.
    integer, parameter :: default_digits = 7
+   !> Significant digits of an example that is converted.
+   integer, parameter :: example_digits = 5
    !> Letters of a remark in one line.
    integer, parameter :: remark_width = 76
 
@@ -73,17 +76,21 @@ contains
       type(group_keys_type), intent(in) :: groups(:)     !< that a deck may have, with their keys
       type(unit_system_type), intent(in) :: units        !< of the deck
       type(text_type), allocatable, intent(out) :: lines(:)
+      character(name_length), allocatable :: systems(:)
+      type(unit_system_type) :: other
       integer :: i, copy, copies
       allocate (lines(0))
+      call split_words(deck_systems, systems)
       call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
       call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told.')
-      if (units%name == 'field') then
-         call append_text(lines, '! `'//program_name//' --template SI` prints one in m, mm, kg and kN. '// &
-                          'Groups may come in any order.')
-      else
-         call append_text(lines, '! `'//program_name//' --template field` prints one in ft, in, lbm and klbf. '// &
-                          'Groups may come in any order.')
-      end if
+      call append_text(lines, '! Groups may come in any order.')
+      do i = 1, size(systems)
+         if (systems(i) == units%name) cycle
+         other = unit_system(systems(i))
+         call append_text(lines, '! `'//program_name//' --template '//trim(systems(i))//'` prints one in '// &
+                          unit_label(other, unit_length)//', '//unit_label(other, unit_diameter)//', '// &
+                          unit_label(other, unit_mass)//' and '//unit_label(other, unit_force)//'.')
+      end do
       do i = 1, size(groups)
          copies = 0
          if (any(examples%group == groups(i)%rule%name)) &
@@ -125,7 +132,7 @@ contains
             if (examples(i)%group == group%rule%name .and. examples(i)%copy == copy .and. examples(i)%key == group%keys(k)%key) exit
          end do
          if (i <= size(examples)) then
-            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//value_of(examples(i), units), &
+            call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//value_of(examples(i), group%keys(k), units), &
                             group%keys(k), units)
          else if (with_rest .and. trim(group%keys(k)%later) /= '*') then
             call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k), units), group%keys(k), units)
@@ -174,13 +181,29 @@ contains
       if (rule%required) line = line//'; required'
    end function remark_of
 
-   !> The value of an example in the units of the deck.
-   pure function value_of(example, units) result(text)
+   !> The value of an example in the units of the deck: that of SI or field units where the key has their unit.
+   pure function value_of(example, rule, units) result(text)
       type(example_type), intent(in) :: example
+      type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
+      real(wp) :: number, factor
+      logical :: legal
       text = trim(example%value)
-      if (units%name == 'field' .and. example%field /= '') text = trim(example%field)
+      if (example%group == 'job' .and. example%key == 'units') text = ''''//trim(units%name)//''''
+      factor = unit_factor(units, rule%unit)
+      if (is_same(factor, unit_factor(si_units(), rule%unit))) return
+      if (is_same(factor, unit_factor(field_units(), rule%unit))) then
+         if (example%field /= '') text = trim(example%field)
+      else
+         call read_real(text, number, legal)
+         if (legal) text = to_text(number*unit_factor(si_units(), rule%unit)/factor, example_digits)
+      end if
+   contains
+      pure logical function is_same(one, other)
+         real(wp), intent(in) :: one, other
+         is_same = abs(one - other) <= epsilon(one)*abs(other)
+      end function is_same
    end function value_of
 
    !> A default as a deck would write it; nothing where there is none.

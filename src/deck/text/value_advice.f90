@@ -4,7 +4,7 @@ module dg_value_advice
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
    use dg_kinds, only: wp
    use dg_text, only: lower_case, to_text
-   use dg_unit_kind, only: unit_factor, unit_force, unit_label, unit_moment, unit_none, unit_stress
+   use dg_unit_kind, only: smaller_unit, unit_factor, unit_label, unit_none
    use dg_units, only: si_units, unit_system_type
    implicit none
    private
@@ -12,8 +12,7 @@ module dg_value_advice
 
    !> Significant digits of a number that is advised.
    integer, parameter :: digits_told = 7
-   !> A unit of decks over the same without its multiple: ksi and psi, kN and N.
-   real(wp), parameter :: multiple = 1.0e3_wp
+   integer, parameter :: longest_name = 20
    character(*), parameter :: digits = '0123456789'
 
 contains
@@ -50,23 +49,19 @@ contains
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: advice
-      character(:), allocatable :: smaller
-      real(wp) :: number, held
+      character(longest_name) :: smaller
+      real(wp) :: number, held, of_them
       logical :: legal
       advice = ''
       if (rule%kind /= kind_real) return
-      select case (rule%unit)
-      case (unit_stress); smaller = trim(merge('psi   ', 'kPa   ', units%name == 'field'))
-      case (unit_force); smaller = trim(merge('lbf   ', 'N     ', units%name == 'field'))
-      case (unit_moment); smaller = trim(merge('ft.lbf', 'N.m   ', units%name == 'field'))
-      case default; return
-      end select
+      call smaller_unit(units, rule%unit, smaller, of_them)
+      if (smaller == '') return
       call read_real(text, number, legal)
       if (.not. legal) return
-      number = number/multiple
+      number = number/of_them
       held = number*unit_factor(units, rule%unit)
       call hold_in_range(rule, si_units(), held, legal)
-      if (legal) advice = '; '//text//' '//smaller//' is written '//to_text(number, digits_told)
+      if (legal) advice = '; '//text//' '//trim(smaller)//' is written '//to_text(number, digits_told)
    end function unit_advice
 
    !> A text without a mark of inches at its end, in quotes or as a word.

@@ -2,35 +2,23 @@
 !> ParaView) and the check of output/README.md go by that.
 module dg_column
    use dg_kinds, only: wp
-   use dg_constants, only: pi
    use dg_missing, only: is_missing
    use dg_number_text, only: csv_number, csv_text, put_csv_number
    use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
-   use dg_unit_kind, only: unit_curvature, unit_label, unit_moment, unit_wall
-   use dg_units, only: unit_system_type
+   use dg_quantity, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
+      quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, quantity_time, &
+      quantity_turns, quantity_wall, quantity_width, unit_type
+   use dg_unit_kind, only: unit_factor, unit_label
+   use dg_units, only: unit_in, unit_system_type
    implicit none
    private
    public :: column_type, field_type, field_list_type, column_header, column_named, unit_text, unit_size
    public :: csv_header, csv_row, put_csv_value, put, put_none
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
-             quantity_line_load, quantity_stress, quantity_percent, quantity_turns, quantity_curvature, quantity_time, quantity_wall
+             quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
+             quantity_time, quantity_wall
    public :: field_absent, field_text, field_integer, field_real
-
-   integer, parameter :: quantity_none = 0       !< a number without unit
-   integer, parameter :: quantity_text = 1       !< a text, or a number that stands for one
-   integer, parameter :: quantity_length = 2     !< along the hole, or of a position
-   integer, parameter :: quantity_width = 3      !< a diameter or a lateral displacement
-   integer, parameter :: quantity_angle = 4
-   integer, parameter :: quantity_force = 5
-   integer, parameter :: quantity_moment = 6
-   integer, parameter :: quantity_line_load = 7  !< force per length
-   integer, parameter :: quantity_stress = 8     !< stress and pressure
-   integer, parameter :: quantity_percent = 9
-   integer, parameter :: quantity_turns = 10     !< an angle of many turns
-   integer, parameter :: quantity_curvature = 11
-   integer, parameter :: quantity_time = 12      !< seconds in both unit systems, not named in the header
-   integer, parameter :: quantity_wall = 13      !< stiffness of a wall: force per length and penetration
 
    type :: column_type
       character(24) :: name = ''
@@ -69,21 +57,10 @@ contains
       type(column_type), intent(in) :: column
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: header
+      type(unit_type) :: unit
+      unit = unit_in(units, column%quantity)
       header = trim(column%name)
-      select case (column%quantity)
-      case (quantity_length); header = header//'_'//trim(units%length_label)
-      case (quantity_width); header = header//'_'//trim(units%diameter_label)
-      case (quantity_angle); header = header//'_deg'
-      case (quantity_force); header = header//'_'//trim(units%force_label)
-      case (quantity_moment); header = header//'_'//trim(units%moment_label)
-      case (quantity_line_load); header = header//'_'//trim(units%force_per_length_label)
-      case (quantity_stress); header = header//'_'//trim(units%stress_label)
-      case (quantity_percent); header = header//'_pct'
-      case (quantity_turns); header = header//'_turns'
-      case (quantity_curvature); header = header//'_'//trim(units%curvature_label)
-      case (quantity_wall); header = header//'_'//trim(units%wall_stiffness_label)
-      case default
-      end select
+      if (unit%suffix /= '') header = header//'_'//trim(unit%suffix)
    end function column_header
 
    !> The column of that name; one without quantity where there is none.
@@ -103,24 +80,7 @@ contains
       integer, intent(in) :: quantity
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
-      logical :: field
-      field = units%name == 'field'
-      select case (quantity)
-      case (quantity_length); text = trim(units%length_label)
-      case (quantity_width); text = trim(units%diameter_label)
-      case (quantity_angle); text = 'deg'
-      case (quantity_force); text = trim(units%force_label)
-      case (quantity_moment); text = unit_label(units, unit_moment)
-      case (quantity_line_load); text = 'kN/m'
-         if (field) text = 'klbf/ft'
-      case (quantity_wall); text = unit_label(units, unit_wall)
-      case (quantity_stress); text = trim(units%stress_label)
-      case (quantity_percent); text = '%'
-      case (quantity_turns); text = 'turns'
-      case (quantity_curvature); text = unit_label(units, unit_curvature)
-      case (quantity_time); text = 's'
-      case default; text = ''
-      end select
+      text = unit_label(units, quantity)
    end function unit_text
 
    !> SI value of one unit of a quantity.
@@ -128,19 +88,7 @@ contains
       integer, intent(in) :: quantity
       type(unit_system_type), intent(in) :: units
       real(wp) :: size
-      select case (quantity)
-      case (quantity_length); size = units%length
-      case (quantity_width); size = units%diameter
-      case (quantity_angle); size = units%angle
-      case (quantity_force); size = units%force
-      case (quantity_moment); size = units%moment
-      case (quantity_line_load); size = units%force_per_length
-      case (quantity_stress); size = units%stress
-      case (quantity_turns); size = 2.0_wp*pi
-      case (quantity_curvature); size = units%curvature
-      case (quantity_wall); size = units%wall_stiffness
-      case default; size = 1.0_wp
-      end select
+      size = unit_factor(units, quantity)
    end function unit_size
 
    !> The header of a CSV file.

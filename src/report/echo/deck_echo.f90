@@ -16,8 +16,8 @@ module dg_deck_echo
    use dg_rig, only: rig_type
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
-   use dg_unit_kind, only: unit_angle, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_speed, unit_stress, unit_wall
+   use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
+      unit_moment, unit_rotation, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -259,8 +259,8 @@ contains
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
          optional(', pump pressure ', case%pump_pressure, units%stress, unit_label(units, unit_stress))// &
-         optional(', ', case%angular_speed, units%rotation_speed, 'rpm')// &
-         optional(', ', case%trip_speed, units%trip_speed, unit_label(units, unit_speed))// &
+         optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
+         optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
          given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
          given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &
          given_text(', reference ', case%reference_hookload, units%force, unit_label(units, unit_force)))

@@ -6,6 +6,7 @@ module dg_deck_keys
    use dg_deck_schema, only: add_group, group_keys_type, group_rule_type, &
       key_rule_type, kind_text, kind_integer, kind_logical, rule_place
    use dg_load_case, only: operation_name
+   use dg_quantity, only: deck_systems
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
@@ -55,7 +56,7 @@ module dg_deck_keys
 
    type(key_rule_type), parameter :: job_keys(11) = [ &
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
-      key_rule_type('job', 'units', kind_text, default='SI', choices='SI field', meaning='unit system of deck and results'), &
+      key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
          meaning='models to run; input/README.md tells what rigid and mixed are worth'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
@@ -74,7 +75,7 @@ module dg_deck_keys
    type(key_rule_type), parameter :: trajectory_keys(13) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
-      key_rule_type('trajectory', 'survey_units', kind_text, choices='SI field', &
+      key_rule_type('trajectory', 'survey_units', kind_text, choices=deck_systems, &
          meaning='units of a survey file whose headings name none; default the deck''s'), &
       key_rule_type('trajectory', 'md_column', kind_text, &
          meaning='heading of the measured depth in survey_file, as it stands there; default: found by known headings'), &

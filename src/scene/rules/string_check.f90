@@ -6,7 +6,7 @@ module dg_string_check
    use dg_missing, only: is_missing
    use dg_model_fault, only: depth_words, diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
    use dg_text, only: quoted, to_text
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, smaller_unit, unit_density, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -14,8 +14,7 @@ module dg_string_check
 
    !> Part of a length that is only round-off of a conversion [-].
    real(wp), parameter :: round_off = 1.0e-4_wp
-   !> A density in lbm/ft3 over the same in lbm/gal; a US gallon has 231 in3.
-   real(wp), parameter :: gallons_in_cubic_foot = 1728.0_wp/231.0_wp
+   integer, parameter :: longest_name = 20
    integer, parameter :: advised_digits = 4
 
 contains
@@ -99,12 +98,15 @@ contains
          text = to_text(density/units%density, diameter_digits)
       end function dense
 
-      !> Advice on a mud in pounds per cubic foot.
+      !> Advice on a mud in a smaller unit than that of the deck.
       function advice() result(text)
          character(:), allocatable :: text
+         character(longest_name) :: smaller
+         real(wp) :: of_them
          text = ''
-         if (units%name == 'field') text = '; a mud of '//dense(heaviest)//' pcf (lbm/ft3) is written '// &
-            to_text(heaviest/units%density/gallons_in_cubic_foot, advised_digits)
+         call smaller_unit(units, unit_density, smaller, of_them)
+         if (smaller /= '') text = '; a mud of '//dense(heaviest)//' '//trim(smaller)//' is written '// &
+            to_text(heaviest/units%density/of_them, advised_digits)
       end function advice
    end subroutine check_in_string
 

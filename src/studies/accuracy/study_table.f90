@@ -11,7 +11,7 @@ module dg_study_table
    use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -98,7 +98,7 @@ contains
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
       text = left_aligned('Model', model_width)//left_aligned('Mesh', mesh_width)//right_aligned('Toler.', wide)// &
-         right_aligned(trim(merge('kN/m2   ', 'klbf/ft2', units%name /= 'field')), wide)//' '// &
+         right_aligned(unit_label(units, unit_wall), wide)//' '// &
          left_aligned('Gaps', gap_width - 1)//left_aligned('Solver', solver_width)// &
          right_aligned('Hook load', cell)//right_aligned('Torque', cell)// &
          right_aligned('Contact', cell)//right_aligned('Moment', cell)//right_aligned('Iterat.', wide)// &

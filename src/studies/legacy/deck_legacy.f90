@@ -5,9 +5,11 @@ module dg_deck_legacy
    use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
-   use dg_legacy_file, only: column_count, column_name, column_type, read_legacy_file, unit_value
+   use dg_legacy_file, only: column_count, column_name, column_quantity, column_type, read_legacy_file, unit_value
    use dg_legacy_table, only: legacy_table_type
    use dg_text, only: is_separator_free, lower_case, quoted
+   use dg_unit_kind, only: unit_label
+   use dg_units, only: unit_system, unit_system_type
    implicit none
    private
    public :: take_legacy
@@ -15,11 +17,8 @@ module dg_deck_legacy
    character(*), parameter :: digits = '0123456789'
    !> Most digits of a column number.
    integer, parameter :: longest_number = 6
-   !> Units of the four columns in the two systems.
-   character(*), parameter :: si_name(column_count) = [character(7) :: 'm', 'kN', 'kN.m', 'kN/m']
-   character(*), parameter :: field_name(column_count) = [character(7) :: 'ft', 'klbf', 'kft.lbf', 'klbf/ft']
-   character(*), parameter :: legal_units(column_count) = [character(36) :: 'm, ft', 'N, daN, kN, kdaN, t, lbf, klbf, kip', &
-      'N.m, kN.m, ft.lbf, kft.lbf', 'N/m, kN/m, lbf/ft, klbf/ft']
+   character(*), parameter :: legal_units(column_count) = [character(38) :: 'm, ft', 'N, daN, kN, kdaN, t, lbf, klbf, kip', &
+      'N.m, kN.m, ft.lbf, kft.lbf', 'N/m, kN/m, kdaN/m, lbf/ft, klbf/ft']
 
 contains
 
@@ -54,7 +53,8 @@ contains
       type(legacy_table_type), intent(out) :: table
       type(fault_list_type), intent(inout) :: faults
       type(column_type) :: columns(column_count)
-      logical :: field, sound
+      type(unit_system_type) :: units
+      logical :: sound
       integer :: k
 
       sound = is_sound(group, 'file') .and. is_sound(group, 'label') .and. is_sound(group, 'case')
@@ -67,8 +67,8 @@ contains
          call find_case(draft, group, 'case', text_of(group, 'case', ''), table%case_index, faults)
          sound = sound .and. table%case_index > 0
       end if
-      field = draft%units%name == 'field'
-      if (is_given(group, 'units')) field = lower_case(text_of(group, 'units', '')) == 'field'
+      units = draft%units
+      if (is_given(group, 'units')) units = unit_system(text_of(group, 'units', ''))
       do k = 1, column_count
          call take_column(k, trim(column_name(k)), columns(k))
       end do
@@ -114,8 +114,7 @@ contains
             if (column%first < 1 .or. column%last < column%first) &
                call fault(key, key//' = '//quoted(column%place)//' are no characters of a row; as in ''11:20''')
          end if
-         column%unit_name = trim(si_name(k))
-         if (field) column%unit_name = trim(field_name(k))
+         column%unit_name = unit_label(units, column_quantity(k))
          column%unit_given = is_given(group, key//'_unit')
          if (column%unit_given) column%unit_name = text_of(group, key//'_unit', column%unit_name)
          column%unit = unit_value(k, column%unit_name)

@@ -5,17 +5,19 @@ module dg_legacy_file
    use dg_deck_number, only: read_real
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: read_lines
+   use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, rows, system_count
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
    use dg_table_text, only: blank_brackets, close_brackets, row_type, skipped_rows_type, skipped_words, split_fields, split_row, &
                             split_unit, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
-   use dg_units, only: field_units, si_units, unit_system_type
    implicit none
    private
-   public :: column_type, column_count, column_name, read_legacy_file, unit_value
+   public :: column_type, column_count, column_name, column_quantity, read_legacy_file, unit_value
 
    integer, parameter :: column_count = 4
    character(*), parameter :: column_name(column_count) = [character(10) :: 'md', 'axial', 'torque', 'side_force']
+   integer, parameter :: column_quantity(column_count) = [quantity_length, quantity_force, quantity_moment, quantity_line_load]
+   real(wp), parameter :: thousandth = 1.0e-3_wp
    !> Longest heading that a message repeats.
    integer, parameter :: heading_length = 40
    integer, parameter :: depth_digits = 9
@@ -324,45 +326,43 @@ contains
    end subroutine find_separator
 
    !> SI value of a unit of a column, letter case, points and dashes aside; 0 where it is none.
-   pure function unit_value(column, name) result(value)
+   pure recursive function unit_value(column, name) result(value)
       integer, intent(in) :: column
       character(*), intent(in) :: name
       real(wp) :: value
-      type(unit_system_type) :: si, field
+      character(:), allocatable :: plain
+      integer :: system
+      plain = bare(name)
+      value = 0.0_wp
+      do system = 1, system_count
+         associate (unit => rows(column_quantity(column))%units(system))
+            if (plain == bare(unit%label) .or. plain == bare(unit%suffix)) value = unit%factor
+            if (unit%alike /= '' .and. plain == bare(unit%alike)) value = unit%factor/unit%alike_count
+         end associate
+      end do
+      select case (column_quantity(column))
+      case (quantity_force)
+         if (any(plain == [character(6) :: 't', 'tonne', 'tonnes'])) value = standard_gravity*unit_value(column, 'kN')
+         if (any(plain == [character(3) :: 'lb', 'lbs'])) value = unit_value(column, 'lbf')
+         if (any(plain == [character(4) :: 'klb', 'klbs', 'kip', 'kips'])) value = unit_value(column, 'klbf')
+      case (quantity_moment)
+         if (plain == 'lbfft') value = unit_value(column, 'ft.lbf')
+      case (quantity_line_load)
+         if (plain == 'lbf/ft' .or. plain == 'lbf_ft') value = thousandth*unit_value(column, 'klbf/ft')
+      case default
+      end select
+   end function unit_value
+
+   !> Small letters without points, dashes, stars and blanks.
+   pure function bare(name) result(plain)
+      character(*), intent(in) :: name
       character(:), allocatable :: plain
       character :: letter
       integer :: i
-      real(wp), parameter :: thousandth = 1.0e-3_wp, ten = 10.0_wp
       plain = ''
       do i = 1, len(name)
          letter = lower_case(name(i:i))
          if (scan(letter, '.-* ') == 0) plain = plain//letter
       end do
-      si = si_units()
-      field = field_units()
-      value = 0.0_wp
-      select case (column)
-      case (1)
-         if (plain == 'm') value = si%length
-         if (plain == 'ft') value = field%length
-      case (2)
-         if (plain == 'n') value = thousandth*si%force
-         if (plain == 'dan') value = ten*thousandth*si%force
-         if (plain == 'kn') value = si%force
-         if (plain == 'kdan') value = ten*si%force
-         if (plain == 't' .or. plain == 'tonne' .or. plain == 'tonnes') value = standard_gravity*si%force
-         if (any(plain == [character(5) :: 'lbf', 'lb', 'lbs'])) value = thousandth*field%force
-         if (any(plain == [character(5) :: 'klbf', 'klb', 'klbs', 'kip', 'kips'])) value = field%force
-      case (3)
-         if (plain == 'nm') value = thousandth*si%moment
-         if (plain == 'knm') value = si%moment
-         if (plain == 'ftlbf' .or. plain == 'lbfft') value = thousandth*field%moment
-         if (plain == 'kftlbf') value = field%moment
-      case default
-         if (plain == 'n/m' .or. plain == 'n_m') value = thousandth*si%force_per_length
-         if (plain == 'kn/m' .or. plain == 'kn_m') value = si%force_per_length
-         if (plain == 'lbf/ft' .or. plain == 'lbf_ft') value = thousandth*field%force_per_length
-         if (plain == 'klbf/ft' .or. plain == 'klbf_ft') value = field%force_per_length
-      end select
-   end function unit_value
+   end function bare
 end module dg_legacy_file

@@ -2,6 +2,7 @@
 module dg_legacy_keys
    use dg_kinds, only: wp
    use dg_deck_schema, only: group_rule_type, key_rule_type, kind_integer, kind_text
+   use dg_quantity, only: deck_systems
    implicit none
    private
    public :: legacy_rule, legacy_keys
@@ -14,7 +15,7 @@ module dg_legacy_keys
       key_rule_type('legacy', 'label', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('legacy', 'file', kind_text, required=.true., meaning='table of results; path relative to the deck'), &
       key_rule_type('legacy', 'case', kind_text, required=.true., meaning='name of the load case beside which it is laid'), &
-      key_rule_type('legacy', 'units', kind_text, choices='SI field', meaning='unit system of the file; default the deck''s'), &
+      key_rule_type('legacy', 'units', kind_text, choices=deck_systems, meaning='unit system of the file; default the deck''s'), &
       key_rule_type('legacy', 'skip', kind_integer, default='0', low=0.0_wp, high=1.0e6_wp, &
          meaning='lines on top of the file before its table'), &
       key_rule_type('legacy', 'md', kind_text, default='md', &
@@ -25,5 +26,5 @@ module dg_legacy_keys
       key_rule_type('legacy', 'md_unit', kind_text, meaning='unit of that column, where not that of units: m, ft'), &
       key_rule_type('legacy', 'axial_unit', kind_text, meaning='N, daN, kN, kdaN, t, lbf, klbf, kip'), &
       key_rule_type('legacy', 'torque_unit', kind_text, meaning='N.m, kN.m, ft.lbf, kft.lbf'), &
-      key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, lbf/ft, klbf/ft')]
+      key_rule_type('legacy', 'side_force_unit', kind_text, meaning='N/m, kN/m, kdaN/m, lbf/ft, klbf/ft')]
 end module dg_legacy_keys
