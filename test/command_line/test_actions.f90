@@ -27,6 +27,8 @@ contains
       call suite%addTest(TestMethod('catalogue_within', test_within))
       call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
       call suite%addTest(TestMethod('convert', test_convert))
+      call suite%addTest(TestMethod('metric_template', test_metric_template))
+      call suite%addTest(TestMethod('convert_to_metric', test_convert_metric))
       call suite%addTest(TestMethod('convert_comments', test_convert_comments))
       call suite%addTest(TestMethod('convert_what_is_not_said', test_convert_unsaid))
    end function actions_suite
@@ -167,6 +169,50 @@ contains
       run = run_program('--convert')
       call assertEqual(2, run%status)
    end subroutine test_convert
+
+   !> The template in metric units runs, with the numbers of a Norwegian rig.
+   subroutine test_metric_template()
+      type(run_type) :: run
+      call clear_scratch()
+      run = run_program('--template METRIC')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, "units = 'metric'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'diameter = 8.835 ') > 0, message='inches as in a field deck')
+      call assertTrue(index(run%output, 'md = 0, 600, 1500, 2400') > 0, message='metres as in an SI deck')
+      call assertTrue(index(run%output, 'density = 1.2 ') > 0, message='specific gravity')
+      call assertTrue(index(run%output, 'yield = 9310 ') > 0, message='bar')
+      call assertTrue(index(run%output, 'wob = 5 ') > 0, message='kdaN')
+      call assertTrue(index(run%output, '[> 0 and <= 10000 kdaN]') > 0, message='range of rig_limit')
+      call keep('template.nml')
+      run = run_program(scratch//'/template.nml --quiet --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'kdaN') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'kN '), message=run%output)
+   end subroutine test_metric_template
+
+   !> From SI to metric units and back: the same numbers, the same hook load.
+   subroutine test_convert_metric()
+      type(run_type) :: run
+      real(wp) :: before, after
+      run = run_deck_text(good_deck())
+      before = first_hookload()
+      run = run_program('--convert '//deck_path//' metric')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, "&job units = 'metric' title = 'a deck'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'od = 6.75, id = 2.8110236 /') > 0, message=run%output)
+      call keep('metric.nml')
+      run = run_program(scratch//'/metric.nml --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      after = first_hookload()
+      call assertRelativelyEqual(before, 10.0_wp*after, 1.0e-6_wp)
+      run = run_program('--convert '//scratch//'/metric.nml')
+      call assertTrue(index(run%output, "&job units = 'SI' title = 'a deck'") > 0, message=run%output)
+      call assertTrue(index(run%output, 'od = 171.45, id = 71.4 /') > 0, message=run%output)
+      run = run_program('--convert '//scratch//'/metric.nml field')
+      call assertTrue(index(run%output, "&job units = 'field' title = 'a deck'") > 0, message=run%output)
+      run = run_program('--convert '//deck_path//' metres')
+      call assertEqual(2, run%status, message='no system of units')
+   end subroutine test_convert_metric
 
    !> Ranges and keys in the comments of a template are in the units of the converted deck, and as in a template of these units.
    subroutine test_convert_comments()

@@ -79,9 +79,10 @@ contains
       call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.53')
    end subroutine test_fluid_and_friction
 
-   !> Pounds and foot-pounds.
+   !> Pounds, foot-pounds, a pressure in ksi.
    subroutine test_loads()
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
       call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
+      call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
 end module dg_test_unusual_decks

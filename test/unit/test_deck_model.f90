@@ -115,7 +115,8 @@ contains
       call append_text(lines, '&hole diameter = 8.5 /')
       call append_text(lines, '&fluid density = 10 /')
       call append_text(lines, '&component od = 5, mass = 20 /')
-      call append_text(lines, "&load_case name = 'a', operation = 'rotary', bit_depth = 1000, wob = 10, tob = 1 /")
+      call append_text(lines, "&load_case name = 'a', operation = 'rotary', bit_depth = 1000, wob = 10, tob = 1")
+      call append_text(lines, '  pump_pressure = 3000 /')
       call read_text(lines, model, job, notes)
       if (.not. allocated(model%cases)) return
       call assertEqual([model_soft, model_mcge], job%models)
@@ -128,6 +129,7 @@ contains
       call assertEqual(7850.0_wp, model%strings(1)%components(1)%density)
       call assertEqual(44482.216152605_wp, model%cases(1)%wob, 44482.0_wp*printed_digits)
       call assertEqual(1355.8179483_wp, model%cases(1)%tob, 1356.0_wp*printed_digits)
+      call assertEqual(20684271.87950_wp, model%cases(1)%pump_pressure, 2.0e7_wp*printed_digits, message='psi')
    end subroutine test_field
 
    subroutine test_all_keys()

@@ -9,7 +9,7 @@ module dg_fluid_notes
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, quoted, text_type
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_length, unit_stress
+   use dg_unit_kind, only: in_units, unit_length, unit_pressure
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -90,7 +90,7 @@ contains
       function pressed(pressure) result(text)
          real(wp), intent(in) :: pressure
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_stress, pressure, digits))
+         text = trim(in_units(units, unit_pressure, pressure, digits))
       end function pressed
    end subroutine note_fluids
 end module dg_fluid_notes

@@ -10,25 +10,27 @@ module dg_unusual_input
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length, unit_mass, unit_moment, &
-                           unit_stress
+                           unit_pressure, unit_stress
    implicit none
    private
    public :: note_unusual
 
    !> Usual range of a key.
    type :: usual_type
-      character(12) :: key
+      character(13) :: key
       integer :: unit
       real(wp) :: low, high        !< [SI]
       character(72) :: source
    end type usual_type
 
-   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4
-   type(usual_type), parameter :: usual(4) = [ &
+   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5
+   type(usual_type), parameter :: usual(5) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
-      usual_type('density', 0, 0.0_wp, 2700.0_wp, 'heaviest kill mud 22.5 lbm/gal')]
+      usual_type('density', 0, 0.0_wp, 2700.0_wp, 'heaviest kill mud 22.5 lbm/gal'), &
+      usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
+                 'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi')]
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 15.0_wp
@@ -71,6 +73,8 @@ contains
                             trim(in_units(draft%units, unit_force, load_case%wob, digits)))
             call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_tob, load_case%tob, &
                             trim(in_units(draft%units, unit_moment, load_case%tob, digits)))
+            if (load_case%pump_pressure > 0.0_wp) call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), &
+               usual_pump, load_case%pump_pressure, trim(in_units(draft%units, unit_pressure, load_case%pump_pressure, digits)))
          end associate
       end do
 

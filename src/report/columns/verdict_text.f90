@@ -3,7 +3,7 @@ module dg_verdict_text
    use dg_kinds, only: wp
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_stress
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
                              limit_tension, limit_top_drive, limit_torsion, limit_von_mises
@@ -138,8 +138,10 @@ contains
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
          text = trim(in_units(units, unit_moment, load, shown))
-      case (limit_von_mises, limit_burst, limit_collapse)
+      case (limit_von_mises)
          text = trim(in_units(units, unit_stress, load, shown))
+      case (limit_burst, limit_collapse)
+         text = trim(in_units(units, unit_pressure, load, shown))
       case default
          text = force_text(units, load)
       end select

@@ -17,7 +17,7 @@ module dg_deck_echo
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_rotation, unit_speed, unit_stress, unit_wall
+      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -213,9 +213,9 @@ contains
       if (part%yield > 0.0_wp) then
          text = ', tension '//quantity(tensile_strength(part), units%force, unit_label(units, unit_force))//', torsion '// &
             quantity(torsional_strength(part), units%moment, unit_label(units, unit_moment))//', burst '// &
-            quantity(burst_strength(part), units%stress, unit_label(units, unit_stress))
+            quantity(burst_strength(part), unit_factor(units, unit_pressure), unit_label(units, unit_pressure))
          if (collapses_as_steel(part)) text = text//', collapse '// &
-            quantity(collapse_strength(part, 0.0_wp), units%stress, unit_label(units, unit_stress))
+            quantity(collapse_strength(part, 0.0_wp), unit_factor(units, unit_pressure), unit_label(units, unit_pressure))
          if (design%slip_length > 0.0_wp) text = text//', in slips '//quantity(tensile_strength(part)* &
             slip_share(worn_od(part), design%slip_lateral, design%slip_length), units%force, unit_label(units, unit_force))
       end if
@@ -258,7 +258,8 @@ contains
          optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
          given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
-         optional(', pump pressure ', case%pump_pressure, units%stress, unit_label(units, unit_stress))// &
+         optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
+                  unit_label(units, unit_pressure))// &
          optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
          optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
          given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &

@@ -5,7 +5,8 @@ module dg_profile_columns
    use dg_along_string, only: along_string_type
    use dg_named_states, only: buckling_name
    use dg_column, only: column_type, quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
-                        quantity_moment, quantity_none, quantity_percent, quantity_stress, quantity_text, quantity_width
+                        quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, &
+                        quantity_text, quantity_width
    use dg_missing, only: is_missing, missing
    use dg_profile, only: profile_type, side_name, state_name
    implicit none
@@ -46,7 +47,7 @@ module dg_profile_columns
       column_type('helical_load_upper', quantity_force, 'the same, upper limit'), &
       column_type('buckling_margin', quantity_force, 'sinusoidal_load + axial: compression left before buckling'), &
       column_type('buckling', quantity_text, 'none, sinusoidal or helical (beyond the lower limit), by the loads above'), &
-      column_type('pressure', quantity_stress, 'of the fluid outside'), &
+      column_type('pressure', quantity_pressure, 'of the fluid outside'), &
       column_type('dogleg', quantity_curvature, 'curvature of the hole; where two bends meet the sharper one'), &
       column_type('od', quantity_width, 'outside diameter of the body'), &
       column_type('hole', quantity_width, 'diameter of the hole'), &
@@ -61,7 +62,7 @@ module dg_profile_columns
          'of joints solved one by one that of the joint that stands here, 0 between; empty without joints'), &
       column_type('standoff', quantity_percent, 'least distance of the body from the wall, over that of a centred one: 100 '// &
          'where it is centred, 0 where it touches; of mcge alone'), &
-      column_type('inside_pressure', quantity_stress, 'of the fluid inside, pump pressure included'), &
+      column_type('inside_pressure', quantity_pressure, 'of the fluid inside, pump pressure included'), &
       column_type('side', quantity_text, 'above or below where a component, hole section or fluid changes: that depth has '// &
          'a row for each side; else empty')]
 

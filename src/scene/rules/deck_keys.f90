@@ -9,7 +9,7 @@ module dg_deck_keys
    use dg_quantity, only: deck_systems
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_modulus, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+      unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -279,7 +279,7 @@ module dg_deck_keys
       key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
       key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string'), &
-      key_rule_type('load_case', 'pump_pressure', unit=unit_stress, low=0.0_wp, high=highest_pump, default='0', &
+      key_rule_type('load_case', 'pump_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
          meaning='added to the pressure inside, from surface to the bit or a closed collar'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='for comparison'), &
