@@ -52,7 +52,7 @@ contains
       type(text_type), allocatable :: found(:), named(:), lines(:)
       run = run_deck_text(deck(applied))
       call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%output, 'lower: friction 0.3000 along, 0.3000 around') > 0, message=run%output)
+      call assertTrue(index(run%output, 'lower: friction axial 0.3, rotary 0.3') > 0, message=run%output)
       call assertTrue(index(run%output, 'Calibration k') < index(run%output, 'Model soft'), message='calibrated first')
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       if (anyExceptions()) return

@@ -4,6 +4,7 @@ module dg_unusual_input
    use dg_kinds, only: wp
    use dg_component, only: is_bit, opens
    use dg_constants, only: degree, pi
+   use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_load_case, only: load_case_type, operation_static
    use dg_minimum_curvature, only: dogleg_between
@@ -209,7 +210,8 @@ contains
          if (.not. relies(draft%cases(k)%load_case)) cycle
          do i = 1, size(draft%holes)
             associate (hole => draft%holes(i))
-               if (hole%friction_given .or. hole%section%md_top >= draft%cases(k)%load_case%bit_depth) cycle
+               if (hole%friction_given .or. axial_friction(hole%section, draft%cases(k)%load_case%operation) > 0.0_wp .or. &
+                   hole%section%md_top >= draft%cases(k)%load_case%bit_depth) cycle
                call append_text(notes, 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)// &
                                 ' has no friction. Drag and torque there are zero. Give friction')
             end associate

@@ -4,6 +4,7 @@ module dg_deck_echo
    use dg_component, only: component_type, has_bend, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
+   use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type, take_lines
    use dg_load_case, only: load_case_type, operation_name, optional_real
@@ -21,7 +22,7 @@ module dg_deck_echo
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: echo_lines
+   public :: echo_lines, hole_friction_text
 
    !> Significant digits of a number in the echo.
    integer, parameter :: digits = 7
@@ -98,14 +99,20 @@ contains
       do i = 1, size(model%holes)
          associate (hole => model%holes(i))
             call add_line(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
-               quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', friction axial '// &
-               to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)// &
+               quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', '//hole_friction_text(hole)// &
                optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
                optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter)))
          end associate
       end do
       call add_fluids(lines, units, model)
    end subroutine add_hole
+
+   !> Friction of a hole section in words.
+   pure function hole_friction_text(hole) result(text)
+      type(hole_section_type), intent(in) :: hole
+      character(:), allocatable :: text
+      text = 'friction axial '//to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)
+   end function hole_friction_text
 
    !> Fluids and gravity, in one line where one fluid fills all.
    pure subroutine add_fluids(lines, units, model)

@@ -7,9 +7,37 @@ module dg_contact_friction
    use dg_missing, only: is_missing
    implicit none
    private
-   public :: find_friction, running_drag
+   public :: find_friction, running_drag, axial_friction, set_axial_friction, shift_axial_friction
 
 contains
+
+   !> Axial coefficient of a hole section for an operation [-].
+   pure function axial_friction(hole, operation) result(friction)
+      type(hole_section_type), intent(in) :: hole
+      integer, intent(in) :: operation
+      real(wp) :: friction
+      associate (not_needed => operation)
+         friction = hole%friction_axial
+      end associate
+   end function axial_friction
+
+   !> Gives a hole section the axial coefficient that load cases with these operations have; without them that of all operations.
+   !> Whatever changes the friction of a hole calls this.
+   pure subroutine set_axial_friction(hole, friction, operations)
+      type(hole_section_type), intent(inout) :: hole
+      real(wp), intent(in) :: friction                    !< [-]
+      integer, intent(in), optional :: operations(:)
+      associate (not_needed => present(operations))
+         hole%friction_axial = friction
+      end associate
+   end subroutine set_axial_friction
+
+   !> Adds to the axial coefficients of a hole section; those that would be negative are 0.
+   elemental subroutine shift_axial_friction(hole, change)
+      type(hole_section_type), intent(inout) :: hole
+      real(wp), intent(in) :: change                      !< [-]
+      hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
+   end subroutine shift_axial_friction
 
    !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
    !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say. A
@@ -24,7 +52,7 @@ contains
       real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]
       real(wp), intent(out) :: rotary    !< against the rotation, >= 0 [-]
       real(wp) :: mu_axial, mu_rotary
-      mu_axial = hole%friction_axial
+      mu_axial = axial_friction(hole, load_case%operation)
       if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
       mu_axial = mu_axial*component%scale_axial
       if (.not. is_missing(component%friction_axial)) mu_axial = component%friction_axial

@@ -5,12 +5,17 @@ module dg_hole_section
    implicit none
    private
    public :: hole_section_type, hole_section_at, last_shoe, wall_of
+   public :: hole_keys, hole_numbers
 
    !> Stiffness of a mud sheath where none is given: that of stiff clay [N/m2].
    real(wp), parameter :: sheath_stiffness = 1.0e8_wp
    !> Walls that are given stiffer than this count as this stiff: fifty times solid steel, beyond which nothing changes but
    !> round-off [N/m2].
    real(wp), parameter :: hardest = 1.0e13_wp
+
+   !> Keys of the numbers of a section, in the order of `hole_numbers`.
+   character(*), parameter :: hole_keys(7) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
+      'friction_rotary', 'wall_stiffness', 'mud_sheath']
 
    type :: hole_section_type
       character(:), allocatable :: name
@@ -25,6 +30,14 @@ module dg_hole_section
    end type hole_section_type
 
 contains
+
+   !> All numbers of a section [SI], for checks and records.
+   pure function hole_numbers(hole) result(numbers)
+      type(hole_section_type), intent(in) :: hole
+      real(wp) :: numbers(size(hole_keys))
+      numbers = [hole%md_top, hole%md_bottom, hole%diameter, hole%friction_axial, hole%friction_rotary, hole%wall_stiffness, &
+                 hole%mud_sheath]
+   end function hole_numbers
 
    !> Stiffness of a section's wall, elastic and rigid [N/m2]. Where the section has none of its own the solver's holds. Where mud
    !> covers the wall the elastic one is that of the mud, no more than clay's where none is given, and the rigid one the solver's.

@@ -7,7 +7,7 @@ module dg_range_check
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
-   use dg_hole_section, only: hole_section_type
+   use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, operation_count, optional_real
    use dg_missing, only: is_shown, missing
@@ -113,14 +113,19 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_faults_type), intent(inout) :: found
       type(ranges_type) :: ranges
+      type(hole_section_type) :: unsaid      ! as a deck has it that gives no number
+      real(wp), dimension(size(hole_keys)) :: numbers, defaults
+      integer :: k
       call take_ranges('hole', place, units, ranges)
-      call check_range(ranges, 'md_top', hole%md_top, found)
-      call check_range(ranges, 'md_bottom', hole%md_bottom, found)
-      call check_range(ranges, 'diameter', hole%diameter, found)
-      call check_range(ranges, 'friction_axial', hole%friction_axial, found)
-      call check_range(ranges, 'friction_rotary', hole%friction_rotary, found)
-      call check_range(ranges, 'wall_stiffness', hole%wall_stiffness, found)
-      call check_range(ranges, 'mud_sheath', hole%mud_sheath, found)
+      numbers = hole_numbers(hole)
+      defaults = hole_numbers(unsaid)
+      do k = 1, size(hole_keys)
+         if (is_absent(defaults(k))) then
+            call check_where_there(ranges, trim(hole_keys(k)), numbers(k), found)
+         else
+            call check_range(ranges, trim(hole_keys(k)), numbers(k), found)
+         end if
+      end do
    end subroutine check_section_ranges
 
    !> The same for a component.

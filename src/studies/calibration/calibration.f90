@@ -5,6 +5,7 @@
 !> block (a weight that is not known): without that, a wrong weight goes into the friction.
 module dg_calibration
    use dg_kinds, only: wp
+   use dg_contact_friction, only: axial_friction, set_axial_friction
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, moves_axially, optional_real, rotates
    use dg_rig, only: rig_type
@@ -257,23 +258,28 @@ contains
       type(hole_section_type), allocatable :: changed(:)
       integer :: j, unknown
       allocate (changed, source=holes)
-      if (load_case%friction_axial%present) changed%friction_axial = load_case%friction_axial%value
+      do j = 1, size(changed)
+         if (load_case%friction_axial%present) call set_axial_friction(changed(j), load_case%friction_axial%value)
+      end do
       if (load_case%friction_rotary%present) changed%friction_rotary = load_case%friction_rotary%value
       do j = 1, size(calibration%holes)
          unknown = calibration%unknown_of(place, j)
          if (unknown == 0) cycle
          associate (hole => changed(calibration%holes(j)))
-            if (calibration%parameter /= calibrate_friction_rotary) hole%friction_axial = factors(unknown)
+            if (calibration%parameter /= calibrate_friction_rotary) &
+               call set_axial_friction(hole, factors(unknown), [load_case%operation])
             if (calibration%parameter /= calibrate_friction_axial) hole%friction_rotary = factors(unknown)
          end associate
       end do
    end function with_factors
 
-   !> Gives hole sections the friction found: factors of sections, or one of all. Those that the data do not feel stay.
-   pure subroutine apply_factors(calibration, factors, felt, holes)
+   !> Gives hole sections the friction found: factors of sections, or one of all. Coefficients that the data do not determine stay,
+   !> and so does the friction of operations that no case has.
+   pure subroutine apply_factors(calibration, factors, felt, load_cases, holes)
       type(calibration_type), intent(in) :: calibration
       real(wp), intent(in) :: factors(:)         !< one an unknown
       logical, intent(in) :: felt(:)             !< one an unknown
+      type(load_case_type), intent(in) :: load_cases(:)     !< all of the deck
       type(hole_section_type), intent(inout) :: holes(:)
       integer :: j, u
       do u = 1, size(calibration%unknowns)
@@ -281,7 +287,8 @@ contains
          do j = 1, size(calibration%holes)
             if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
             associate (hole => holes(calibration%holes(j)))
-               if (calibration%parameter /= calibrate_friction_rotary) hole%friction_axial = applied_factor(factors(u))
+               if (calibration%parameter /= calibrate_friction_rotary) &
+                  call set_axial_friction(hole, applied_factor(factors(u)), load_cases(calibration%cases)%operation)
                if (calibration%parameter /= calibrate_friction_axial) hole%friction_rotary = applied_factor(factors(u))
             end associate
          end do
@@ -327,7 +334,7 @@ contains
          do i = 1, size(calibration%cases)
             unknown = calibration%unknown_of(i, j)
             if (unknown == 0) cycle
-            axial = holes(calibration%holes(j))%friction_axial
+            axial = axial_friction(holes(calibration%holes(j)), load_cases(calibration%cases(i))%operation)
             rotary = holes(calibration%holes(j))%friction_rotary
             associate (case => load_cases(calibration%cases(i)))
                if (case%friction_axial%present) axial = case%friction_axial%value

@@ -156,7 +156,8 @@ contains
                                ': no fit; '//result%message)
                   else
                      if (calibration%apply) then
-                        call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%holes)
+                        call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%cases, &
+                                           run%model%holes)
                         call apply_offset(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%rig, applied)
                      end if
                      call hand_on(calibration, result, size(run%model%holes), run%estimates(self%estimates + i))

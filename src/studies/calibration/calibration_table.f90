@@ -8,6 +8,7 @@ module dg_calibration_table
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
    use dg_job, only: model_name
+   use dg_deck_echo, only: hole_friction_text
    use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done
    use dg_load_case, only: given, operation_label, optional_real
@@ -243,15 +244,14 @@ contains
       integer :: i
       logical :: weighed
       call copy_without_cases(model, applied)
-      call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%holes)
+      call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, model%cases, applied%holes)
       call apply_offset(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%rig, weighed)
       head = 'Applied to all that follows:'
       if (any(calibration%unknowns%is_offset) .and. .not. weighed) head = 'Applied to all that follows, without the offset:'
       call append_text(lines, head)
       do i = 1, size(calibration%holes)
          associate (hole => applied%holes(calibration%holes(i)))
-            call append_text(lines, '  '//hole%name//': friction '//trim(adjustl(fixed_cell(hole%friction_axial, cell_width, &
-               factor_digits)))//' along, '//trim(adjustl(fixed_cell(hole%friction_rotary, cell_width, factor_digits)))//' around')
+            call append_text(lines, '  '//hole%name//': '//hole_friction_text(hole))
          end associate
       end do
       if (weighed) call append_text(lines, '  &rig: block_weight '// &

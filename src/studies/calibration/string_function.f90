@@ -4,7 +4,6 @@ module dg_string_function
    use dg_calibration, only: calibration_type, hookload_datum, with_factors
    use dg_case_result, only: case_result_type, result_converged
    use dg_error, only: error_type
-   use dg_hole_section, only: hole_section_type
    use dg_interruption, only: by_signals
    use dg_job, only: model_mcge
    use dg_least_squares, only: measured_function_type
@@ -140,7 +139,7 @@ contains
             associate (i => tasks(1, k), p => tasks(2, k))
                mine%cases(1) = self%model%cases(self%calibration%cases(i))
                if (size(points, 1) > 0) then
-                  call set_holes(mine%holes, with_factors(self%calibration, self%model%holes, mine%cases(1), i, points(:, p)))
+                  mine%holes = with_factors(self%calibration, self%model%holes, mine%cases(1), i, points(:, p))
                   mine%cases(1)%friction_axial = optional_real()
                   mine%cases(1)%friction_rotary = optional_real()
                end if
@@ -157,14 +156,6 @@ contains
          !$omp end do
       end subroutine share_tasks
    end subroutine solve_tasks
-
-   !> Friction of the sections.
-   subroutine set_holes(holes, changed)
-      type(hole_section_type), intent(inout) :: holes(:)
-      type(hole_section_type), intent(in) :: changed(:)
-      holes%friction_axial = changed%friction_axial
-      holes%friction_rotary = changed%friction_rotary
-   end subroutine set_holes
 
    !> Puts hook loads, as the indicator of the rig shows them, and torques of cases in the order of the data.
    pure subroutine take_data(self, point, found, sound, values, solved)

@@ -5,7 +5,7 @@ module dg_model_text
    use dg_centralizer, only: centralizer_type
    use dg_component, only: component_type, has_bend, opens
    use dg_fluid, only: fluid_type
-   use dg_hole_section, only: hole_section_type
+   use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_job, only: model_name
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_name
@@ -151,13 +151,12 @@ contains
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: head
       type(hole_section_type), intent(in) :: hole
-      call add_line(lines, head//'md_top = '//to_text(hole%md_top))
-      call add_line(lines, head//'md_bottom = '//to_text(hole%md_bottom))
-      call add_line(lines, head//'diameter = '//to_text(hole%diameter))
-      call add_line(lines, head//'friction_axial = '//to_text(hole%friction_axial))
-      call add_line(lines, head//'friction_rotary = '//to_text(hole%friction_rotary))
-      call add_line(lines, head//'wall_stiffness = '//to_text(hole%wall_stiffness))
-      call add_line(lines, head//'mud_sheath = '//to_text(hole%mud_sheath))
+      real(wp) :: numbers(size(hole_keys))
+      integer :: k
+      numbers = hole_numbers(hole)
+      do k = 1, size(numbers)
+         if (.not. is_missing(numbers(k))) call add_line(lines, head//trim(hole_keys(k))//' = '//to_text(numbers(k)))
+      end do
    end subroutine append_hole
 
    !> What acts on forces; strength and make-up torque do not.

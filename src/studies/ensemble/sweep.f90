@@ -5,6 +5,7 @@
 !> sections of the hole stay where they are.
 module dg_sweep
    use dg_kinds, only: wp
+   use dg_contact_friction, only: set_axial_friction
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, operation_static, optional_real
    implicit none
@@ -110,13 +111,15 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(point_type), intent(in) :: point
       type(hole_section_type), intent(inout) :: holes(:)
+      real(wp) :: friction
+      integer :: i
       if (.not. allocated(sweep%frictions_cased)) return
-      where (holes%cased)
-         holes%friction_axial = sweep%frictions_cased(point%friction)
-      else where
-         holes%friction_axial = sweep%frictions(point%friction)%value
-      end where
-      holes%friction_rotary = holes%friction_axial
+      do i = 1, size(holes)
+         friction = sweep%frictions(point%friction)%value
+         if (holes(i)%cased) friction = sweep%frictions_cased(point%friction)
+         call set_axial_friction(holes(i), friction)
+         holes(i)%friction_rotary = friction
+      end do
    end subroutine point_holes
 
    !> What a list has for an operation: one for all, or one each; 0 where there is none.

@@ -2,6 +2,7 @@
 module dg_sampled_model
    use dg_kinds, only: wp
    use dg_constants, only: pi
+   use dg_contact_friction, only: set_axial_friction, shift_axial_friction
    use dg_counter_random, only: normal_number
    use dg_error, only: error_type
    use dg_fluid, only: heaviest_fluid
@@ -45,7 +46,7 @@ contains
       do i = 1, size(drawn%holes)
          associate (hole => drawn%holes(i))
             if (uncertainty%range%frictions(1)%present) then
-               hole%friction_axial = uncertainty%range%frictions(1)%value
+               call set_axial_friction(hole, uncertainty%range%frictions(1)%value)
                hole%friction_rotary = uncertainty%range%frictions(1)%value
             end if
             if (.not. allocated(uncertainty%friction_factor)) cycle
@@ -54,7 +55,7 @@ contains
                if (abs(uncertainty%friction_factor(i, j)) > 0.0_wp) change = change + uncertainty%friction_factor(i, j)* &
                   draw_of(uncertainty, sample, quantity_friction, j)
             end do
-            if (uncertainty%axial) hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
+            if (uncertainty%axial) call shift_axial_friction(hole, change)
             if (uncertainty%rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
          end associate
       end do
