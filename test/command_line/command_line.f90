@@ -40,6 +40,7 @@ contains
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
       use dg_test_hints, only: hints_suite
+      use dg_test_running_in, only: running_in_suite
       use dg_test_unusual_decks, only: unusual_decks_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
@@ -48,6 +49,7 @@ contains
       call suite%addTest(bounds_suite())
       call suite%addTest(hints_suite())
       call suite%addTest(odd_decks_suite())
+      call suite%addTest(running_in_suite())
       call suite%addTest(unusual_decks_suite())
       call suite%addTest(program_suite())
       call suite%addTest(can_be_done_suite())

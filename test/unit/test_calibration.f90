@@ -3,7 +3,7 @@
 module dg_test_calibration
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_calibration, only: calibration_type, calibrate_friction, calibrate_friction_axial, factors_of_deck, offset_depths, &
-      set_data, set_unknowns, tells, with_factors
+      set_data, set_unknowns, tells, with_factors, apply_factors
    use dg_counter_random, only: normal_number
    use dg_fit_statistics, only: find_statistics, statistics_type, student_quantile
    use dg_hole_section, only: hole_section_type
@@ -11,6 +11,7 @@ module dg_test_calibration
    use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, &
                                measured_function_type, unknowns_type
    use dg_load_case, only: given, load_case_type, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_contact_friction, only: axial_friction
    use dg_missing, only: is_missing
    implicit none
    private
@@ -283,6 +284,42 @@ contains
       calibration%parameter = calibrate_friction_axial
    end subroutine lay_out
 
+   !> The friction of trip_in is that which a case of trip_in has, and a calibration changes that which its cases have. Of three
+   !> cases the second runs in, the third has a friction of its own.
+   subroutine test_running_in(calibration, cases, holes)
+      type(calibration_type), intent(in) :: calibration
+      type(load_case_type), intent(in) :: cases(:)
+      type(hole_section_type), intent(in) :: holes(:)
+      type(hole_section_type), dimension(size(holes)) :: more, changed
+      type(calibration_type) :: alone
+      more = holes
+      more(2)%friction_running_in = 0.5_wp
+      call assertEqual([0.5_wp/3.0_wp, 0.3_wp], factors_of_deck(calibration, more, cases), round_off, message='of 0.5 and 0.1')
+      changed = with_factors(calibration, more, cases(2), 2, [0.7_wp, 0.8_wp])
+      call assertEqual(0.8_wp, axial_friction(changed(2), operation_trip_in), round_off)
+      changed = with_factors(calibration, more, cases(3), 3, [0.7_wp, 0.8_wp])
+      call assertEqual([0.7_wp, 0.8_wp], axial_friction(changed, operation_trip_out), round_off)
+      alone = calibration
+      alone%holes = [1]
+      changed = with_factors(alone, more, cases(3), 3, [0.7_wp, 0.8_wp])
+      call assertEqual(0.1_wp, axial_friction(changed(2), operation_trip_in), round_off, message='a load case overrides it')
+      changed = more
+      call apply_factors(calibration, [0.7_wp, 0.8_wp], [.true., .true.], cases, changed)
+      call assertEqual([0.7_wp, 0.8_wp], changed%friction_axial, round_off)
+      call assertEqual(0.8_wp, changed(2)%friction_running_in, round_off)
+      alone = calibration
+      alone%cases = [2]
+      changed = more
+      call apply_factors(alone, [0.7_wp, 0.8_wp], [.true., .true.], cases, changed)
+      call assertEqual([0.7_wp, 0.3_wp], changed%friction_axial, round_off, message='trip_in alone says nothing of the other')
+      call assertEqual(0.8_wp, changed(2)%friction_running_in, round_off)
+      alone%cases = [1]
+      changed = more
+      call apply_factors(alone, [0.7_wp, 0.8_wp], [.true., .true.], cases, changed)
+      call assertEqual(0.8_wp, changed(2)%friction_axial, round_off)
+      call assertEqual(0.5_wp, changed(2)%friction_running_in, round_off, message='no case of trip_in')
+   end subroutine test_running_in
+
    subroutine test_unknowns()
       type(calibration_type) :: calibration
       type(load_case_type) :: cases(4)
@@ -298,6 +335,7 @@ contains
       changed = with_factors(calibration, holes, cases(3), 3, [0.7_wp, 0.8_wp])
       call assertEqual([0.7_wp, 0.8_wp], changed%friction_axial, round_off)
       call assertEqual([0.25_wp, 0.35_wp], changed%friction_rotary, round_off, message='not asked for')
+      call test_running_in(calibration, cases, holes)
       calibration%by_hole = .false.
       calibration%by_operation = .true.
       calibration%by_depth = .true.

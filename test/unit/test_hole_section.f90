@@ -1,7 +1,11 @@
 module dg_test_hole_section
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_hole_section, only: hole_section_at, hole_section_type, last_shoe
+   use dg_hole_section, only: hole_keys, hole_numbers, hole_section_at, hole_section_type, last_shoe
+   use dg_contact_friction, only: axial_friction, set_axial_friction
+   use dg_deck_keys, only: keys_of
+   use dg_deck_schema, only: key_rule_type, kind_real
    use dg_kinds, only: wp
+   use dg_load_case, only: operation_count, operation_rotary_drilling, operation_trip_in, operation_trip_out
    use dg_missing, only: is_missing
    implicit none
    private
@@ -14,6 +18,8 @@ contains
       suite = TestSuite('hole_section')
       call suite%addTest(TestMethod('section_at_a_depth', test_section_at_a_depth))
       call suite%addTest(TestMethod('last_shoe', test_last_shoe))
+      call suite%addTest(TestMethod('numbers_are_those_of_a_deck', test_numbers))
+      call suite%addTest(TestMethod('friction_of_an_operation', test_friction))
    end function hole_section_suite
 
    subroutine test_section_at_a_depth()
@@ -27,6 +33,46 @@ contains
       call assertEqual(2, hole_section_at(sections, 3500.0_wp), message='below the last')
       call assertEqual(1, hole_section_at(sections, -5.0_wp), message='above the first')
    end subroutine test_section_at_a_depth
+
+   !> Every number that a deck may give to a section is in the list that checks and records go by, once, but for `friction`, which
+   !> stands for two of them.
+   subroutine test_numbers()
+      type(key_rule_type), allocatable :: rules(:)
+      type(hole_section_type) :: hole
+      integer :: k
+      rules = keys_of('hole')
+      do k = 1, size(rules)
+         if (rules(k)%kind /= kind_real .or. rules(k)%key == 'friction') cycle
+         call assertEqual(1, count(hole_keys == rules(k)%key), message=rules(k)%key)
+      end do
+      call assertEqual(count(rules%kind == kind_real) - 1, size(hole_keys))
+      hole = hole_section_type('', 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, .false., 8.0_wp)
+      call assertEqual([1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, 8.0_wp], hole_numbers(hole))
+   end subroutine test_numbers
+
+   !> Of trip_in alone another, where it is given; changed for some operations or for all.
+   subroutine test_friction()
+      type(hole_section_type) :: hole, changed
+      integer :: operation
+      hole%friction_axial = 0.2_wp
+      call assertEqual(0.2_wp, axial_friction(hole, operation_trip_in))
+      changed = hole
+      call set_axial_friction(changed, 0.4_wp, [operation_trip_in])
+      call assertEqual(0.4_wp, axial_friction(changed, operation_trip_out), message='one coefficient for both')
+      hole%friction_running_in = 0.3_wp
+      do operation = 1, operation_count
+         call assertEqual(merge(0.3_wp, 0.2_wp, operation == operation_trip_in), axial_friction(hole, operation))
+      end do
+      changed = hole
+      call set_axial_friction(changed, 0.4_wp)
+      call assertEqual([0.4_wp, 0.4_wp], axial_friction(changed, [operation_trip_in, operation_trip_out]))
+      changed = hole
+      call set_axial_friction(changed, 0.4_wp, [operation_trip_in, operation_rotary_drilling])
+      call assertEqual([0.4_wp, 0.2_wp], axial_friction(changed, [operation_trip_in, operation_trip_out]))
+      changed = hole
+      call set_axial_friction(changed, 0.4_wp, [operation_rotary_drilling])
+      call assertEqual([0.3_wp, 0.4_wp], axial_friction(changed, [operation_trip_in, operation_trip_out]))
+   end subroutine test_friction
 
    !> Casing, a window of open hole, a liner, open hole.
    subroutine test_last_shoe()

@@ -10,6 +10,7 @@ module dg_test_sweep
    use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_in, operation_trip_out, optional_real
    use dg_measured_table, only: fitting_friction
    use dg_mesh, only: mesh_type, new_mesh, node_depths
+   use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
    use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, &
@@ -335,6 +336,9 @@ contains
       model%holes(2)%friction_axial = 0.31_wp
       call assertEqual('hole 2, friction_axial was 0.3 and is 0.31', difference_of(then, sweep_lines(model, sweep)))
       model%holes(2)%friction_axial = 0.3_wp
+      model%holes(2)%friction_running_in = 0.4_wp
+      call assertTrue(difference_of(then, sweep_lines(model, sweep)) /= '', message='friction_running_in')
+      model%holes(2)%friction_running_in = missing
       model%strings(1)%components(1)%mass = 131.0_wp
       call assertEqual('component 1, mass was 130 and is 131', difference_of(then, sweep_lines(model, sweep)))
       model%strings(1)%components(1)%mass = 130.0_wp

@@ -181,6 +181,16 @@ contains
       uncertainty%range%frictions(1) = given(0.15_wp)
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertTrue(all(drawn%holes%friction_axial >= 0.0_wp))
+      model%holes(2)%friction_running_in = 0.4_wp
+      call draw_model(model, uncertainty, 7, drawn, error)
+      call assertEqual(drawn%holes(2)%friction_axial, drawn%holes(2)%friction_running_in, round_off, message='0.15 holds for all')
+      uncertainty%friction_factor = 1.0e-4_wp*uncertainty%friction_factor
+      uncertainty%range%frictions(1)%present = .false.
+      call draw_model(model, uncertainty, 7, drawn, error)
+      call assertEqual(0.4_wp + change(2), drawn%holes(2)%friction_running_in, round_off, message='it moves with friction_axial')
+      call assertEqual(0.3_wp + change(2), drawn%holes(2)%friction_axial, round_off)
+      call assertTrue(is_missing(drawn%holes(1)%friction_running_in), message='that of friction_axial')
+      uncertainty%range%frictions(1) = given(0.15_wp)
       deallocate (uncertainty%friction_factor)
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertEqual([0.15_wp, 0.15_wp], drawn%holes%friction_rotary, round_off)

@@ -52,6 +52,7 @@ contains
       hole%section%diameter = real_of(group, 'diameter', 0.0_wp)
       hole%section%friction_axial = real_of(group, 'friction_axial', friction)
       hole%section%friction_rotary = real_of(group, 'friction_rotary', friction)
+      hole%section%friction_running_in = real_of(group, 'friction_running_in', missing)
       hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
       hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
       hole%section%cased = logical_of(group, 'cased', .false.)

@@ -112,6 +112,7 @@ contains
       type(hole_section_type), intent(in) :: hole
       character(:), allocatable :: text
       text = 'friction axial '//to_text(hole%friction_axial, digits)//', rotary '//to_text(hole%friction_rotary, digits)
+      if (.not. is_missing(hole%friction_running_in)) text = text//', running in '//to_text(hole%friction_running_in, digits)
    end function hole_friction_text
 
    !> Fluids and gravity, in one line where one fluid fills all.

@@ -3,7 +3,7 @@ module dg_contact_friction
    use dg_kinds, only: wp
    use dg_component, only: centralizer_diameter, component_type
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: friction_split, load_case_type
+   use dg_load_case, only: friction_split, load_case_type, moves_axially, operation_trip_in
    use dg_missing, only: is_missing
    implicit none
    private
@@ -11,25 +11,31 @@ module dg_contact_friction
 
 contains
 
-   !> Axial coefficient of a hole section for an operation [-].
-   pure function axial_friction(hole, operation) result(friction)
+   !> Axial coefficient of a hole section for an operation [-]: that of trip_in is another where the section gives it.
+   elemental function axial_friction(hole, operation) result(friction)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: operation
       real(wp) :: friction
-      associate (not_needed => operation)
-         friction = hole%friction_axial
-      end associate
+      friction = hole%friction_axial
+      if (operation == operation_trip_in .and. .not. is_missing(hole%friction_running_in)) friction = hole%friction_running_in
    end function axial_friction
 
    !> Gives a hole section the axial coefficient that load cases with these operations have; without them that of all operations.
-   !> Whatever changes the friction of a hole calls this.
+   !> Operations without axial motion count as trip_out does where no other moves axially. Whatever changes the friction of a hole
+   !> calls this.
    pure subroutine set_axial_friction(hole, friction, operations)
       type(hole_section_type), intent(inout) :: hole
       real(wp), intent(in) :: friction                    !< [-]
       integer, intent(in), optional :: operations(:)
-      associate (not_needed => present(operations))
-         hole%friction_axial = friction
-      end associate
+      logical :: running_in, others
+      running_in = .not. is_missing(hole%friction_running_in)
+      others = .true.
+      if (present(operations)) then
+         running_in = running_in .and. any(operations == operation_trip_in)
+         others = .not. running_in .or. any(operations /= operation_trip_in .and. moves_axially(operations))
+      end if
+      if (running_in) hole%friction_running_in = friction
+      if (others) hole%friction_axial = friction
    end subroutine set_axial_friction
 
    !> Adds to the axial coefficients of a hole section; those that would be negative are 0.
@@ -37,6 +43,7 @@ contains
       type(hole_section_type), intent(inout) :: hole
       real(wp), intent(in) :: change                      !< [-]
       hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
+      if (.not. is_missing(hole%friction_running_in)) hole%friction_running_in = max(hole%friction_running_in + change, 0.0_wp)
    end subroutine shift_axial_friction
 
    !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of

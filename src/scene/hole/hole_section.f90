@@ -14,8 +14,8 @@ module dg_hole_section
    real(wp), parameter :: hardest = 1.0e13_wp
 
    !> Keys of the numbers of a section, in the order of `hole_numbers`.
-   character(*), parameter :: hole_keys(7) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
-      'friction_rotary', 'wall_stiffness', 'mud_sheath']
+   character(*), parameter :: hole_keys(8) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
+      'friction_rotary', 'wall_stiffness', 'mud_sheath', 'friction_running_in']
 
    type :: hole_section_type
       character(:), allocatable :: name
@@ -27,6 +27,7 @@ module dg_hole_section
       real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
       logical :: cased = .false.           !< for sweeps by friction cased and open, and for tools that open
+      real(wp) :: friction_running_in = missing !< mu2 of trip_in alone [-]; missing: friction_axial
    end type hole_section_type
 
 contains
@@ -36,7 +37,7 @@ contains
       type(hole_section_type), intent(in) :: hole
       real(wp) :: numbers(size(hole_keys))
       numbers = [hole%md_top, hole%md_bottom, hole%diameter, hole%friction_axial, hole%friction_rotary, hole%wall_stiffness, &
-                 hole%mud_sheath]
+                 hole%mud_sheath, hole%friction_running_in]
    end function hole_numbers
 
    !> Stiffness of a section's wall, elastic and rigid [N/m2]. Where the section has none of its own the solver's holds. Where mud

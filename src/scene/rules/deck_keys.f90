@@ -112,7 +112,7 @@ module dg_deck_keys
       key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
          meaning='of the random numbers: the same seed gives the same hole')]
 
-   type(key_rule_type), parameter :: hole_keys(10) = [ &
+   type(key_rule_type), parameter :: hole_keys(11) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
       key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
          meaning='upper end; default the lower end of the section before'), &
@@ -124,6 +124,8 @@ module dg_deck_keys
          meaning='coefficient of friction, axial and rotary'), &
       key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='mu2 of Eq. 5; default friction'), &
       key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='mu1 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'friction_running_in', low=0.0_wp, high=roughest, &
+         meaning='mu2 of trip_in alone; default friction_axial'), &
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
          meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
