@@ -26,7 +26,7 @@ CHANGES, RELEASE = "CHANGELOG.md", 800
 LONGEST = 30    # words of a sentence
 LONG = 25       # words from which on a sentence is printed on request
 FENCED = re.compile(r"^( *)```.*?^\1```[^\n]*$", re.M | re.S)
-MADE = re.compile(r"<!-- (?:keys of \w+|columns: \w+|extremes|names of the library) -->\n.*?<!-- end[ \w]*-->", re.S)
+MADE = re.compile(r"<!-- (?:keys of \w+|units|columns: \w+|extremes|names of the library) -->\n.*?<!-- end[ \w]*-->", re.S)
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 
 

@@ -4,7 +4,7 @@ module dg_page_data
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
-   use dg_column, only: column_type, quantity_curvature, quantity_none, quantity_text, unit_size, unit_text
+   use dg_column, only: column_type, unit_size, unit_text
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
    use dg_html_text, only: spaced
@@ -14,9 +14,10 @@ module dg_page_data
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_columns, curve_count, profile_curves
    use dg_profile_columns, only: code_names
+   use dg_quantity, only: quantity_force, quantity_length, quantity_text, quantity_width, system_base, system_name
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: top_md
-   use dg_units, only: field_units, si_units, unit_system_type
+   use dg_units, only: system_of, unit_system_type
    use dg_verdict, only: answer_no
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -42,9 +43,6 @@ module dg_page_data
       '{"title":"Well","panels":[{"label":"inclination","curves":[{"column":"inclination"}]},'// &
       '{"label":"azimuth","curves":[{"column":"azimuth"}]},', &
       '{"label":"dogleg","curves":[{"column":"dogleg"}]},{"label":"true vertical depth","curves":[{"column":"tvd"}]}]}']
-   !> Names of quantities in the data, by their numbers in dg_column from none to curvature; the second are texts.
-   character(*), parameter :: quantity_words(0:11) = [character(9) :: 'none', '', 'length', 'width', 'angle', 'force', 'moment', &
-      'line', 'stress', 'percent', 'turns', 'curvature']
    !> Thinning of curves, over the range of a column [-]: the finest with which the data stay below `most_letters`.
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
@@ -99,7 +97,7 @@ contains
       end do
       k = min(k, size(tolerances))
       call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":["SI","field"],"tolerance":'// &
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
                        json_number(tolerances(k), 2)//',"start":'// &
                        to_text(max(governing_case(job, results, wholes) - 1, 0))//',')
       call append_quantities(lines, job%units)
@@ -131,24 +129,48 @@ contains
    subroutine append_quantities(lines, units)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
-      type(unit_system_type) :: systems(2)
+      type(column_type) :: columns(curve_count)
       character(:), allocatable :: text
-      integer :: q, k
-      systems = [si_units(), field_units()]
+      integer :: wanted(curve_count + 3), i, k
+      columns = curve_columns()
+      wanted = [quantity_length, quantity_width, quantity_force, columns%quantity]
       text = '"quantities":{'
-      do q = quantity_none, quantity_curvature
-         if (q == quantity_text) cycle
-         if (q > quantity_none) text = text//','
-         text = text//json_string(trim(quantity_words(q)))//':{'
-         do k = 1, size(systems)
+      do i = 1, size(wanted)
+         if (any(wanted(:i - 1) == wanted(i))) cycle
+         if (i > 1) text = text//','
+         text = text//json_string(quantity_key(wanted(i)))//':{'
+         do k = 1, system_base - 1
             if (k > 1) text = text//','
-            text = text//json_string(trim(systems(k)%name))//':['//json_string(unit_text(q, systems(k)))//','// &
-                   json_number(unit_size(q, units)/unit_size(q, systems(k)), digits)//']'
+            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_text(wanted(i), system_of(k)))//','// &
+                   json_number(unit_size(wanted(i), units)/unit_size(wanted(i), system_of(k)), digits)//']'
          end do
          text = text//'}'
       end do
       call add_line(lines, text//'},')
    end subroutine append_quantities
+
+   !> Names of the systems of units that a deck may have.
+   function systems_text() result(text)
+      character(:), allocatable :: text
+      integer :: k
+      text = ''
+      do k = 1, system_base - 1
+         if (k > 1) text = text//','
+         text = text//json_string(trim(system_name(k)))
+      end do
+   end function systems_text
+
+   !> Name of a quantity in the data: words for those that the script asks for.
+   pure function quantity_key(quantity) result(key)
+      integer, intent(in) :: quantity
+      character(:), allocatable :: key
+      select case (quantity)
+      case (quantity_length); key = 'length'
+      case (quantity_width); key = 'width'
+      case (quantity_force); key = 'force'
+      case default; key = 'q'//to_text(quantity)
+      end select
+   end function quantity_key
 
    !> Label, quantity and meaning of each column; of states their words.
    subroutine append_columns(lines)
@@ -161,8 +183,7 @@ contains
       call add_line(lines, '"columns":{')
       do i = 1, curve_count
          text = json_string(trim(columns(i)%name))//':{"label":'//json_string(spaced(trim(columns(i)%name)))// &
-                ',"quantity":'//json_string(trim(quantity_words(merge(quantity_none, columns(i)%quantity, &
-                                                                 columns(i)%quantity == quantity_text))))// &
+                ',"quantity":'//json_string(quantity_key(columns(i)%quantity))// &
                 ',"meaning":'//json_string(trim(columns(i)%meaning))
          if (columns(i)%quantity == quantity_text) then
             names = code_names(trim(columns(i)%name))
