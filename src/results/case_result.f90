@@ -99,7 +99,7 @@ module dg_case_result
       real(wp) :: inclination = 0.0_wp         !< of the hole at the bit [rad]
       real(wp) :: hookload = 0.0_wp            !< axial force held at the top [N]
       real(wp) :: weight_indicator = missing   !< what the rig's indicator shows of it; missing where no rig is given [N]
-      real(wp) :: friction = 0.0_wp            !< buoyed axial weight - wob - hookload [N]
+      real(wp) :: friction = 0.0_wp            !< buoyed axial weight - compression of the lower end - hookload [N]
       real(wp) :: torque = 0.0_wp              !< at the top [N.m]
       real(wp) :: normal_force = 0.0_wp        !< sum of contact forces over the string [N]
       integer :: iterations = 0

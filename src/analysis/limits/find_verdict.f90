@@ -113,9 +113,9 @@ contains
          return
       end if
       associate (load_case => model%cases(result%case_index))
-         weight = own_weight(load_case, result)
+         weight = own_weight(model, load_case, result)
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
-         share = weight_share(load_case, result)
+         share = weight_share(model, load_case, result)
          if (passed == limit_string_weight .or. is_most(share, verdict)) then
             verdict%limit = limit_string_weight
             verdict%used = optional_real(weight > 0.0_wp, share)

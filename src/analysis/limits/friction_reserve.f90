@@ -11,6 +11,7 @@ module dg_friction_reserve
    use dg_job, only: model_soft
    use dg_load_case, only: given, load_case_type, optional_real, rotates
    use dg_model, only: model_type
+   use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
@@ -109,7 +110,7 @@ contains
       soft%axial = axial
       soft%torque = torque
       associate (load_case => model%cases(result%case_index))
-         friction = totals%weight - load_case%wob - axial(1)
+         friction = totals%weight - end_compression(model, load_case) - axial(1)
          turning = torque(1) - load_case%tob
          if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
          if (turning > 0.0_wp) soft%torque_ratio = max((result%torque - load_case%tob)/turning, 0.0_wp)
@@ -152,28 +153,30 @@ contains
       limit = utilisation%governing
       if (limit > 0) margin = 1.0_wp - utilisation%used(limit)%value
       if (top_md(model%trajectory) > 0.0_wp) return
-      share = weight_share(model%cases(result%case_index), other)
+      share = weight_share(model, model%cases(result%case_index), other)
       if (.not. margin > 1.0_wp - share) return
       margin = 1.0_wp - share
       limit = limit_string_weight
    end subroutine find_margin
 
    !> Buoyed weight along the hole [N].
-   elemental function own_weight(load_case, result) result(weight)
+   elemental function own_weight(model, load_case, result) result(weight)
+      type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
       real(wp) :: weight
-      weight = result%hookload + load_case%wob + result%friction
+      weight = result%hookload + end_compression(model, load_case) + result%friction
    end function own_weight
 
    !> Part of the buoyed weight that weight on bit and friction take, so that the hook load is the rest [-]; > 1 where the string
    !> must be pushed. 0 where friction pulls the other way, 2 where a floating string must be pushed.
-   elemental function weight_share(load_case, result) result(share)
+   elemental function weight_share(model, load_case, result) result(share)
+      type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
       real(wp) :: share
       real(wp) :: weight
-      weight = own_weight(load_case, result)
+      weight = own_weight(model, load_case, result)
       if (weight > 0.0_wp) then
          share = max(1.0_wp - result%hookload/weight, 0.0_wp)
       else

@@ -82,6 +82,7 @@ contains
       call keep_upper_string(model, case_index, join, part)
       call cut_mud(part%mud, model%cases(case_index)%bit_depth - join)
       part%cases(case_index)%bit_depth = join
+      part%boundary%packer_bore = 0.0_wp
       part%cases(case_index)%wob = -result%hookload
       part%cases(case_index)%tob = result%torque
       call curvature_changes(part, case_index, changes)

@@ -15,6 +15,7 @@ module dg_rigid_string_loads
    use dg_kinds, only: wp
    use dg_curvature_change, only: bending_at, change_type, find_extents
    use dg_model, only: model_type
+   use dg_packer, only: end_compression
    use dg_soft_string_loads, only: largest_angle, longest_step, runaway_force, soft_totals_type
    use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type
    use dg_trajectory, only: point_on_arc
@@ -57,7 +58,7 @@ contains
       integer :: i
       associate (load_case => model%cases(case_index))
          position = load_case%bit_depth
-         force = -load_case%wob
+         force = -end_compression(model, load_case)
          moment = load_case%tob
       end associate
       allocate (changes, source=stiff_at)

@@ -11,6 +11,7 @@ module dg_soft_string
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
+   use dg_packer, only: end_compression
    use dg_profile, only: profile_type, new_profile, piece_depths, side_above, side_none, state_free, state_elastic
    use dg_profile_rows, only: lay_rows
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type
@@ -117,7 +118,7 @@ contains
          result%case_index = case_index
          result%inclination = inclination_of(tangent)
          result%hookload = axial(1)
-         result%friction = totals%weight - load_case%wob - axial(1)
+         result%friction = totals%weight - end_compression(model, load_case) - axial(1)
          result%torque = torque(1)
          result%normal_force = totals%normal_force
          result%elements = totals%steps

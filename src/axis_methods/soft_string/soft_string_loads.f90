@@ -19,6 +19,7 @@ module dg_soft_string_loads
    use dg_coiling, only: coil_force
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
+   use dg_packer, only: end_compression, packer_push
    use dg_snake, only: snake_contact, snake_swing
    use dg_string_piece, only: climbed, layout_of, layout_type, piece_above, piece_type
    use dg_trajectory, only: point_on_arc, turn_of, turn_type
@@ -89,8 +90,8 @@ contains
       if (present(other)) loads = other
       associate (load_case => model%cases(case_index))
          position = load_case%bit_depth
-         force = -loads%load_scale*load_case%wob
-         if (loads%wob%present) force = -loads%load_scale*loads%wob%value
+         force = -loads%load_scale*end_compression(model, load_case)
+         if (loads%wob%present) force = -loads%load_scale*(loads%wob%value + packer_push(model, load_case))
          moment = loads%load_scale*load_case%tob
       end associate
       layout = layout_of(model, case_index)

@@ -5,7 +5,7 @@ module dg_deck_fluid
    use dg_deck_check, only: tell_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_fluid, only: collar_name, collar_none, mud_type, standing_mud
+   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_model_fault, only: model_faults_type
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
@@ -25,6 +25,7 @@ contains
       type(draft_fluid_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
+      type(fluid_type) :: begun
       integer :: i
       item%line = group%line
       item%line_tvd = line_of(group, 'tvd_top')
@@ -35,6 +36,7 @@ contains
          fluid%density = real_of(group, 'density', 0.0_wp)
          fluid%md_top = real_of(group, 'md_top', 0.0_wp)
          fluid%above_bit = real_of(group, 'above_bit', 0.0_wp)
+         fluid%surface_pressure = real_of(group, 'surface_pressure', 0.0_wp)
          fluid%inside = text_of(group, 'where', 'both') /= 'outside'
          fluid%outside = text_of(group, 'where', 'both') /= 'inside'
          if (is_sound(group, 'float_collar')) &
@@ -42,7 +44,9 @@ contains
          if (count([is_given(group, 'md_top'), is_given(group, 'tvd_top'), is_given(group, 'above_bit')]) > 1) &
             call fault(group%line, 'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
       end associate
-      call check_fluid(item%fluid, 0, found)
+      begun = item%fluid
+      if (item%has_tvd) begun%md_top = item%tvd_top      ! at surface or not: the measured depth is not known yet
+      call check_fluid(begun, 0, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
             if (wrong%key == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already

@@ -263,12 +263,13 @@ contains
       end function optional_of
    end subroutine draft_case
 
-   !> Supports of the string's ends.
+   !> Supports of the string's ends, and the packer at the lower one.
    function draft_boundary(group) result(boundary)
       type(checked_group_type), intent(in) :: group
       type(boundary_type) :: boundary
       boundary%top_centred = text_of(group, 'top_lateral', 'centred') == 'centred'
       boundary%bit_centred = text_of(group, 'bit_lateral', 'centred') == 'centred'
+      boundary%packer_bore = real_of(group, 'packer_bore', boundary%packer_bore)
    end function draft_boundary
 
    !> The rig; sheaves that take tension need the number of lines.

@@ -31,7 +31,7 @@ contains
       integer :: i
       logical :: held, floats
       if (.not. allocated(model%mud%fluids)) return
-      held = .false.
+      held = model%boundary%packer_bore > 0.0_wp      ! its seal holds the difference
       floats = .false.
       do i = 1, size(model%cases)
          if (.not. held) call note_bit(i, held)

@@ -7,15 +7,18 @@ module dg_end_supports
    use dg_load_case, only: load_case_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
+   use dg_packer, only: end_compression
    use dg_trajectory, only: closest_point, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: end_action, set_loads
+   public :: end_action, set_loads, force_scale
 
    !> Stiffness of the support of a centred end [N/m]. A support is a constraint, not a wall: 100 kN move it by 0.003 mm, little
    !> beside a clearance of 0.4 mm at a blade next to the bit. At 1e11 round-off keeps elements of 0.1 m from converging.
    real(wp), parameter :: end_stiffness = 3.0e10_wp
+   !> Of a string without weight and load, which has no scale of its own [N].
+   real(wp), parameter :: least_scale = 1.0_wp
 
 contains
 
@@ -50,10 +53,19 @@ contains
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: fraction
       type(load_type), intent(out) :: loads
-      loads%wob = fraction*load_case%wob
+      loads%wob = fraction*end_compression(model, load_case)
       loads%tob = fraction*load_case%tob
       loads%friction_scale = fraction
       if (model%boundary%top_centred) loads%top_support = end_stiffness
       if (model%boundary%bit_centred) loads%bit_support = end_stiffness
    end subroutine set_loads
+
+   !> Force with which forces out of balance are compared [N]: weight of the string and load of its lower end.
+   pure function force_scale(model, load_case, mesh) result(scale)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      type(mesh_type), intent(in) :: mesh
+      real(wp) :: scale
+      scale = max(sum(abs(mesh%weight)*mesh%length) + abs(end_compression(model, load_case)), least_scale)
+   end function force_scale
 end module dg_end_supports

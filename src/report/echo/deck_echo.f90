@@ -55,7 +55,8 @@ contains
          call add_string(list, job, model, i)
       end do
       call add_line(list, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
-         lateral(model%boundary%bit_centred))
+         lateral(model%boundary%bit_centred)// &
+         optional(', packer bore ', model%boundary%packer_bore, job%units%diameter, unit_label(job%units, unit_diameter)))
       call add_line(list, 'load cases  '//to_text(size(model%cases)))
       do i = 1, size(model%cases)
          call add_case(list, job%units, model%cases(i))
@@ -133,6 +134,7 @@ contains
                place = place//', from '//quantity(fluid%md_top, units%length, unit_label(units, unit_length))
             end if
             if (fluid%collar /= collar_none) place = place//', float collar '//trim(collar_name(fluid%collar))
+            place = place//optional(', annulus at surface ', fluid%surface_pressure, units%stress, unit_label(units, unit_stress))
             call add_line(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
          end associate
       end do

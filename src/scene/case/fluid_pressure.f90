@@ -1,12 +1,13 @@
 !> Pressures of the fluids inside and outside a string at rest, by depth.
 !>
 !> A column of fluids presses at a place by the sum of density times gravity times true vertical extent above it. Air above the
-!> first fluid presses nothing: pressures count from that of the atmosphere. Pump pressure adds to the column inside from the
-!> surface down to the first closed collar, else to the bit; what is lost along the string is left out, so that the bit takes
+!> first fluid presses nothing: pressures count from that of the atmosphere. The pressure of the annulus at surface adds to the
+!> column outside. Pump pressure adds to the column inside from the surface down to the first closed collar, else to the bit; what is lost along the string is left out, so that the bit takes
 !> all of it. Below a closed collar the column begins anew.
 module dg_fluid_pressure
    use dg_kinds, only: wp
-   use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_top, fluid_tops, side_inside, side_outside
+   use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &
+      side_outside
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
    use dg_trajectory, only: top_md, true_vertical_depth
@@ -61,7 +62,12 @@ contains
       column%md(2:) = tops
       allocate (column%tvd(size(column%md)), column%pressure(size(column%md)), column%gradient(size(column%md)))
       pressure = 0.0_wp
-      if (side == side_inside) pressure = load_case%pump_pressure
+      if (side == side_inside) then
+         pressure = load_case%pump_pressure
+      else
+         i = fluid_at(model%mud, side, column%md(1), load_case%bit_depth)
+         if (i > 0) pressure = model%mud%fluids(i)%surface_pressure
+      end if
       do i = 1, size(column%md)
          column%tvd(i) = true_vertical_depth(model%trajectory, column%md(i))
          column%gradient(i) = density_at(model%mud, side, column%md(i), load_case%bit_depth)*model%gravity

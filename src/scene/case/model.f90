@@ -20,6 +20,7 @@ module dg_model
    type :: boundary_type
       logical :: top_centred = .true.
       logical :: bit_centred = .true.
+      real(wp) :: packer_bore = 0.0_wp   !< diameter of the seal bore in which the lower end is [m]; 0: no packer
    end type boundary_type
 
    type :: model_type

@@ -29,6 +29,7 @@ module dg_fluid
       real(wp) :: md_top = 0.0_wp        !< upper end, where above_bit is 0 [m]
       real(wp) :: above_bit = 0.0_wp     !< > 0: upper end, as distance from the bit [m]
       integer :: collar = collar_none
+      real(wp) :: surface_pressure = 0.0_wp   !< of the annulus, where the fluid is the uppermost outside [Pa]
    end type fluid_type
 
    type :: mud_type

@@ -133,7 +133,7 @@ module dg_deck_keys
       key_rule_type('hole', 'cased', kind_logical, default='.false.', &
          meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep')]
 
-   type(key_rule_type), parameter :: fluid_keys(6) = [ &
+   type(key_rule_type), parameter :: fluid_keys(7) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
       key_rule_type('fluid', 'where', kind_text, default='both', choices='both inside outside', &
          meaning='which side of the string it fills'), &
@@ -144,7 +144,9 @@ module dg_deck_keys
       key_rule_type('fluid', 'above_bit', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
          meaning='in place of md_top: distance from the bit, along the string, where it begins; it moves with the string'), &
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
-         meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit')]
+         meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit'), &
+      key_rule_type('fluid', 'surface_pressure', unit=unit_stress, low=0.0_wp, high=highest_pump, default='0', &
+         meaning='pressure of the annulus at surface; of the uppermost fluid outside')]
 
    type(key_rule_type), parameter :: rig_keys(6) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
@@ -259,11 +261,13 @@ module dg_deck_keys
       key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
       key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
 
-   type(key_rule_type), parameter :: boundary_keys(2) = [ &
+   type(key_rule_type), parameter :: boundary_keys(3) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the top'), &
       key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
-         meaning='lateral support at the bit')]
+         meaning='lateral support at the bit'), &
+      key_rule_type('boundary', 'packer_bore', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
+         meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer')]
 
    type(key_rule_type), parameter :: load_case_keys(17) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &

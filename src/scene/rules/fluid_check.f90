@@ -11,7 +11,7 @@ module dg_fluid_check
 
 contains
 
-   !> What moves with the string is inside it, and a float collar is a part of it.
+   !> What moves with the string is inside it, and a float collar is a part of it. The annulus has a pressure at surface.
    subroutine check_fluid(fluid, place, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
@@ -20,6 +20,9 @@ contains
          'above_bit is a place of the string; it needs where = ''inside''')
       if (fluid%collar /= collar_none .and. .not. fluid%above_bit > 0.0_wp) call note_fault(found, 'fluid', place, &
          'float_collar', 'a float_collar is a part of the string; it needs above_bit, its distance from the bit')
+      if (fluid%surface_pressure > 0.0_wp .and. (fluid%md_top > 0.0_wp .or. .not. fluid%outside)) call note_fault(found, &
+         'fluid', place, 'surface_pressure', 'surface_pressure is the pressure of the annulus; give it in the uppermost fluid '// &
+         'outside, which begins at surface')
    end subroutine check_fluid
 
    !> Fluids of a side are listed from the top down: none is hidden by those that come after it.

@@ -196,6 +196,7 @@ contains
       call check_range(ranges, 'density', fluid%density, found)
       call check_range(ranges, 'md_top', fluid%md_top, found)
       if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
+      call check_range(ranges, 'surface_pressure', fluid%surface_pressure, found)
       if (.not. any(fluid%collar == [collar_none, collar_closed, collar_open_below])) &
          call note_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
    end subroutine check_fluid_ranges

@@ -16,7 +16,7 @@ module dg_static_analysis
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
                              way_planar
    use dg_clock, only: seconds_between
-   use dg_end_supports, only: set_loads
+   use dg_end_supports, only: force_scale, set_loads
    use dg_equations, only: choose_unknowns, end_iterations, equations_type, lateral_of, make_room, outcome_converged, &
                            outcome_exhausted, outcome_outside
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
@@ -50,8 +50,6 @@ module dg_static_analysis
    private
    public :: solve_static_analysis
 
-   !> Of a string without weight and load, which has no scale of its own [N].
-   real(wp), parameter :: least_scale = 1.0_wp
    !> Part of the coiling load from which a string may buckle: the margin of stability is told [-].
    real(wp), parameter :: buckling_share = 0.4_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
@@ -394,7 +392,7 @@ contains
                           string%way)
          call choose_unknowns(equations, planar=string%way == way_planar)
          allocate (equations%history(numerics%max_iterations + 1))
-         equations%force_scale = max(sum(abs(mesh%weight)*mesh%length) + abs(load_case%wob), least_scale)
+         equations%force_scale = force_scale(model, load_case, mesh)
       end associate
    end subroutine prepare
 end module dg_static_analysis

@@ -133,6 +133,8 @@ contains
       call add_line(lines, 'gravity = '//to_text(model%gravity))
       call add_line(lines, 'boundary, top centred = '//yes_or_no(model%boundary%top_centred))
       call add_line(lines, 'boundary, bit centred = '//yes_or_no(model%boundary%bit_centred))
+      if (model%boundary%packer_bore > 0.0_wp) &
+         call add_line(lines, 'boundary, packer_bore = '//to_text(model%boundary%packer_bore))
       call add_line(lines, solver_key//' = '//settings_text(model%numerics))
    end subroutine append_model
 
@@ -145,6 +147,7 @@ contains
       call add_line(lines, head//'density = '//to_text(fluid%density))
       call add_line(lines, head//'md_top = '//to_text(fluid%md_top))
       call add_line(lines, head//'above_bit = '//to_text(fluid%above_bit))
+      if (fluid%surface_pressure > 0.0_wp) call add_line(lines, head//'surface_pressure = '//to_text(fluid%surface_pressure))
    end subroutine append_fluid
 
    subroutine append_hole(lines, head, hole)

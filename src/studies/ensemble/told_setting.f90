@@ -3,7 +3,7 @@ module dg_told_setting
    use dg_kinds, only: wp
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_angle, unit_density, unit_diameter, unit_factor, unit_force, unit_label, unit_length, unit_mass, &
-                           unit_modulus, unit_moment, unit_none, unit_rotation, unit_speed, unit_wall
+                           unit_modulus, unit_moment, unit_none, unit_rotation, unit_speed, unit_stress, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -47,9 +47,11 @@ contains
       select case (word)
       case ('wob', 'restoring_force', 'running_force'); unit = unit_force
       case ('tob'); unit = unit_moment
-      case ('diameter', 'od', 'id', 'joint_od', 'opened_od', 'rated_hole', 'mud_sheath'); unit = unit_diameter
+      case ('diameter', 'od', 'id', 'joint_od', 'opened_od', 'rated_hole', 'mud_sheath', 'packer_bore')
+         unit = unit_diameter
       case ('md_top', 'md_bottom', 'above_bit', 'length', 'joint_length', 'joint_spacing', 'spacing', 'first', &
             'bend_position', 'sensor', 'opened_below', 'm'); unit = unit_length
+      case ('surface_pressure'); unit = unit_stress
       case ('mass'); unit = unit_mass
       case ('density'); unit = unit_density
       case ('youngs'); unit = unit_modulus

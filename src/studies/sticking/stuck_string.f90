@@ -35,6 +35,7 @@ contains
       end associate
       model%cases(1)%bit_depth = depth
       model%boundary%bit_centred = .false.
+      model%boundary%packer_bore = 0.0_wp
    end subroutine cut_string
 
    !> A quantity of a profile at a depth, by a straight line between its neighbours; at a depth with two rows, of the lower
