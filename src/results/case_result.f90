@@ -132,6 +132,8 @@ module dg_case_result
       !> Inclination of the hole axis less that of the string at its lowest survey sensor [rad]; missing without one.
       real(wp) :: sag_correction = missing
       real(wp) :: sensor_md = missing          !< measured depth of that sensor [m]
+      !> Length by which bends of the string off the hole axis bring its ends together [m]; missing without short elements.
+      real(wp) :: shortening = missing
       !> Residual of the global equilibrium, supports included: force [N], moment about the top [N.m].
       real(wp) :: equilibrium_force = 0.0_wp
       real(wp) :: equilibrium_moment = 0.0_wp

@@ -44,6 +44,7 @@ contains
       result%bit_tilt_clock = missing
       result%sag_correction = missing
       result%sensor_md = missing
+      result%shortening = missing
       result%equilibrium_force = 0.0_wp
       result%equilibrium_moment = 0.0_wp
       if (allocated(result%gaps)) result%gaps%force = missing

@@ -9,6 +9,7 @@ module dg_whole_string
    use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_job, only: model_mcge
+   use dg_length_change, only: asks_for_length, find_length_change, length_change_type
    use dg_load_case, only: block_way, given, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
@@ -60,6 +61,7 @@ module dg_whole_string
       type(optional_real) :: bit_tilt_clock         !< where it points [rad]
       type(optional_real) :: sag_correction         !< to be added to the inclination that the survey sensor reads [rad]
       type(optional_real) :: sensor_md              !< where the sensor is [m]
+      type(length_change_type) :: length_change     !< of the string, in its parts [m]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -94,6 +96,8 @@ contains
       integer :: i
       associate (profile => result%profile)
          call add_deformation(model, result, along, whole)
+         if (asks_for_length(model, model%cases(result%case_index))) &
+            call find_length_change(model, result, along, whole%length_change)
          allocate (whole%neutral_points, source=neutral_points_of(profile%md, profile%axial))
          call least_of(along%safety_factor, profile%md, whole%least_safety, whole%least_safety_md)
          call least_of(along%envelope_margin, profile%md, whole%least_envelope_margin)

@@ -14,6 +14,7 @@ module dg_assembly_elements
    use dg_drillstring, only: component_tops
    use dg_error, only: error_type
    use dg_fluid, only: cut_mud
+   use dg_missing, only: missing
    use dg_model, only: model_type, string_index
    use dg_profile, only: new_profile, profile_type
    use dg_profile_rows, only: part_rows
@@ -88,6 +89,7 @@ contains
       call curvature_changes(part, case_index, changes)
       call solve_at_changes(part, case_index, pack(changes, matters(changes, uppermost(part, case_index))), above)
       result%status = above%status
+      result%shortening = missing      ! that of the lower part alone
       call add_sentence(result%message, above%message)
       result%hookload = above%hookload
       result%torque = above%torque

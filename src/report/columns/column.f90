@@ -21,7 +21,7 @@ module dg_column
    public :: field_absent, field_text, field_integer, field_real
 
    type :: column_type
-      character(24) :: name = ''
+      character(32) :: name = ''
       integer :: quantity = quantity_none
       character(200) :: meaning = ''
    end type column_type

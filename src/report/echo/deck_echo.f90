@@ -18,7 +18,7 @@ module dg_deck_echo
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_wall
+      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -270,6 +270,10 @@ contains
          given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
          optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
                   unit_label(units, unit_pressure))// &
+         optional(', warmer at top by ', case%temperature_change_top, unit_factor(units, unit_temperature), &
+                  unit_label(units, unit_temperature))// &
+         optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
+                  unit_label(units, unit_temperature))// &
          optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
          optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
          given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &

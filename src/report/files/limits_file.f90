@@ -9,6 +9,7 @@ module dg_limits_file
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
+   use dg_length_change, only: total_change
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_utilisation, only: governing_name, limit_rig, limit_top_drive
@@ -18,7 +19,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(59) = [ &
+   type(column_type), parameter :: limits_columns(64) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -91,7 +92,13 @@ module dg_limits_file
          'string; the largest of all parts'), &
       column_type('used_top_drive', quantity_percent, 'of max_torque of &rig, by the torque at the top of a string that turns'), &
       column_type('sag_correction', quantity_angle, 'to be added to the inclination that the survey sensor reads, so that it '// &
-         'is that of the hole axis; positive where the sensor reads too little; mcge with sensor')]
+         'is that of the hole axis; positive where the sensor reads too little; mcge with sensor'), &
+      column_type('length_change_force', quantity_length, 'by the true axial force (Hooke). All changes of length: longer is '// &
+         'positive, against the string before it was run; empty without packer, annulus pressure or change of temperature'), &
+      column_type('length_change_pressure', quantity_length, 'by ballooning'), &
+      column_type('length_change_buckling', quantity_length, 'by the buckled shape'), &
+      column_type('length_change_temperature', quantity_length, 'by the change of temperature'), &
+      column_type('length_change', quantity_length, 'sum of the four')]
 
 contains
 
@@ -195,6 +202,13 @@ contains
       call put(row, in_percent(whole%contact_difference))
       call put(row, in_percent(whole%utilisation%used(limit_top_drive)))
       call put(row, whole%sag_correction)
+      associate (change => whole%length_change)
+         call put(row, optional_real(change%present, change%force))
+         call put(row, optional_real(change%present, change%pressure))
+         call put(row, optional_real(change%present, change%buckling))
+         call put(row, optional_real(change%present, change%temperature))
+         call put(row, optional_real(change%present, total_change(change)))
+      end associate
    end subroutine limits_fields
 
    !> A share [-] in per cent.

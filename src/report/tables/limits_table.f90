@@ -8,6 +8,7 @@ module dg_limits_table
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, model_name
+   use dg_length_change, only: length_change_type, total_change
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
@@ -118,9 +119,30 @@ contains
                           to_text(anint(wholes(i)%sensor_md%value/units%length))//' '//trim(units%length_label))
       end do
       do i = 1, size(results)
+         if (wholes(i)%length_change%present) call append_length_change(lines, units, wholes(i)%length_change, names(i)%text)
+      end do
+      do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> Change of length and its parts.
+   pure subroutine append_length_change(lines, units, change, name)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(length_change_type), intent(in) :: change
+      character(*), intent(in) :: name                 !< of the case
+      call append_text(lines, '  Change of length in '//name//': '//shown(total_change(change))//' '// &
+                       trim(units%length_label)//' (force '//shown(change%force)//', pressure '//shown(change%pressure)// &
+                       ', buckling '//shown(change%buckling)//', temperature '//shown(change%temperature)// &
+                       '), longer is positive, against the string before it was run')
+   contains
+      pure function shown(length) result(text)
+         real(wp), intent(in) :: length   !< [m]
+         character(:), allocatable :: text
+         text = trim(adjustl(fixed_cell(given(length), units%length, number_width, 3)))
+      end function shown
+   end subroutine append_length_change
 
    !> Axial force at each jar: a jar near the neutral point works badly and wears.
    pure subroutine append_jars(lines, units, model, result, name)

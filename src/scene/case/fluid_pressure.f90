@@ -2,8 +2,8 @@
 !>
 !> A column of fluids presses at a place by the sum of density times gravity times true vertical extent above it. Air above the
 !> first fluid presses nothing: pressures count from that of the atmosphere. The pressure of the annulus at surface adds to the
-!> column outside. Pump pressure adds to the column inside from the surface down to the first closed collar, else to the bit; what is lost along the string is left out, so that the bit takes
-!> all of it. Below a closed collar the column begins anew.
+!> column outside. Pump pressure adds to the column inside from the surface down to the first closed collar, else to the bit; what
+!> is lost along the string is left out, so that the bit takes all of it. Below a closed collar the column begins anew.
 module dg_fluid_pressure
    use dg_kinds, only: wp
    use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &

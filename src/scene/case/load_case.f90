@@ -92,6 +92,8 @@ module dg_load_case
       real(wp) :: toolface = 0.0_wp         !< to which bends of the string point: from the high side (north), clockwise [rad]
       logical :: bend_stands = .false.      !< a string that turns is seen at this toolface; else without its bends
       real(wp) :: pump_pressure = 0.0_wp    !< added to the pressure inside [Pa], >= 0
+      real(wp) :: temperature_change_top = 0.0_wp      !< of the string at surface, since it was run [K]
+      real(wp) :: temperature_change_bottom = 0.0_wp   !< the same at the bit; linear in true vertical depth between [K]
       type(optional_real) :: measured_hookload  !< [N]
       type(optional_real) :: measured_torque    !< [N.m]
       type(optional_real) :: reference_hookload !< another calculation's [N]

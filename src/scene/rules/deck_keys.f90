@@ -9,7 +9,8 @@ module dg_deck_keys
    use dg_quantity, only: deck_systems
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
-      unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity
+      unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, &
+      unit_temperature, unit_expansion
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -42,6 +43,7 @@ module dg_deck_keys
    real(wp), parameter :: roughest = 2.0_wp       ! friction coefficient; more is per cent
    real(wp), parameter :: heaviest = 25.0e3_wp    ! kg/m3; above tungsten
    real(wp), parameter :: highest_pump = 500.0_wp ! MPa; pumps reach 100, more is bar or psi
+   real(wp), parameter :: hottest = 500.0_wp      ! K; wells reach 400
    real(wp), parameter :: stiffest = 1.0e12_wp    ! kN/m2; walls stiffer than 1e10 count as that
    real(wp), parameter :: touching = 1.0_wp       ! kN; what a gap of light pipe carries
    real(wp), parameter :: least_step = 0.1_wp     ! clearances; GP1 takes 12 iterations with it, 150 with a tenth
@@ -162,7 +164,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(32) = [ &
+   type(key_rule_type), parameter :: component_keys(33) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -182,6 +184,8 @@ module dg_deck_keys
       key_rule_type('component', 'youngs', unit=unit_modulus, low=0.0_wp, open=.true., high=1.0e5_wp, default='206', &
          meaning='Young''s modulus'), &
       key_rule_type('component', 'poisson', low=0.0_wp, high=0.5_wp, default='0.3', meaning='Poisson''s ratio'), &
+      key_rule_type('component', 'expansion', unit=unit_expansion, low=0.0_wp, high=100.0_wp, default='12.42', &
+         meaning='thermal expansion; 12.42 (6.9 per degF): steel'), &
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='of tool joints or blades; touches first and sets the torque radius; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
@@ -269,7 +273,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_bore', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer')]
 
-   type(key_rule_type), parameter :: load_case_keys(17) = [ &
+   type(key_rule_type), parameter :: load_case_keys(19) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -287,6 +291,10 @@ module dg_deck_keys
          meaning='axial speed of the string'), &
       key_rule_type('load_case', 'pump_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
          meaning='added to the pressure inside, from surface to the bit or a closed collar'), &
+      key_rule_type('load_case', 'temperature_change_top', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
+         meaning='warming of the string at surface since it was run; changes its length'), &
+      key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
+         meaning='the same at the bit; linear in true vertical depth between'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='for comparison'), &
       key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &

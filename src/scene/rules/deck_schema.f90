@@ -20,7 +20,7 @@ module dg_deck_schema
    !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers to 1e-7.
    real(wp), parameter :: range_round_off = 2.0e-7_wp
 
-   integer, parameter :: name_length = 24
+   integer, parameter :: name_length = 32
    integer, parameter :: words_length = 120
 
    type :: group_rule_type

@@ -16,7 +16,7 @@ module dg_model_fault
       ! Texts have no values here: with -finit-derived gfortran 12 writes a .mod file of them that it cannot read.
       character(12) :: part                   !< what is wrong: the name of its group in a deck
       integer :: place = 0                    !< of the part among those of its kind, as the caller counts them; 0: the kind has one
-      character(24) :: key                    !< which of its quantities: the key in a deck
+      character(32) :: key                    !< which of its quantities: the key in a deck
       character(:), allocatable :: message    !< as far as where the other part is named; all of it where none is
       character(12) :: other                  !< kind of the part that the message names besides; '': none
       integer :: other_place = 0

@@ -36,6 +36,7 @@ module dg_component
       real(wp) :: density = steel_density    !< of the material [kg/m3], for buoyancy
       real(wp) :: youngs = 206.0e9_wp        !< Young's modulus [Pa]
       real(wp) :: poisson = 0.3_wp           !< Poisson's ratio [-]
+      real(wp) :: expansion = 12.42e-6_wp    !< thermal, of length [1/K]; 6.9e-6/degF, Lubinski, Althouse & Logan 1962
       real(wp) :: joint_od = 0.0_wp          !< tool joint (or blade) outside diameter [m]; 0: none, the body touches
       real(wp) :: joint_length = 0.0_wp      !< [m]
       real(wp) :: joint_spacing = 9.5_wp     !< [m]

@@ -5,7 +5,7 @@ module dg_bending_nodes
    use dg_hermite, only: hermite_slope, hermite_value
    implicit none
    private
-   public :: graded_nodes, halved_nodes, shape_at, rows_needed
+   public :: graded_nodes, halved_nodes, shape_at, rows_needed, shortening_of
 
    !> Growth of the length of elements per metre of distance from a place that asks for short ones [-].
    real(wp), parameter :: growth = 0.25_wp
@@ -115,6 +115,26 @@ contains
          shape(3:4, n) = slope(1)*y(1:2, e) + slope(2)*y(3:4, e) + slope(3)*y(1:2, e + 1) + slope(4)*y(3:4, e + 1)
       end do
    end function shape_at
+
+   !> Length by which the slopes of a beam bring its ends together [m]: the integral of y'^2/2, exact for its cubics.
+   pure function shortening_of(nodes, y) result(short)
+      real(wp), intent(in) :: nodes(:)      !< of the beam, increasing (n) [m]
+      real(wp), intent(in) :: y(:, :)       !< offsets and slopes there (4,n) [m, -]
+      real(wp) :: short
+      real(wp) :: length, step, first, last
+      integer :: e, i
+      short = 0.0_wp
+      do e = 1, size(nodes) - 1
+         length = nodes(e + 1) - nodes(e)
+         do i = 1, 2
+            step = y(i, e + 1) - y(i, e)
+            first = y(i + 2, e)
+            last = y(i + 2, e + 1)
+            short = short + (18.0_wp*step**2/length - 3.0_wp*step*(first + last) + length*(2.0_wp*(first**2 + last**2) &
+                                                                                           - first*last))/30.0_wp
+         end do
+      end do
+   end function shortening_of
 
    !> Chooses rows of a table. Straight lines between the rows that are kept miss no value of the others by more than `bound`.
    !> From the first row on each line is made as long as that allows.

@@ -16,7 +16,7 @@ module dg_bending_profile
    use dg_bending_element, only: moments_of_shape
    use dg_bending_equilibrium, only: is_near, settle_firmly, solve_anchored
    use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam, stands_alone
-   use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at
+   use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at, shortening_of
    use dg_bending_rows, only: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
    use dg_bending_solution, only: least_moment
    use dg_case_result, only: case_result_type
@@ -109,6 +109,7 @@ contains
       result%beam_nodes = size(beam%md)
       call take_bit(model%trajectory, mesh, beam, bent, result)
       call take_sag(model, beam, bent, result)
+      result%shortening = shortening_of(beam%place, bent%y)
       scale = contact_scale(lying%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
