@@ -8,9 +8,11 @@ module dg_run_cases
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_find_verdict, only: find_verdict
+   use dg_held_string, only: settle_packer_loads
    use dg_history_file, only: write_history
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
+   use dg_length_change, only: less
    use dg_limits_file, only: write_limits
    use dg_limits_table, only: limits_table
    use dg_model, only: model_type
@@ -56,7 +58,9 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
+      call settle_packers(run%model, run%status)
       call solve_all(run%job, run%model, run%results, alongs, wholes, run%status)
+      call count_from_references(run%model, run%results, wholes)
       call note_cases(run%printed%outcome, run%model, run%results)
       call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, wholes, error)
       call note_failure(error, run%status)
@@ -82,6 +86,34 @@ contains
          run%status = graver(run%status, status_failure)
       end if
    end subroutine run_cases
+
+   !> Loads that packers take in cases that they hold. A case without one is told.
+   subroutine settle_packers(model, status)
+      type(model_type), intent(inout) :: model
+      integer, intent(inout) :: status
+      integer, allocatable :: failed(:)
+      integer :: i
+      call settle_packer_loads(model, failed)
+      do i = 1, size(failed)
+         call tell('load case '//quoted(model%cases(failed(i))%name)//': the force on the packer was not found; it is solved '// &
+                   'without one, and its lower end moves')
+         status = graver(status, status_not_converged)
+      end do
+   end subroutine settle_packers
+
+   !> Changes of length of load cases that count from another one.
+   subroutine count_from_references(model, results, wholes)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)         !< all cases of the first method come first
+      type(whole_string_type), intent(inout) :: wholes(:)
+      integer :: i, reference
+      do i = 1, size(results)
+         reference = model%cases(results(i)%case_index)%length_reference
+         if (reference == 0) cycle
+         reference = i - results(i)%case_index + reference
+         wholes(i)%length_change = less(wholes(i)%length_change, wholes(reference)%length_change)
+      end do
+   end subroutine count_from_references
 
    !> Solves every case with every model, as many at a time as the job allows; after a signal no more of them. Cases do not
    !> know of each other, and what is told and written of them comes in the deck's order: nothing depends on the number of

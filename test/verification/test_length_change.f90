@@ -3,7 +3,8 @@
 !>
 !> Their tubing of 2 7/8 in, 6.5 lb/ft hangs in 10,000 ft of 7 in casing of 32 lb/ft, sealed in a packer bore of 3.25 in that lets
 !> it move. Crude oil of 7.31 lb/gal is inside and outside. Then it squeezes cement of 15 lb/gal at 5,000 psi, with 1,000 psi on the
-!> annulus, and cools by 20 degF. They find a shortening of 165.2 in in all, of that 16.6 in by the temperature.
+!> annulus, and cools by 20 degF. They find a shortening of 165.2 in in all, of that 16.6 in by the temperature. With 20,000 lbf set
+!> down on the packer before, which shorten the tubing by 49.7 in, its lower end moves by 115.5 in.
 module dg_test_length_change
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
@@ -11,16 +12,17 @@ module dg_test_length_change
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, tube_area
    use dg_error, only: error_type
    use dg_fluid, only: fluid_type, standing_mud
+   use dg_held_string, only: settle_packer_loads
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_rigid, model_soft
    use dg_kinds, only: wp
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type, less, total_change
    use dg_load_case, only: operation_static
-   use dg_model, only: model_type
+   use dg_model, only: hold_fixed, hold_landed, model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
-   use dg_unit_kind, only: unit_density, unit_diameter, unit_expansion, unit_factor, unit_length, unit_mass, unit_modulus, &
-      unit_stress, unit_temperature
+   use dg_unit_kind, only: unit_density, unit_diameter, unit_expansion, unit_factor, unit_force, unit_length, unit_mass, &
+      unit_modulus, unit_stress, unit_temperature
    use dg_units, only: field_units
    implicit none
    private
@@ -30,6 +32,7 @@ module dg_test_length_change
    real(wp), parameter :: oil = 7.31_wp, cement = 15.0_wp, bore = 3.25_wp                       ! lbm/gal, in
    real(wp), parameter :: pumped = 5.0_wp, annulus = 1.0_wp, cooled = -20.0_wp                  ! ksi, degF
    real(wp), parameter :: published_total = -165.2_wp, published_temperature = -16.6_wp         ! in
+   real(wp), parameter :: set_down = 20.0_wp, published_set_down = -49.7_wp, published_landed = -115.5_wp      ! klbf, in
    real(wp), parameter :: printed = 0.003_wp       !< their constants have three digits [-]
 
 contains
@@ -39,6 +42,8 @@ contains
       suite = TestSuite('length_change')
       call suite%addTest(TestMethod('packer_by_beams', test_packer_by_beams))
       call suite%addTest(TestMethod('packer_by_formulas', test_packer_by_formulas))
+      call suite%addTest(TestMethod('fixed_packer', test_fixed))
+      call suite%addTest(TestMethod('landed_string', test_landed))
       call suite%addTest(TestMethod('hanging_in_mud', test_hanging))
       call suite%addTest(TestMethod('pressure_alone', test_pressure))
       call suite%addTest(TestMethod('temperature_alone', test_temperature))
@@ -103,11 +108,14 @@ contains
       integer, intent(in) :: method
       real(wp), intent(in) :: of_force, of_buckling    !< tolerances [-]
       type(model_type) :: model
-      type(length_change_type) :: before, after, change
+      type(length_change_type) :: before, landed, after, change
       real(wp) :: length, pressures(2), at_surface(2), gradients(2), area(3), weight, clearance, ratio, by_formula
       call build(model)
       model%boundary%packer_bore = si(bore, unit_diameter)
       call find(model, method, before)
+      model%cases(1)%wob = si(set_down, unit_force)
+      call find(model, method, landed)
+      model%cases(1)%wob = 0.0_wp
       deallocate (model%mud%fluids)
       allocate (model%mud%fluids(2))
       model%mud%fluids(1) = fluid_type(outside=.false., density=si(cement, unit_density))
@@ -137,6 +145,8 @@ contains
       end associate
       call assertRelativelyEqual(si(published_temperature, unit_diameter), change%temperature, printed)
       call assertRelativelyEqual(si(published_total, unit_diameter), total_change(change), printed)
+      call assertRelativelyEqual(si(published_set_down, unit_diameter), total_change(less(landed, before)), printed)
+      call assertRelativelyEqual(si(published_landed, unit_diameter), total_change(less(after, landed)), printed)
    end subroutine check_packer
 
    !> The coils that mcge finds shorten the tubing as the helix of the paper does, but for its ends.
@@ -149,6 +159,64 @@ contains
       call check_packer(model_soft, 1.0e-9_wp, 2.0e-3_wp)
       call check_packer(model_rigid, 1.0e-9_wp, 2.0e-3_wp)
    end subroutine test_packer_by_formulas
+
+   !> Two load cases: a packer is set, then pressure is pumped and the temperature changes.
+   subroutine build_two(model, hold, warmer)
+      type(model_type), intent(out) :: model
+      integer, intent(in) :: hold
+      real(wp), intent(in) :: warmer       !< [K]
+      call build(model)
+      model%boundary%packer_bore = si(bore, unit_diameter)
+      model%boundary%packer_hold = hold
+      model%cases = [model%cases(1), model%cases(1)]
+      model%cases(1)%wob = si(set_down, unit_force)
+      model%cases(2)%length_reference = 1
+      model%cases(2)%pump_pressure = si(pumped, unit_stress)
+      model%cases(2)%temperature_change_top = warmer
+      model%cases(2)%temperature_change_bottom = warmer
+   end subroutine build_two
+
+   !> Pull W that brings the lower end back, by the paper's formulas: with the effective compression F = A_p p + W, from F_0 = W_0,
+   !>   -((W - W_0) + (A_p - A_i) p) L/(E A) - c^2 (F^2 - F_0^2)/(8 E I w) - 2 nu p A_i L/(E A) + alpha L dt = 0.
+   subroutine test_fixed()
+      type(model_type) :: model
+      integer, allocatable :: failed(:)
+      real(wp), parameter :: warmer = -10.0_wp
+      real(wp) :: length, area(2), pressure, weight, share, coil, rest, root
+      call build_two(model, hold_fixed, warmer)
+      call settle_packer_loads(model, failed)
+      call assertEqual(0, size(failed))
+      length = si(depth, unit_length)
+      pressure = si(pumped, unit_stress)
+      associate (pipe => model%strings(1)%components(1), before => model%cases(1)%wob)
+         area = [tube_area(pipe%id, 0.0_wp), tube_area(si(bore, unit_diameter), 0.0_wp)]
+         weight = buoyed_weight(pipe, si(oil, unit_density), si(oil, unit_density), model%gravity)
+         share = length/axial_stiffness(pipe)
+         coil = (0.5_wp*(si(casing, unit_diameter) - pipe%od))**2/(8.0_wp*bending_stiffness(pipe)*weight)
+         ! coil F^2 + share F - rest = 0
+         rest = share*(area(2)*pressure + before - (area(2) - area(1))*pressure - 2.0_wp*pipe%poisson*pressure*area(1)) + &
+                coil*before**2 + pipe%expansion*length*warmer
+         root = (-share + sqrt(share**2 + 4.0_wp*coil*rest))/(2.0_wp*coil)
+      end associate
+      call assertRelativelyEqual(root - area(2)*pressure, model%cases(2)%wob, 1.0e-3_wp)
+      call assertTrue(model%cases(2)%wob < 0.0_wp)
+   end subroutine test_fixed
+
+   !> A string that shortens stands clear of its shoulder; one that is heated presses on it, as a fixed one does.
+   subroutine test_landed()
+      type(model_type) :: model, fixed
+      integer, allocatable :: failed(:)
+      call build_two(model, hold_landed, -10.0_wp)
+      call settle_packer_loads(model, failed)
+      call assertEqual(0, size(failed))
+      call assertEqual(0.0_wp, model%cases(2)%wob, 0.0_wp)
+      call build_two(model, hold_landed, 60.0_wp)
+      call settle_packer_loads(model, failed)
+      call build_two(fixed, hold_fixed, 60.0_wp)
+      call settle_packer_loads(fixed, failed)
+      call assertTrue(model%cases(2)%wob > 0.0_wp)
+      call assertRelativelyEqual(fixed%cases(2)%wob, model%cases(2)%wob, 1.0e-9_wp)
+   end subroutine test_landed
 
    !> Without couplings, free in one mud: w L^2/(2 E A) by its weight in air, -rho g L^2/E by the mud's push on its lower end,
    !> nu rho g L^2/E by the mud all around.

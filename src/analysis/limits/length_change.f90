@@ -38,13 +38,14 @@ module dg_length_change
 
 contains
 
-   !> Whether a load case has something that changes the length of a string in place: packer, pressure of the annulus, temperature.
+   !> Whether a deck asks for the change of length in a load case: by a packer, a pressure of the annulus, a change of temperature,
+   !> or a case that another one counts from.
    pure function asks_for_length(model, load_case) result(asks)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       logical :: asks
       asks = model%boundary%packer_bore > 0.0_wp .or. abs(load_case%temperature_change_top) > 0.0_wp .or. &
-             abs(load_case%temperature_change_bottom) > 0.0_wp
+             abs(load_case%temperature_change_bottom) > 0.0_wp .or. any(model%cases%length_reference > 0)
       if (allocated(model%mud%fluids)) asks = asks .or. any(model%mud%fluids%surface_pressure > 0.0_wp)
    end function asks_for_length
 

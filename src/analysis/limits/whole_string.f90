@@ -62,6 +62,7 @@ module dg_whole_string
       type(optional_real) :: sag_correction         !< to be added to the inclination that the survey sensor reads [rad]
       type(optional_real) :: sensor_md              !< where the sensor is [m]
       type(length_change_type) :: length_change     !< of the string, in its parts [m]
+      type(optional_real) :: packer_force           !< of the string on its packer beside pressures, down > 0 [N]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -125,6 +126,7 @@ contains
          whole%side_force = profile%side_force(i)
          whole%side_force_md = profile%md(i)
       end associate
+      whole%packer_force = optional_real(model%boundary%packer_bore > 0.0_wp, model%cases(result%case_index)%wob)
       if (result%model == model_mcge) call add_shape(model, result, along, whole)
       call take(result%stability_margin, whole%stability_margin)
       call take(result%bit_side_force, whole%bit_side_force)

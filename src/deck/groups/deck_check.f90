@@ -7,13 +7,14 @@ module dg_deck_check
    use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_hole_check, only: check_section, join_sections
+   use dg_hole_check, only: check_section, depth_round_off, join_sections
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
+   use dg_model, only: hold_free
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_opening_check, only: settle_opening
    use dg_string_check, only: check_in_string
-   use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
+   use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
    public :: close_holes, check_draft, check_case, tell_faults
@@ -115,9 +116,48 @@ contains
          if (.not. draft%cases(i)%sound) cycle
          item = draft%cases(i)
          call check_case(draft, item, faults)
+         if (item%length_reference /= '') call find_reference(draft, item, faults)
          draft%cases(i) = item
       end do
    end subroutine check_draft
+
+   !> The load case from which a change of length counts: another one, with the same string at the same depth, that counts from
+   !> no other. A packer that holds the string finds the load itself.
+   subroutine find_reference(draft, item, faults)
+      type(draft_type), intent(in) :: draft
+      type(draft_case_type), intent(inout) :: item
+      type(fault_list_type), intent(inout) :: faults
+      character(name_shown) :: names(size(draft%cases))
+      character(:), allocatable :: head
+      integer :: k
+      head = 'group &load_case: length_reference '//quoted(item%length_reference)
+      do k = 1, size(names)
+         names(k) = draft%cases(k)%load_case%name
+      end do
+      k = findloc(names == item%length_reference, .true., dim=1)
+      if (k == 0) then
+         call fault(item%line_reference, head//' is no load case; '//suggestion(item%length_reference, names))
+         return
+      end if
+      item%load_case%length_reference = k
+      associate (other => draft%cases(k), own => item%load_case)
+         if (other%length_reference /= '') then
+            call fault(item%line_reference, head//' has a length_reference itself; name a case without one')
+         else if (other%load_case%string /= own%string .or. abs(other%load_case%bit_depth - own%bit_depth) > &
+                  depth_round_off*own%bit_depth) then
+            call fault(item%line_reference, head//' has another string or bit_depth; it must have the same')
+         end if
+      end associate
+      if (draft%boundary%packer_hold /= hold_free .and. item%line_wob > 0) call fault(item%line_wob, &
+         'group &load_case: wob follows from packer_hold in a case with length_reference; leave wob out')
+   contains
+      subroutine fault(line, message)
+         integer, intent(in) :: line
+         character(*), intent(in) :: message
+         call add_fault(faults, draft%path, line, message)
+         item%sound = .false.
+      end subroutine fault
+   end subroutine find_reference
 
    !> Survey and holes reach the bit of a case, its string exists, reaches surface and passes the hole.
    subroutine check_case(draft, item, faults)

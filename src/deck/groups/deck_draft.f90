@@ -60,6 +60,8 @@ module dg_deck_draft
       logical :: sound = .false.
       integer :: line = 0
       integer :: line_name = 0, line_depth = 0, line_string = 0
+      character(:), allocatable :: length_reference   !< name of a load case; '': none
+      integer :: line_reference = 0, line_wob = 0     !< 0: no wob is given
    end type draft_case_type
 
    type :: draft_type

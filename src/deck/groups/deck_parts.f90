@@ -12,7 +12,7 @@ module dg_deck_parts
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
-   use dg_model, only: boundary_type
+   use dg_model, only: boundary_type, hold_free, packer_hold_name
    use dg_model_fault, only: length_digits, model_faults_type
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
    use dg_rig, only: rig_type
@@ -216,6 +216,9 @@ contains
       item%line_name = line_of(group, 'name')
       item%line_depth = line_of(group, 'bit_depth')
       item%line_string = line_of(group, 'string')
+      item%length_reference = text_of(group, 'length_reference', '')
+      item%line_reference = line_of(group, 'length_reference')
+      if (is_given(group, 'wob')) item%line_wob = line_of(group, 'wob')
       item%sound = is_whole(group)
       friction = optional_of('friction')
       associate (case => item%load_case)
@@ -267,13 +270,20 @@ contains
    end subroutine draft_case
 
    !> Supports of the string's ends, and the packer at the lower one.
-   function draft_boundary(group) result(boundary)
+   subroutine draft_boundary(path, group, boundary, faults)
+      character(*), intent(in) :: path
       type(checked_group_type), intent(in) :: group
-      type(boundary_type) :: boundary
+      type(boundary_type), intent(out) :: boundary
+      type(fault_list_type), intent(inout) :: faults
       boundary%top_centred = text_of(group, 'top_lateral', 'centred') == 'centred'
       boundary%bit_centred = text_of(group, 'bit_lateral', 'centred') == 'centred'
       boundary%packer_bore = real_of(group, 'packer_bore', boundary%packer_bore)
-   end function draft_boundary
+      if (.not. is_sound(group, 'packer_hold')) return
+      boundary%packer_hold = findloc(packer_hold_name == text_of(group, 'packer_hold', packer_hold_name(hold_free)), .true., dim=1)
+      if (boundary%packer_hold /= hold_free .and. .not. is_given(group, 'packer_bore')) &
+         call add_fault(faults, path, line_of(group, 'packer_hold'), 'group &boundary: packer_hold needs packer_bore, the '// &
+                        'diameter of the seal bore')
+   end subroutine draft_boundary
 
    !> The rig; sheaves that take tension need the number of lines.
    subroutine draft_rig(path, group, rig, faults)

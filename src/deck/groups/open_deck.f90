@@ -317,7 +317,7 @@ contains
             cases = cases + 1
             call draft_case(draft%path, groups(i), draft%cases(cases), faults)
          case ('boundary')
-            draft%boundary = draft_boundary(groups(i))
+            call draft_boundary(draft%path, groups(i), draft%boundary, faults)
          case ('solver')
             call draft_numerics(draft%path, groups(i), draft%numerics, faults)
          case default

@@ -7,10 +7,10 @@ module dg_deck_echo
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type, take_lines
-   use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_load_case, only: operation_name, optional_real
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing
-   use dg_model, only: model_type
+   use dg_model, only: hold_free, model_type, packer_hold_name
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
@@ -56,10 +56,11 @@ contains
       end do
       call add_line(list, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
          lateral(model%boundary%bit_centred)// &
-         optional(', packer bore ', model%boundary%packer_bore, job%units%diameter, unit_label(job%units, unit_diameter)))
+         optional(', packer bore ', model%boundary%packer_bore, job%units%diameter, unit_label(job%units, unit_diameter))// &
+         hold_text(model%boundary%packer_hold))
       call add_line(list, 'load cases  '//to_text(size(model%cases)))
       do i = 1, size(model%cases)
-         call add_case(list, job%units, model%cases(i))
+         call add_case(list, job%units, model, i)
       end do
       do i = 1, size(before)
          call add_line(list, before(i)%text)
@@ -257,29 +258,44 @@ contains
    end function sensor_text
 
    !> One load case.
-   pure subroutine add_case(lines, units, case)
+   pure subroutine add_case(lines, units, model, number)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
-      type(load_case_type), intent(in) :: case
-      call add_line(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
-         quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
-         optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
-         optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
-         optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
-         given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
-         given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
-         optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
-                  unit_label(units, unit_pressure))// &
-         optional(', warmer at top by ', case%temperature_change_top, unit_factor(units, unit_temperature), &
-                  unit_label(units, unit_temperature))// &
-         optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
-                  unit_label(units, unit_temperature))// &
-         optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
-         optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
-         given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
-         given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &
-         given_text(', reference ', case%reference_hookload, units%force, unit_label(units, unit_force)))
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number
+      character(:), allocatable :: reference
+      reference = ''
+      if (model%cases(number)%length_reference > 0) &
+         reference = ', length against '//model%cases(model%cases(number)%length_reference)%name
+      associate (case => model%cases(number))
+         call add_line(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
+            quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
+            optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
+            optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
+            optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
+            given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
+            given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
+            optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
+                     unit_label(units, unit_pressure))// &
+            optional(', warmer at top by ', case%temperature_change_top, unit_factor(units, unit_temperature), &
+                     unit_label(units, unit_temperature))// &
+            optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
+                     unit_label(units, unit_temperature))// &
+            optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
+            optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
+            given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
+            given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &
+            given_text(', reference ', case%reference_hookload, units%force, unit_label(units, unit_force))//reference)
+      end associate
    end subroutine add_case
+
+   !> How a packer holds the string; nothing where it lets it move.
+   pure function hold_text(hold) result(text)
+      integer, intent(in) :: hold
+      character(:), allocatable :: text
+      text = ''
+      if (hold /= hold_free) text = ', '//trim(packer_hold_name(hold))
+   end function hold_text
 
    !> Settings of the solver.
    pure subroutine add_numerics(lines, units, numerics)

@@ -19,7 +19,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(64) = [ &
+   type(column_type), parameter :: limits_columns(65) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -94,11 +94,13 @@ module dg_limits_file
       column_type('sag_correction', quantity_angle, 'to be added to the inclination that the survey sensor reads, so that it '// &
          'is that of the hole axis; positive where the sensor reads too little; mcge with sensor'), &
       column_type('length_change_force', quantity_length, 'by the true axial force (Hooke). All changes of length: longer is '// &
-         'positive, against the string before it was run; empty without packer, annulus pressure or change of temperature'), &
+         'positive. Against the case of length_reference, else the string before it was run. Empty where not asked for'), &
       column_type('length_change_pressure', quantity_length, 'by ballooning'), &
       column_type('length_change_buckling', quantity_length, 'by the buckled shape'), &
       column_type('length_change_temperature', quantity_length, 'by the change of temperature'), &
-      column_type('length_change', quantity_length, 'sum of the four')]
+      column_type('length_change', quantity_length, 'sum of the four'), &
+      column_type('packer_force', quantity_force, 'of the string on its packer, beside that of the pressures: weight set '// &
+         'down is positive; found where packer_hold holds the string')]
 
 contains
 
@@ -209,6 +211,7 @@ contains
          call put(row, optional_real(change%present, change%temperature))
          call put(row, optional_real(change%present, total_change(change)))
       end associate
+      call put(row, whole%packer_force)
    end subroutine limits_fields
 
    !> A share [-] in per cent.

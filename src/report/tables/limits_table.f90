@@ -8,7 +8,7 @@ module dg_limits_table
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, model_name
-   use dg_length_change, only: length_change_type, total_change
+   use dg_length_change, only: total_change
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
@@ -119,23 +119,33 @@ contains
                           to_text(anint(wholes(i)%sensor_md%value/units%length))//' '//trim(units%length_label))
       end do
       do i = 1, size(results)
-         if (wholes(i)%length_change%present) call append_length_change(lines, units, wholes(i)%length_change, names(i)%text)
+         if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
 
-   !> Change of length and its parts.
-   pure subroutine append_length_change(lines, units, change, name)
+   !> Change of length and its parts, and the force that a packer takes.
+   pure subroutine append_length_change(lines, units, model, number, whole)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
-      type(length_change_type), intent(in) :: change
-      character(*), intent(in) :: name                 !< of the case
-      call append_text(lines, '  Change of length in '//name//': '//shown(total_change(change))//' '// &
-                       trim(units%length_label)//' (force '//shown(change%force)//', pressure '//shown(change%pressure)// &
-                       ', buckling '//shown(change%buckling)//', temperature '//shown(change%temperature)// &
-                       '), longer is positive, against the string before it was run')
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number                    !< of the load case
+      type(whole_string_type), intent(in) :: whole
+      character(:), allocatable :: reference
+      reference = 'the string before it was run'
+      associate (load_case => model%cases(number), change => whole%length_change)
+         if (load_case%length_reference > 0) reference = 'case '//model%cases(load_case%length_reference)%name
+         call append_text(lines, '  Change of length in '//load_case%name//': '//shown(total_change(change))//' '// &
+                          trim(units%length_label)//' (force '//shown(change%force)//', pressure '//shown(change%pressure)// &
+                          ', buckling '//shown(change%buckling)//', temperature '//shown(change%temperature)//')')
+         call append_text(lines, '    longer is positive, against '//reference)
+         if (whole%packer_force%present .and. abs(whole%packer_force%value) > 0.0_wp) &
+            call append_text(lines, '  Force on the packer in '//load_case%name//': '// &
+                             trim(in_units(units, unit_force, abs(whole%packer_force%value), few))// &
+                             trim(merge(' down', ' up  ', whole%packer_force%value > 0.0_wp)))
+      end associate
    contains
       pure function shown(length) result(text)
          real(wp), intent(in) :: length   !< [m]

@@ -14,6 +14,11 @@ module dg_model
    implicit none
    private
    public :: model_type, boundary_type, string_index, copy_without_cases
+   public :: hold_free, hold_landed, hold_fixed, packer_hold_name
+
+   !> What the lower end may do in a packer: move up and down; up alone; not at all.
+   integer, parameter :: hold_free = 1, hold_landed = 2, hold_fixed = 3
+   character(*), parameter :: packer_hold_name(3) = [character(6) :: 'free', 'landed', 'fixed']
 
    !> Lateral supports of the string's ends; rotations are free at both. The top is held axially and
    !> against twist, the bit is loaded.
@@ -21,6 +26,7 @@ module dg_model
       logical :: top_centred = .true.
       logical :: bit_centred = .true.
       real(wp) :: packer_bore = 0.0_wp   !< diameter of the seal bore in which the lower end is [m]; 0: no packer
+      integer :: packer_hold = hold_free
    end type boundary_type
 
    type :: model_type

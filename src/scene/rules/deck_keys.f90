@@ -265,15 +265,17 @@ module dg_deck_keys
       key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
       key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
 
-   type(key_rule_type), parameter :: boundary_keys(3) = [ &
+   type(key_rule_type), parameter :: boundary_keys(4) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the top'), &
       key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the bit'), &
       key_rule_type('boundary', 'packer_bore', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer')]
+         meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer'), &
+      key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
+         meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
 
-   type(key_rule_type), parameter :: load_case_keys(19) = [ &
+   type(key_rule_type), parameter :: load_case_keys(20) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -295,6 +297,8 @@ module dg_deck_keys
          meaning='warming of the string at surface since it was run; changes its length'), &
       key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
          meaning='the same at the bit; linear in true vertical depth between'), &
+      key_rule_type('load_case', 'length_reference', kind_text, &
+         meaning='name of the load case from which the change of length counts; default: from before the string was run'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='for comparison'), &
       key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
