@@ -135,7 +135,8 @@ contains
                place = place//', from '//quantity(fluid%md_top, units%length, unit_label(units, unit_length))
             end if
             if (fluid%collar /= collar_none) place = place//', float collar '//trim(collar_name(fluid%collar))
-            place = place//optional(', annulus at surface ', fluid%surface_pressure, units%stress, unit_label(units, unit_stress))
+            place = place//optional(', annulus at surface ', fluid%surface_pressure, unit_factor(units, unit_pressure), &
+                                     unit_label(units, unit_pressure))
             call add_line(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
          end associate
       end do

@@ -147,7 +147,7 @@ module dg_deck_keys
          meaning='in place of md_top: distance from the bit, along the string, where it begins; it moves with the string'), &
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
          meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit'), &
-      key_rule_type('fluid', 'surface_pressure', unit=unit_stress, low=0.0_wp, high=highest_pump, default='0', &
+      key_rule_type('fluid', 'surface_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
          meaning='pressure of the annulus at surface; of the uppermost fluid outside')]
 
    type(key_rule_type), parameter :: rig_keys(6) = [ &
