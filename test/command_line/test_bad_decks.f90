@@ -28,6 +28,7 @@ contains
       call suite%addTest(TestMethod('holes', test_holes))
       call suite%addTest(TestMethod('components', test_components))
       call suite%addTest(TestMethod('load_cases', test_load_cases))
+      call suite%addTest(TestMethod('packers', test_packers))
       call suite%addTest(TestMethod('all_faults_in_one_run', test_all_faults))
       call suite%addTest(TestMethod('field_units_in_messages', test_field_units))
    end function bad_decks_suite
@@ -291,4 +292,21 @@ contains
          at = at + found - 1 + len(part)
       end do
    end function times
+
+   !> A packer that holds needs its bore; a change of length counts from another case of the same string and depth; the annulus has
+   !> its pressure at surface.
+   subroutine test_packers()
+      character(*), parameter :: packer = "packer_bore = 82.55, packer_hold = 'fixed'", top = "top_lateral = 'centred'"
+      character(*), parameter :: last = '  wob = 20.0 /', reference = "  wob = 20.0, length_reference = 'u' /"
+      call refuse(top, "packer_hold = 'fixed'", 15, 'group &boundary: packer_hold needs packer_bore')
+      call refuse(last, "  wob = 20.0, length_reference = 'v' /", 19, "length_reference 'v' is no load case")
+      call refuse(last, reference, 19, "length_reference 'u' has another string or bit_depth")
+      call refuse(last, "  length_reference = 's' /", 19, 'has a length_reference itself')
+      call refuse_text(replaced(replaced(replaced(good_deck(), top, packer), last, reference), 'depth = 800.0', 'depth = 900.0'), &
+                       19, 'group &load_case: wob follows from packer_hold in a case with length_reference')
+      call refuse('density = 1200.0', "density = 1200.0, where = 'inside', surface_pressure = 5.0", 10, &
+                  'surface_pressure is the pressure of the annulus')
+      call refuse('density = 1200.0', 'density = 1200.0, md_top = 100, surface_pressure = 5.0', 10, &
+                  'surface_pressure is the pressure of the annulus')
+   end subroutine test_packers
 end module dg_test_bad_decks
