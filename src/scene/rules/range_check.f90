@@ -66,7 +66,10 @@ contains
       do k = 1, size(ranges%rules)
          if (ranges%rules(k)%key == key) exit
       end do
-      if (k > size(ranges%rules)) return
+      if (k > size(ranges%rules)) then
+         call note_fault(found, ranges%part, ranges%place, key, name//' has no rule among the keys of &'//trim(ranges%part))
+         return
+      end if
       associate (rule => ranges%rules(k), units => ranges%units)
          ! by its bits first: to compare a NaN is an operation that may be trapped
          holds = is_shown(number)

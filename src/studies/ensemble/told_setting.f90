@@ -1,9 +1,10 @@
 !> A setting of a record that has changed, in words, in the units of the deck.
 module dg_told_setting
    use dg_kinds, only: wp
+   use dg_deck_keys, only: keys_of
+   use dg_deck_schema, only: key_rule_type, rule_place
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_angle, unit_density, unit_diameter, unit_factor, unit_force, unit_label, unit_length, unit_mass, &
-                           unit_modulus, unit_moment, unit_none, unit_rotation, unit_speed, unit_stress, unit_wall
+   use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_none, unit_rotation, unit_speed
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -40,26 +41,24 @@ contains
       words = words//' was '//to_text(before/factor, digits)//' '//label//' and is '//to_text(after/factor, digits)//' '//label
    end function told
 
-   !> The kind of unit that a deck has for a quantity; none where the record's own is the deck's.
+   !> The unit that a deck has for a quantity: that of its key. None where the record's own is the deck's.
    pure function unit_of(word) result(unit)
       character(*), intent(in) :: word                        !< the last of a key
       integer :: unit
+      character(*), parameter :: groups(6) = [character(11) :: 'hole', 'fluid', 'component', 'centralizer', 'boundary', 'load_case']
+      type(key_rule_type), allocatable :: rules(:)
+      integer :: i, k
       select case (word)
-      case ('wob', 'restoring_force', 'running_force'); unit = unit_force
-      case ('tob'); unit = unit_moment
-      case ('diameter', 'od', 'id', 'joint_od', 'opened_od', 'rated_hole', 'mud_sheath', 'packer_bore')
-         unit = unit_diameter
-      case ('md_top', 'md_bottom', 'above_bit', 'length', 'joint_length', 'joint_spacing', 'spacing', 'first', &
-            'bend_position', 'sensor', 'opened_below', 'm'); unit = unit_length
-      case ('surface_pressure'); unit = unit_stress
-      case ('mass'); unit = unit_mass
-      case ('density'); unit = unit_density
-      case ('youngs'); unit = unit_modulus
-      case ('wall_stiffness'); unit = unit_wall
-      case ('bend', 'rad'); unit = unit_angle
+      case ('m'); unit = unit_length
+      case ('rad'); unit = unit_angle
       case ('rad/s'); unit = unit_rotation
       case ('m/s'); unit = unit_speed
       case default; unit = unit_none
       end select
+      do i = 1, size(groups)
+         rules = keys_of(trim(groups(i)))
+         k = rule_place(rules, word)
+         if (k > 0) unit = rules(k)%unit
+      end do
    end function unit_of
 end module dg_told_setting
