@@ -58,6 +58,7 @@ SAME_CONVERTED = 1.0e-5   # lengths that --convert has rounded may make an inter
 SECONDS_EACH = 5.0
 # Nothing is waited for longer: times `--seconds`, of processor time and, on a busy machine, of wall time.
 PATIENCE, WALL = 3, 15
+FORCE_UNITS = (("kN", 1.0), ("klbf", 4.4482216152605), ("kdaN", 10.0))      # endings of columns, and their unit [kN]
 MEASURED = ("seconds", "memory_MB", "cost", "pareto")      # differ from run to run
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
 
@@ -825,7 +826,7 @@ def case_convert(lab, rng):
     run = lab.run(files)
     if run.status not in (0, 3):
         return
-    converted = lab.act(run, "--convert", "../deck/deck.nml")
+    converted = lab.act(run, "--convert", "../deck/deck.nml", *rng.choice([[], ["SI"], ["field"], ["metric"]]))
     if converted.status:
         lab.note(f"--convert has exit status {converted.status}: {converted.stderr[:300]}")
         return
@@ -834,7 +835,7 @@ def case_convert(lab, rng):
         if ours["status"] != theirs["status"] or (ours["case"], ours["model"]) != (theirs["case"], theirs["model"]):
             lab.note(f"converted: {ours['case']} is {ours['status']}, was {theirs['status']}")
         elif ours["status"] == "converged":
-            (one, *_), (other, *forces) = ([float(r.get(k + "_kN") or float(r[k + "_klbf"]) * 4.4482216152605)
+            (one, *_), (other, *forces) = ([next(float(r[f"{k}_{unit}"]) * factor for unit, factor in FORCE_UNITS if f"{k}_{unit}" in r)
                                             for k in ("hookload", "wob", "normal_force", "friction")] for r in (ours, theirs))
             if abs(one - other) > SAME_CONVERTED * max(abs(other), *map(abs, forces)) + 1e-9:
                 lab.note(f"converted: hook load of {ours['case']} {one}, was {other}")

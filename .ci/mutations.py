@@ -230,7 +230,7 @@ def change_deck(deck, rng, gentle):
     elif kind == 14:                                               # the other system of units, another operation, another model
         change = rng.randrange(3)
         if change == 0:
-            deck.set(deck.one("job"), "units", rng.choice(["'field'", "'SI'"]))
+            deck.set(deck.one("job"), "units", rng.choice(["'field'", "'SI'", "'metric'"]))
         elif change == 1 and deck.all("load_case"):
             deck.set(rng.choice(deck.all("load_case")), "operation", quoted(rng.choice(KINDS)))
         else:

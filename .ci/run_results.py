@@ -73,6 +73,12 @@ def is_number(field):
         return False
 
 
+def endings(row):
+    """Endings of columns of force, length and moment in the units of a row of results."""
+    return next((found for found in (("kN", "m", "kNm"), ("kdaN", "m", "kNm")) if f"hookload_{found[0]}" in row),
+                ("klbf", "ft", "kftlbf"))
+
+
 def number(row, name):
     return float(row[name]) if row.get(name) else None
 
@@ -81,7 +87,7 @@ class Echo:
     """What `--check` says of a deck."""
 
     def __init__(self, text):
-        self.field = bool(re.search(r"^units +field$", text, re.M))
+        self.units = found_in(r"^units +(\w+)$", text) or "SI"
         self.models = re.findall(r"\w+", found_in(r"^models +(.*)$", text))
         self.cases = {}                       # operation, depth, string
         for name, operation, depth, string in re.findall(r"^  (\S+): (\w+) at (\S+) (?:m|ft), string (.*?)(?:, .*)?$", text, re.M):
@@ -93,7 +99,7 @@ class Echo:
         self.work = len(self.models) * len(self.cases) + sum(self.points.values()) + sum(map(int, re.findall(r", (\d+) solutions;", text)))
         self.work += FIT * sum(map(int, re.findall(r"^calibrate .* (\d+) load cases$", text, re.M)))
         self.work += sum(int(v) * int(c) for v, c in re.findall(r"^study +at most (\d+) variants of (\d+) cases", text, re.M))
-        fluid = re.search(r"^fluid +(\S+) (?:kg/m3|lbm/gal)", text, re.M)
+        fluid = re.search(r"^fluid +(\S+) (?:kg/m3|lbm/gal|sg)", text, re.M)
         self.mud = float(fluid.group(1)) if fluid else 0.0
         # Weights are told for one fluid that fills the hole and the string.
         self.one_fluid = len(re.findall(r"^fluid .*(?:, from |, above the bit|inside|outside)", text, re.M)) == 0
@@ -111,11 +117,11 @@ class Echo:
                 parts = None
 
     def weight(self, case, depths, verticals):
-        """Weight in mud along the hole and weight in air [kN or klbf] of a case's string; vertical depths by measured depth."""
+        """Weight in mud along the hole and weight in air of a case's string; vertical depths by measured depth."""
         _, bottom, string = self.cases[case]
         if string not in self.strings:
             return None
-        scale = self.gravity / 1000.0 if not self.field else self.gravity / GRAVITY / 1000.0
+        scale = self.gravity / {"SI": 1000.0, "field": 1000.0 * GRAVITY, "metric": 10000.0}[self.units]
         wet = dry = 0.0
         for length, mass, density in self.strings[string]:
             top = 0.0 if length is None else max(0.0, bottom - length)
@@ -201,7 +207,7 @@ def faults_of_failed(name, rows):
 def faults_of_row(out, row, balance, echo, tables):
     """Numbers of one solved case against each other, its profile, and the weight of its string."""
     found = []
-    kN, m, kNm = ("kN", "m", "kNm") if "hookload_kN" in row else ("klbf", "ft", "kftlbf")
+    kN, m, kNm = endings(row)
     place = f"case {row['case']}, {row['model']}"
     values = {k: number(row, k) for k in (f"hookload_{kN}", f"friction_{kN}", f"normal_force_{kN}", f"wob_{kN}", f"torque_{kNm}")}
     if None in values.values():
@@ -259,7 +265,7 @@ def faults_of_row(out, row, balance, echo, tables):
 def faults_of_sweep(name, rows):
     """More friction never helps: up above turning above down, at each depth by each model."""
     found, seen = [], {}
-    kN, m = ("kN", "m") if rows and "hookload_kN" in rows[0] else ("klbf", "ft")
+    kN, m, _ = endings(rows[0] if rows else {})
     for row in rows:
         hook = number(row, f"hookload_{kN}")
         if row["status"] != "converged":
