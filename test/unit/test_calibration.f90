@@ -4,7 +4,6 @@ module dg_test_calibration
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_calibration, only: calibration_type, calibrate_friction, calibrate_friction_axial, factors_of_deck, offset_depths, &
       set_data, set_unknowns, tells, with_factors, apply_factors
-   use dg_counter_random, only: normal_number
    use dg_fit_statistics, only: find_statistics, statistics_type, student_quantile
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
@@ -38,7 +37,6 @@ contains
       call suite%addTest(TestMethod('student', test_student))
       call suite%addTest(TestMethod('straight_line', test_line))
       call suite%addTest(TestMethod('exponential', test_decay))
-      call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('no_scatter', test_no_scatter))
       call suite%addTest(TestMethod('bound', test_bound))
       call suite%addTest(TestMethod('not_separated', test_mixture))
@@ -115,37 +113,6 @@ contains
       call assertEqual(7.0_wp, fit%unknowns(1), at_rest)
       call assertEqual(1.5_wp, fit%unknowns(2), at_rest)
    end subroutine test_decay
-
-   !> Intervals of 95 % hold what made the data in 95 % of 2000 sets of them, within four standard errors (0.0195): from the scatter
-   !> of the residuals (four degrees of freedom) and from a deviation that is known. The function is not linear.
-   subroutine test_coverage()
-      integer, parameter :: sets = 2000, points = 6
-      real(wp), parameter :: truth(2) = [1.0_wp, 0.3_wp], noise = 0.02_wp, nominal = 0.95_wp
-      type(curve_type) :: curve
-      type(fit_type) :: fit
-      type(statistics_type) :: statistics
-      real(wp) :: exact(points), measured(points)
-      integer :: held(2, 2), set, k, i
-      curve%kind = 'decay'
-      curve%x = [(1.0_wp*i, i=0, points - 1)]
-      exact = truth(1)*exp(-truth(2)*curve%x)
-      held = 0
-      do set = 1, sets
-         measured = exact + noise*normal_number(1, set, 1, [(i, i=1, points)])
-         call fit_least_squares(curve, [0.9_wp, 0.2_wp], [0.0_wp, 0.0_wp], [2.0_wp, 2.0_wp], [1.0_wp, 1.0_wp], measured, &
-                                spread(noise, 1, points), fit)
-         call assertEqual(fit_done, fit%status)
-         do k = 1, 2
-            call find_statistics(fit%jacobian, (fit%values - measured)/noise, [.true., .true.], spread(2 - k, 1, points), &
-                                 statistics)
-            where (abs(fit%unknowns - truth) <= statistics%half_width) held(:, k) = held(:, k) + 1
-         end do
-      end do
-      call assertEqual(nominal, held(1, 1)/real(sets, wp), 0.0195_wp, message='factor, from the scatter')
-      call assertEqual(nominal, held(2, 1)/real(sets, wp), 0.0195_wp, message='exponent, from the scatter')
-      call assertEqual(nominal, held(1, 2)/real(sets, wp), 0.0195_wp, message='factor, deviation known')
-      call assertEqual(nominal, held(2, 2)/real(sets, wp), 0.0195_wp, message='exponent, deviation known')
-   end subroutine test_coverage
 
    !> Data that are met to round-off, as copies of one reading are, tell nothing of their error: no interval of width zero. With a
    !> deviation that is known there is one.

@@ -15,6 +15,7 @@ contains
       use dg_test_plane, only: plane_suite
       use dg_test_predicted_helix, only: predicted_helix_suite
       use dg_test_fidelity, only: fidelity_suite
+      use dg_test_fit_coverage, only: fit_coverage_suite
       use dg_test_bends, only: bends_suite
       use dg_test_straight_holes, only: straight_holes_suite
       use dg_test_centralizers, only: centralizers_suite
@@ -55,6 +56,7 @@ contains
       call suite%addTest(plane_suite())
       call suite%addTest(predicted_helix_suite())
       call suite%addTest(fidelity_suite())
+      call suite%addTest(fit_coverage_suite())
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())
       call suite%addTest(component_friction_suite())
