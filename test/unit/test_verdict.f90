@@ -41,6 +41,7 @@ contains
       call suite%addTest(TestMethod('too_much_weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('rig_and_its_reserve', test_rig))
       call suite%addTest(TestMethod('limit_behind_the_reserve', test_reserve_limit))
+      call suite%addTest(TestMethod('reserve_of_coils', test_reserve_of_coils))
       call suite%addTest(TestMethod('top_drive', test_top_drive))
       call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
       call suite%addTest(TestMethod('locked_up', test_locked_up))
@@ -205,6 +206,40 @@ contains
       text = verdict_sentences(si_units(), model%cases(1), verdict)
       call assertTrue(index(text, 'times the friction given, limited by tension') > 0, message=text)
    end subroutine test_reserve_limit
+
+   !> The soft string has no friction of coils in its hook load, but in its largest weight on bit: the reserve ends there. With 1.02
+   !> times the factor the answer is no, with 0.98 times yes.
+   subroutine test_reserve_of_coils()
+      real(wp), parameter :: steep = 0.02_wp, bottom = 3000.0_wp, today = 0.3_wp
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      type(error_type), allocatable :: error
+      real(wp) :: factor
+      integer :: i
+      call build(model, operation_sliding_drilling, 0.0_wp)
+      call new_trajectory(model%trajectory, [0.0_wp, bottom], [steep, steep], [0.0_wp, 0.0_wp], interpolation_minimum_curvature, &
+                          error)
+      call assertFalse(allocated(error))
+      model%holes(1)%md_bottom = bottom
+      model%cases(1)%bit_depth = bottom
+      model%cases(1)%friction_axial = given(today)
+      associate (tubing => model%strings(1)%components(1))
+         tubing%od = 0.073_wp
+         tubing%id = 0.062_wp
+         tubing%mass = tubing%density*tube_area(tubing%od, tubing%id)
+      end associate
+      call judge(model, optional_real(), verdict)
+      model%cases(1)%wob = 0.9_wp*verdict%most_wob%value
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_yes, verdict%answer, message='today')
+      call assertTrue(verdict%friction_reserve%present, message='a reserve')
+      factor = verdict%friction_reserve%value
+      do i = 1, 2
+         model%cases(1)%friction_axial = given(today*factor*merge(0.98_wp, 1.02_wp, i == 1))
+         call judge(model, optional_real(), verdict)
+         call assertEqual(merge(answer_yes, answer_no, i == 1), verdict%answer, message='beside the factor')
+      end do
+   end subroutine test_reserve_of_coils
 
    !> Torque f W sin a times the radius of the string.
    subroutine test_top_drive()

@@ -8,8 +8,8 @@ module dg_friction_reserve
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
-   use dg_job, only: model_soft
-   use dg_load_case, only: given, load_case_type, optional_real, rotates
+   use dg_job, only: model_mcge, model_soft
+   use dg_load_case, only: block_way, given, load_case_type, optional_real, rotates
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -154,9 +154,19 @@ contains
       if (limit > 0) margin = 1.0_wp - utilisation%used(limit)%value
       if (top_md(model%trajectory) > 0.0_wp) return
       share = weight_share(model, model%cases(result%case_index), other)
+      if (margin > 1.0_wp - share) then
+         margin = 1.0_wp - share
+         limit = limit_string_weight
+      end if
+      if (result%model == model_mcge .or. block_way(model%cases(result%case_index)%operation) >= 0) return
+      ! Models without the friction of coils in their hook load are judged by the soft string with it.
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
+                          other=other_loads_type(friction_scale=factor, coiled=.true.))
+      share = locked
+      if (.not. totals%runaway) share = 1.0_wp - axial(1)/max(totals%weight, tiny(share))
       if (.not. margin > 1.0_wp - share) return
       margin = 1.0_wp - share
-      limit = limit_string_weight
+      limit = limit_lock_up
    end subroutine find_margin
 
    !> Buoyed weight along the hole [N].
