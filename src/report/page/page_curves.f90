@@ -26,6 +26,8 @@ module dg_page_curves
    integer, parameter :: digits = 5, longest_pair = 32
    !> Change of an angle that is kept, at least [rad], and values that are all alike [-].
    real(wp), parameter :: least_turn = pi/180.0_wp, alike = 1.0e-9_wp
+   !> Largest turn of an angle between two points that are kept, where the profile has more [rad].
+   real(wp), parameter :: most_turn = 0.5_wp*pi
 
 contains
 
@@ -100,7 +102,8 @@ contains
       real(wp), intent(in) :: md(:), values(:), unit, length, tolerance
       character(:), allocatable :: text
       real(wp) :: steady(size(values)), turn
-      integer :: i
+      logical :: kept(size(values))
+      integer :: i, last
       steady = values
       turn = 0.0_wp
       do i = 2, size(values)
@@ -109,7 +112,18 @@ contains
          if (values(i) - values(i - 1) < -pi) turn = turn + 2.0_wp*pi
          steady(i) = values(i) + turn
       end do
-      text = pairs_text(md, values, kept_points(md, steady, max(least_turn, tolerance*2.0_wp*pi)), unit, length)
+      kept = kept_points(md, steady, max(least_turn, tolerance*2.0_wp*pi))
+      last = 1
+      do i = 2, size(values)
+         if (is_missing(values(i)) .or. is_missing(values(last))) then
+            last = i
+         else if (kept(i) .or. abs(steady(i) - steady(last)) > most_turn) then
+            ! a reader goes the short way round between two points
+            if (abs(steady(i) - steady(last)) > most_turn) kept(i - 1) = .true.
+            last = merge(i, i - 1, kept(i))
+         end if
+      end do
+      text = pairs_text(md, values, kept, unit, length)
    end function angle_text
 
    !> States by their number: both ends of each change.

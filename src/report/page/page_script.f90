@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'TljVjzbTNu52vuOB4UmeNC0xOOmCZLa6wyGO2GFyN0U='
+   character(*), parameter :: script_hash = 'EJd9FB4jZMlsoe2/y6x9gNws+tU4Prnw9Nbd0MeSHA0='
    character(273), parameter :: script_lines_1(100) = [character(273) :: &
       '// Interactive part of a report: no library, nothing fetched. All that is shown stands in the page''s data (id'// &
       '="data"):', &
@@ -290,7 +290,7 @@ module dg_page_script
       'r(i / 39)})', &
       '   make(svg, ''text'', {x: 20, y: 394}, text_of(low, q)); make(svg, ''text'', {x: 220, y: 394, ''text-anchor'''// &
       ': ''end''}, (sorted[sorted.length - 1] > high ? ''\u2265 '' : '''') + text_of(high, q))', &
-      '   make(svg, ''text'', {x: 230, y: 381}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)', &
+      '   make(svg, ''text'', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)', &
       '   const dot = make(svg, ''circle'', {r: 6, class: ''dot''}), told = make(svg, ''text'', {class: ''value''})', &
       '   view.mark3d = () => { const [x, y] = project([''east'', ''north'', ''tvd''].map(a => value_at(p, a, Math.mi'// &
       'n(state.depth, end))))', &
@@ -379,7 +379,8 @@ module dg_page_script
       '   make(bar, ''h:button'', {type: ''button'', onclick: () => { state.top = 0; state.bottom = deepest(); draw()'// &
       ' }}, ''whole depth'')', &
       '   make(bar, ''h:button'', {type: ''button'', onclick: () => { state.bottom = deepest(); state.top = Math.max('// &
-      '0, state.bottom - shown_length); draw() }}, ''lowest 40 m'')', &
+      '0, state.bottom - shown_length); draw() }}, ''lowest '' + text_of(shown_length, ''length'').replace(/\.0+$/, '''// &
+      ''') + '' '' + unit(''length''))', &
       '   const main = make(root, ''h:div'', {class: ''main''}), side = make(main, ''h:div'', {class: ''side''}), rig'// &
       'ht = make(main, ''h:div'', {class: ''right''})', &
       '   choice(side, ''Load cases'', D.cases.map(c => c.name), state.cases)', &
@@ -519,8 +520,8 @@ module dg_page_script
       'lumns:1fr 1fr;gap:.5em}.side fieldset{max-height:9em}}', &
       '@media screen and (prefers-color-scheme:dark){#live{--ink:#dde2e6;--line:#2f363d;--soft:#8a939b;--paper:#14181'// &
       'c;--wall:#b8935f;--steel:#46525b}#live svg{filter:none}}', &
-      '@media print{.bar,.side,.hint,#live input,#live select,#live label,#live .lower{display:none!important}.main{d'// &
-      'isplay:block}', &
+      '@media print{#live .panels{flex-wrap:nowrap}#live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.hint,#liv'// &
+      'e input,#live select,#live label,#live .lower{display:none!important}.main{display:block}', &
       '#live .panels{break-inside:avoid}#live svg.panel{max-height:none}.legend button{border:none}}']
    character(222), parameter :: style_lines(19) = [style_lines_1]
 end module dg_page_script
