@@ -187,7 +187,7 @@ contains
       real(wp) :: largest, moment, other_moment
       if (other%status /= result_converged) then
          call add_message(result, 'A helically buckled string can stop at several hook loads. Two other starts found '// &
-                          'none, so the range of hook load and moments is unknown')
+                          'no solution, so the range of hook load and moments is unknown')
          return
       end if
       text = ''
