@@ -5,6 +5,7 @@ module dg_well_head
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_minimum_curvature, only: dogleg_between
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, text_type, to_text
@@ -128,6 +129,8 @@ contains
          do i = 1, size(model%holes)
             associate (hole => model%holes(i))
                line = line//' '//pair_text(hole%friction_axial, hole%friction_rotary)
+               if (.not. is_missing(hole%friction_running_in)) line = line//', running in '// &
+                                                                      to_text(hole%friction_running_in, few)//','
                if (hole%name /= '') line = line//' in '//hole%name
                if (i < size(model%holes)) line = line//','
             end associate

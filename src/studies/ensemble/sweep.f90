@@ -47,6 +47,8 @@ module dg_sweep
 
    !> Depths closer than this part of the step are one [-]: round-off of the last step.
    real(wp), parameter :: same_share = 1.0e-6_wp
+   !> Depths this close are one [m].
+   real(wp), parameter :: same_depth = 1.0e-6_wp
 
 contains
 
@@ -164,8 +166,8 @@ contains
       all_depths = depths
       do i = 1, size(others)
          if (others(i) < depths(1) .or. others(i) > depths(size(depths))) cycle
+         if (any(abs(all_depths - others(i)) <= same_depth)) cycle
          place = count(all_depths < others(i))
-         if (abs(all_depths(place + 1) - others(i)) <= 0.0_wp) cycle
          all_depths = [all_depths(:place), others(i), all_depths(place + 1:)]
       end do
    end function with_depths

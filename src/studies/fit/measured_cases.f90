@@ -4,6 +4,7 @@ module dg_measured_cases
    use dg_deck_draft, only: draft_type, find_case
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_job, only: model_name, model_soft
+   use dg_model, only: hold_free
    use dg_text, only: quoted, text_type, to_text
    implicit none
    private
@@ -27,15 +28,18 @@ contains
       type(fault_list_type), intent(inout) :: faults
       integer, intent(in), optional :: left_out(:)
       type(text_type), allocatable :: wanted(:)
-      logical :: measured(size(draft%cases))
+      logical :: measured(size(draft%cases)), held(size(draft%cases))
       integer :: i, k, found
       allocate (wanted, source=texts_of(group, 'cases'))
       do k = 1, size(measured)
          measured(k) = draft%cases(k)%load_case%measured_hookload%present .or. draft%cases(k)%load_case%measured_torque%present
+         ! The weight on such a packer follows from friction: a fit does not find it.
+         held(k) = draft%boundary%packer_hold /= hold_free .and. draft%cases(k)%length_reference /= ''
       end do
       allocate (cases(0))
       if (.not. is_given(group, 'cases')) then
          if (present(left_out)) measured(left_out) = .false.
+         measured = measured .and. .not. held
          cases = pack([(k, k=1, size(measured))], measured)
          if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
       end if
@@ -46,6 +50,9 @@ contains
             if (.not. draft%cases(found)%sound) cycle
             call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
                        ') has neither measured_hookload nor measured_torque; give one or leave it out')
+         else if (held(found)) then
+            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
+                       ') is held by its packer, whose load depends on friction; leave it out')
          else if (.not. any(cases == found)) then
             cases = [cases, found]
          end if
