@@ -223,6 +223,7 @@ def gnuplot_left(program, deck, *_):
         end = time.monotonic() + TIME_LIMIT
         while len(numbers.read_text().split()) < 4 and process.poll() is None and time.monotonic() < end:     # two gnuplots
             time.sleep(0.01)
+        time.sleep(0.3)         # between the start of a gnuplot and that of its guard SIGKILL leaves it: milliseconds
         for number in signals:
             process.send_signal(number)
         process.wait(TIME_LIMIT)
