@@ -163,7 +163,8 @@ contains
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=.true.))
       share = locked
-      if (.not. totals%runaway) share = 1.0_wp - axial(1)/max(totals%weight, tiny(share))
+      ! of a string that floats, too
+      if (.not. totals%runaway) share = 1.0_wp - axial(1)/max(totals%weight, abs(axial(1)), tiny(share))
       if (.not. margin > 1.0_wp - share) return
       margin = 1.0_wp - share
       limit = limit_lock_up
