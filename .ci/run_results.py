@@ -101,8 +101,8 @@ class Echo:
         self.work += sum(int(v) * int(c) for v, c in re.findall(r"^study +at most (\d+) variants of (\d+) cases", text, re.M))
         fluid = re.search(r"^fluid +(\S+) (?:kg/m3|lbm/gal|sg)", text, re.M)
         self.mud = float(fluid.group(1)) if fluid else 0.0
-        # Weights are told for one fluid that fills the hole and the string.
-        self.one_fluid = len(re.findall(r"^fluid .*(?:, from |, above the bit|inside|outside)", text, re.M)) == 0
+        # Weights are told for one fluid that fills the hole and the string, and no pressure at a packer beside the weight on bit.
+        self.one_fluid = len(re.findall(r"^fluid .*(?:, from |, above the bit|inside|outside)|^boundary .*packer bore", text, re.M)) == 0
         self.gravity = float(found_in(r", gravity (\S+) m/s2", text) or GRAVITY)
         self.strings, parts = {}, None        # name: (length or None, mass, density) from the bit upwards
         for line in text.splitlines():
