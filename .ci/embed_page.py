@@ -8,9 +8,10 @@ import hashlib
 import pathlib
 import sys
 
+from embedded import keep, rows
+
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "src/report/page"
 SOURCE = PAGE / "page_script.f90"
-LONGEST = 110   # letters of a line in a line of Fortran, which may have 132
 PART = 100      # lines in a statement, which may have 255 lines of Fortran
 
 
@@ -29,20 +30,6 @@ def array(name, lines):
     return text + [f"   character({width}), parameter :: {name}({len(lines)}) = [{whole}]"]
 
 
-def rows(lines):
-    """Rows of an array."""
-    text = []
-    for line in lines:
-        pieces = [""]
-        for letter in line:
-            if len(pieces[-1]) >= LONGEST:
-                pieces.append("")
-            pieces[-1] += letter.replace("'", "''")
-        text += [f"      '{piece}'// &" for piece in pieces[:-1]] + [f"      '{pieces[-1]}', &"]
-    text[-1] = text[-1][:-3] + "]"
-    return text
-
-
 def module():
     script = lines_of("page.js")
     digest = hashlib.sha256("\n".join(script).encode("ascii")).digest()
@@ -54,14 +41,4 @@ def module():
         *array("script_lines", script), *array("style_lines", lines_of("page.css")), "end module dg_page_script", ""])
 
 
-def main():
-    text = module()
-    if "--write" in sys.argv[1:]:
-        SOURCE.write_text(text, encoding="ascii")
-    same = SOURCE.exists() and SOURCE.read_text(encoding="ascii") == text
-    if not same:
-        print("FAULT src/report/page/page_script.f90 is not what page.js and page.css make; run .ci/embed_page.py --write")
-    return 0 if same else 1
-
-
-sys.exit(main())
+sys.exit(keep(SOURCE, module(), "src/report/page/page_script.f90 is not what page.js and page.css make; run .ci/embed_page.py --write"))
