@@ -3,6 +3,7 @@ module dg_witsml_survey
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_deck_number, only: read_real
+   use dg_merge_sort, only: sorted_places
    use dg_table_unit, only: read_unit
    use dg_text, only: lower_case, quoted, text_type, to_text
    use dg_xml, only: read_xml, xml_reader_type
@@ -129,10 +130,12 @@ contains
       integer, intent(in) :: number
       type(text_type), allocatable, intent(inout) :: lines(:)
       integer :: order(count(document%of(:document%n) == number)), i, k, row, length
+      real(wp) :: md(size(order))
       logical :: wanted(value_count), in_place
       character(:), allocatable :: text
       order = pack([(i, i=1, document%n)], document%of(:document%n) == number)
-      call sort_by_depth(document%values(of_md, :), order)
+      md = document%values(of_md, order)
+      order = order(sorted_places(md))
       do k = 1, value_count
          wanted(k) = k <= of_azi .or. all(document%has(k, order))
       end do
@@ -160,36 +163,6 @@ contains
          lines(row)%text = text(2:)
       end do
    end subroutine write_table
-
-   !> Sorts places by their depth; equal ones keep their order. Stations come in order nearly always.
-   pure subroutine sort_by_depth(md, order)
-      real(wp), intent(in) :: md(:)
-      integer, intent(inout) :: order(:)
-      integer :: half(size(order)), first, middle, last, width, i, j, k
-      width = 1
-      do while (width < size(order))
-         do first = 1, size(order), 2*width
-            middle = min(first + width, size(order) + 1)
-            last = min(first + 2*width, size(order) + 1)
-            i = first
-            j = middle
-            do k = first, last - 1
-               if (i < middle .and. (j >= last)) then
-                  half(k) = order(i)
-                  i = i + 1
-               else if (i < middle .and. md(order(min(i, size(order)))) <= md(order(min(j, size(order))))) then
-                  half(k) = order(i)
-                  i = i + 1
-               else
-                  half(k) = order(j)
-                  j = j + 1
-               end if
-            end do
-         end do
-         order = half
-         width = 2*width
-      end do
-   end subroutine sort_by_depth
 
    !> An element begins: a trajectory, a station, or a number with its unit.
    subroutine begin_element(reader, name, attributes, line)

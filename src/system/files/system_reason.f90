@@ -4,7 +4,7 @@ module dg_system_reason
    use dg_text, only: c_text
    implicit none
    private
-   public :: system_reason, reason_of_failed_write, words_of
+   public :: system_reason, reason_of_failed_write, words_of, from_c_text
 
    interface
       ! where errno stands (GNU C library)
@@ -87,14 +87,21 @@ contains
    function words_of(number) result(text)
       integer(c_int), intent(in) :: number
       character(:), allocatable :: text
+      text = from_c_text(c_strerror(number))
+   end function words_of
+
+   !> A text of C; '' for a null pointer.
+   function from_c_text(words) result(text)
+      type(c_ptr), intent(in) :: words
+      character(:), allocatable :: text
       character(kind=c_char), pointer :: letters(:)
-      type(c_ptr) :: words
       integer :: i
-      words = c_strerror(number)
+      text = ''
+      if (.not. c_associated(words)) return
       call c_f_pointer(words, letters, [c_strlen(words)])
-      allocate (character(size(letters)) :: text)
+      text = repeat(' ', size(letters))
       do i = 1, size(letters)
          text(i:i) = letters(i)
       end do
-   end function words_of
+   end function from_c_text
 end module dg_system_reason

@@ -7,6 +7,7 @@ module dg_xml
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, c_loc, &
                                           c_long, c_null_char, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
+   use dg_system_reason, only: from_c_text
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -133,13 +134,6 @@ module dg_xml
          character(kind=c_char), intent(in) :: name(*)
          type(c_funptr) :: address
       end function c_dlsym_function
-      function c_strlen(text) result(length) bind(c, name='strlen')
-         use, intrinsic :: iso_c_binding, only: c_size_t
-         import :: c_ptr
-         implicit none
-         type(c_ptr), value :: text
-         integer(c_size_t) :: length
-      end function c_strlen
    end interface
 
 contains
@@ -234,7 +228,7 @@ contains
          if (context%refused /= '') then
             failure = context%refused
          else
-            failure = 'is no sound XML: '//fortran_text(error_text(error_code(context%parser)))
+            failure = 'is no sound XML: '//from_c_text(error_text(error_code(context%parser)))
          end if
          failure = failure//' (line '//to_text(line)//')'
       end if
@@ -260,10 +254,10 @@ contains
       end do
       allocate (pairs(n))
       do i = 1, n
-         pairs(i)%text = fortran_text(attributes(i))
+         pairs(i)%text = from_c_text(attributes(i))
       end do
       context%depth = context%depth + 1
-      context%names(context%depth)%text = without_prefix(fortran_text(name))
+      context%names(context%depth)%text = without_prefix(from_c_text(name))
       context%texts(context%depth)%text = ''
       call context%reader%begin(context%names(context%depth)%text, pairs, int(context%line(context%parser)))
    end subroutine element_begins
@@ -324,20 +318,4 @@ contains
       character(:), allocatable :: local
       local = name(index(name, ':', back=.true.) + 1:)
    end function without_prefix
-
-   !> A text of C.
-   function fortran_text(text) result(copy)
-      type(c_ptr), intent(in) :: text
-      character(:), allocatable :: copy
-      character(kind=c_char), pointer :: letters(:)
-      integer :: i, n
-      n = 0
-      if (c_associated(text)) n = int(c_strlen(text))
-      allocate (character(n) :: copy)
-      if (n == 0) return
-      call c_f_pointer(text, letters, [n])
-      do i = 1, n
-         copy(i:i) = letters(i)
-      end do
-   end function fortran_text
 end module dg_xml
