@@ -22,8 +22,6 @@ module dg_friction_reserve
 
    !> Smallest and largest factor that are looked for, and to what part of it [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
-   !> So far beyond the factor, over it, a limit is passed [-].
-   real(wp), parameter :: beyond = 0.01_wp
    !> Friction of the soft string below this part of its weight scales nothing [-].
    real(wp), parameter :: no_friction = 1.0e-6_wp
    !> Share of a limit by a string that locks up [-].
@@ -47,13 +45,7 @@ contains
       type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       type(optional_real), intent(out) :: reserve
       integer, intent(out) :: limit                      !< that is passed beyond the factor; 0: none
-      type(soft_type) :: soft
-      real(wp) :: margin
-      limit = 0
-      call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve)
-      if (.not. reserve%present) return
-      call begin_soft(model, result, soft)
-      call find_margin(model, result, design, rig_limit, soft, (1.0_wp + beyond)*reserve%value, margin, limit)
+      call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve, limit)
    end subroutine find_friction_reserve
 
    !> Of a result that passes a limit, the part of today's friction, < 1, with which it does not; absent where friction is not what
@@ -64,21 +56,24 @@ contains
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       type(optional_real), intent(out) :: part
-      call find_factor(model, result, design, rig_limit, [least, 1.0_wp], part)
+      integer :: limit
+      call find_factor(model, result, design, rig_limit, [least, 1.0_wp], part, limit)
    end subroutine find_possible_friction
 
    !> The factor between two at which a limit is reached; absent where none is passed at the upper one, or one is at the lower one.
-   pure subroutine find_factor(model, result, design, rig_limit, between, found)
+   pure subroutine find_factor(model, result, design, rig_limit, between, found, passed)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit
       real(wp), intent(in) :: between(2)       !< [-]
       type(optional_real), intent(out) :: found
+      integer, intent(out) :: passed           !< limit that is passed just beyond the factor; 0: none
       type(soft_type) :: soft
       type(bracket_type) :: bracket
       real(wp) :: factor, margin(2), here
       integer :: i, limit
+      passed = 0
       if (.not. allocated(result%profile%md)) return
       call begin_soft(model, result, soft)
       if (.not. allocated(soft%axial)) return
@@ -86,10 +81,12 @@ contains
          call find_margin(model, result, design, rig_limit, soft, between(i), margin(i), limit)
       end do
       if (margin(2) >= 0.0_wp .or. margin(1) < 0.0_wp) return
+      passed = limit
       bracket = new_bracket(between(1), margin(1), between(2), margin(2))
       do while (.not. is_narrow(bracket, narrowness*between(2)))
          factor = next_try(bracket, narrowness*between(2))
          call find_margin(model, result, design, rig_limit, soft, factor, here, limit)
+         if (here < 0.0_wp) passed = limit
          call narrow(bracket, factor, here)
       end do
       found = given(bracket%low)
