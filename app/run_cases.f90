@@ -87,7 +87,7 @@ contains
       end if
    end subroutine run_cases
 
-   !> Loads that packers take in cases that they hold. A case without one is told.
+   !> Find the force on the packer of each load case that its packer holds. A message names cases where it was not found.
    subroutine settle_packers(model, status)
       type(model_type), intent(inout) :: model
       integer, intent(inout) :: status

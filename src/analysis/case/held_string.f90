@@ -41,7 +41,7 @@ contains
       end do
    end subroutine settle_packer_loads
 
-   !> The same of one load case.
+   !> Find the load of one load case that is held.
    subroutine settle_one(model, number, found)
       type(model_type), intent(inout) :: model
       integer, intent(in) :: number
@@ -85,7 +85,7 @@ contains
       end do
       model%cases(number)%wob = bracket%low
    contains
-      !> How far the lower end is below where it was [m], under a load [N].
+      !> Move of the lower end against the reference case, downwards [m], under a load [N].
       subroutine find_moved(load, moved)
          real(wp), intent(in) :: load
          real(wp), intent(out) :: moved

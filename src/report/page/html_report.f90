@@ -67,7 +67,8 @@ contains
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
       type(line_list_type) :: lines
-      integer :: i
+      integer :: shown, i
+      shown = governing_case(job, results, wholes)
       call start_page(job, lines)
       call append_verdicts(lines, job, model, results, wholes)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
@@ -79,7 +80,7 @@ contains
          end do
       end if
       call append_lost(lines, job%units, printed%outcome)
-      call append_pictures(lines, job, model, pictures, governing_case(job, results, wholes))
+      call append_pictures(lines, job, model, pictures, shown)
       call append_short(lines, job, model, results, wholes, printed%outcome)
       if (size(results) > 0) then
          call open_fold(lines, 'Limits')
@@ -106,8 +107,8 @@ contains
       call append_deck(lines, job%deck_text)
       call close_fold(lines)
       call add_line(lines, '</main>')
-      if (governing_case(job, results, wholes) > 0) then
-         call append_page_data(lines, job, model, results, alongs, wholes)
+      if (shown > 0) then
+         call append_page_data(lines, job, model, results, alongs, shown)
          call append_script(lines)
       end if
       call add_line(lines, '</body></html>')

@@ -9,7 +9,7 @@ module dg_page_data
    use dg_drillstring, only: component_tops
    use dg_html_text, only: spaced
    use dg_job, only: job_type, leading_model, model_name
-   use dg_json_text, only: json_number, json_string
+   use dg_json_text, only: json_string
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_columns, curve_count, profile_curves
@@ -79,13 +79,13 @@ contains
    end function governing_case
 
    !> The data, in an element of the page.
-   subroutine append_page_data(lines, job, model, results, alongs, wholes)
+   subroutine append_page_data(lines, job, model, results, alongs, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(along_string_type), intent(in) :: alongs(:)      !< as many
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      integer, intent(in) :: shown                          !< load case that is shown first
       type(text_type) :: curves(curve_count, size(results))
       integer :: i, k
       do k = 1, size(tolerances)
@@ -98,8 +98,8 @@ contains
       k = min(k, size(tolerances))
       call add_line(lines, '<script type="application/json" id="data">')
       call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
-                       json_number(tolerances(k), 2)//',"start":'// &
-                       to_text(max(governing_case(job, results, wholes) - 1, 0))//',')
+                       to_text(tolerances(k), 2)//',"start":'// &
+                       to_text(shown - 1)//',')
       call append_quantities(lines, job%units)
       call append_columns(lines)
       call append_cases(lines, job, model, results)
@@ -142,7 +142,7 @@ contains
          do k = 1, system_base - 1
             if (k > 1) text = text//','
             text = text//json_string(trim(system_name(k)))//':['//json_string(unit_text(wanted(i), system_of(k)))//','// &
-                   json_number(unit_size(wanted(i), units)/unit_size(wanted(i), system_of(k)), digits)//']'
+                   to_text(unit_size(wanted(i), units)/unit_size(wanted(i), system_of(k)), digits)//']'
          end do
          text = text//'}'
       end do
@@ -212,7 +212,7 @@ contains
       do i = 1, size(model%cases)
          solved = all(results%status == result_converged .or. results%case_index /= i)
          text = '{"name":'//json_string(model%cases(i)%name)//',"depth":'// &
-                json_number(model%cases(i)%bit_depth/job%units%length, digits)//',"converged":'// &
+                to_text(model%cases(i)%bit_depth/job%units%length, digits)//',"converged":'// &
                 trim(merge('true ', 'false', solved))//',"parts":['//parts_text(job, model, i)//']}'
          if (i < size(model%cases)) text = text//','
          call add_line(lines, text)
@@ -243,8 +243,8 @@ contains
          associate (part => model%strings(string)%components(i))
             if (i > 1) text = text//','
             text = text//'{"name":'//json_string(part%name)//',"od":'// &
-                   json_number(closed_diameter(part)/job%units%diameter, digits)//',"from":'// &
-                   json_number(lower/job%units%length, digits)//',"to":'//json_number(tops(i)/job%units%length, digits)//'}'
+                   to_text(closed_diameter(part)/job%units%diameter, digits)//',"from":'// &
+                   to_text(lower/job%units%length, digits)//',"to":'//to_text(tops(i)/job%units%length, digits)//'}'
             lower = tops(i)
          end associate
       end do
@@ -299,9 +299,9 @@ contains
       do i = 1, size(result%contacts)
          associate (contact => result%contacts(i))
             if (i > 1) text = text//','
-            text = text//'['//json_number(contact%md/job%units%length, digits)//','// &
-                   json_number(contact%force/job%units%force, contact_digits)//','// &
-                   json_number(contact%clock/job%units%angle, contact_digits)//']'
+            text = text//'['//to_text(contact%md/job%units%length, digits)//','// &
+                   to_text(contact%force/job%units%force, contact_digits)//','// &
+                   to_text(contact%clock/job%units%angle, contact_digits)//']'
          end associate
       end do
    end function contacts_text
