@@ -271,7 +271,19 @@ contains
                       message=run%diagnostics)
       run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
+      call one_message(replaced(good_deck(), "name = 's'", "name = 's"), 'is not closed on its line')
+      call one_message(replaced(replaced(good_deck(), "name = 'u'", "name = '=u'"), '  wob = 20.0 /', &
+                                "  wob = 20.0, length_reference = 'u' /"), 'begins with =')
    end subroutine test_all_faults
+
+   !> A deck with one slip gives one message, which holds a text.
+   subroutine one_message(deck, expected)
+      character(*), intent(in) :: deck, expected
+      type(run_type) :: run
+      run = run_deck_text(deck)
+      call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+   end subroutine one_message
 
    !> Ranges are told in the deck's units: 1 to 5000 mm is 0.03937 to 196.85 in.
    subroutine test_field_units()
@@ -299,7 +311,7 @@ contains
       character(*), parameter :: packer = "packer_bore = 82.55, packer_hold = 'fixed'", top = "top_lateral = 'centred'"
       character(*), parameter :: last = '  wob = 20.0 /', reference = "  wob = 20.0, length_reference = 'u' /"
       call refuse(top, "packer_hold = 'fixed'", 15, 'group &boundary: packer_hold needs packer_bore')
-      call refuse(last, "  wob = 20.0, length_reference = 'v' /", 19, "length_reference 'v' is no load case")
+      call refuse(last, "  wob = 20.0, length_reference = 'v' /", 19, "there is no load case 'v'")
       call refuse(last, reference, 19, "length_reference 'u' has another string or bit_depth")
       call refuse(last, "  length_reference = 's' /", 19, 'has a length_reference itself')
       call refuse_text(replaced(replaced(replaced(good_deck(), top, packer), last, reference), 'depth = 800.0', 'depth = 900.0'), &

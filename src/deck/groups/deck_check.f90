@@ -5,7 +5,7 @@ module dg_deck_check
    use dg_kinds, only: wp
    use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
-   use dg_deck_draft, only: draft_case_type, draft_type
+   use dg_deck_draft, only: draft_case_type, draft_type, find_case
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_hole_check, only: check_section, depth_round_off, join_sections
    use dg_hole_section, only: hole_section_type
@@ -14,7 +14,7 @@ module dg_deck_check
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_opening_check, only: settle_opening
    use dg_string_check, only: check_in_string
-   use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
+   use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
    private
    public :: close_holes, check_draft, check_case, tell_faults
@@ -127,21 +127,19 @@ contains
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
       type(fault_list_type), intent(inout) :: faults
-      character(name_shown) :: names(size(draft%cases))
       character(:), allocatable :: head
       integer :: k
       head = 'group &load_case: length_reference '//quoted(item%length_reference)
-      do k = 1, size(names)
-         names(k) = draft%cases(k)%load_case%name
-      end do
-      k = findloc(names == item%length_reference, .true., dim=1)
+      call find_case(draft, 'load_case', item%line_reference, item%length_reference, k, faults)
       if (k == 0) then
-         call fault(item%line_reference, head//' is no load case; '//suggestion(item%length_reference, names))
+         item%sound = .false.
          return
       end if
       item%load_case%length_reference = k
       associate (other => draft%cases(k), own => item%load_case)
-         if (other%length_reference /= '') then
+         if (.not. other%sound) then
+            item%sound = .false.
+         else if (other%length_reference /= '') then
             call fault(item%line_reference, head//' has a length_reference itself; name a case without one')
          else if (other%load_case%string /= own%string .or. abs(other%load_case%bit_depth - own%bit_depth) > &
                   depth_round_off*own%bit_depth) then

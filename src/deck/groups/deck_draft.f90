@@ -115,12 +115,12 @@ contains
       call move_alloc(longer, deck%uses)
    end subroutine note_use
 
-   !> Number of the load case that a key of a group names. Where there is none, 0 and a fault, unless the name of a load case is
-   !> itself at fault.
-   pure subroutine find_case(draft, group, key, name, number, faults)
+   !> Number of the load case that a group names at a line of the deck. Where there is none, 0 and a fault, unless the name of a
+   !> load case is itself at fault.
+   pure subroutine find_case(draft, group, line, name, number, faults)
       type(draft_type), intent(in) :: draft
-      type(checked_group_type), intent(in) :: group
-      character(*), intent(in) :: key, name
+      character(*), intent(in) :: group, name
+      integer, intent(in) :: line
       integer, intent(out) :: number
       type(fault_list_type), intent(inout) :: faults
       character(name_shown) :: names(size(draft%cases))
@@ -131,7 +131,7 @@ contains
          if (draft%cases(k)%load_case%name == name) number = k
       end do
       if (any(names == '')) return
-      if (number == 0) call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name// &
+      if (number == 0) call add_fault(faults, draft%path, line, 'group &'//group// &
                                       ': there is no load case '//quoted(name)//'; '//suggestion(name, names))
    end subroutine find_case
 
@@ -147,7 +147,7 @@ contains
       allocate (cases(0))
       if (.not. is_sound(group, 'cases')) cases = [(k, k=1, size(draft%cases))]
       do i = 1, size(wanted)
-         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         call find_case(draft, group%name, line_of(group, 'cases'), wanted(i)%text, found, faults)
          if (found > 0 .and. .not. any(cases == found)) cases = [cases, found]
       end do
    end subroutine take_cases

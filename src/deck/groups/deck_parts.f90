@@ -47,6 +47,7 @@ contains
       hole%friction_given = is_given(group, 'friction') .or. is_given(group, 'friction_axial') .or. &
                             is_given(group, 'friction_rotary')
       hole%section%name = text_of(group, 'name', 'hole '//to_text(number))
+      if (is_given(group, 'name') .and. .not. is_sound(group, 'name')) hole%section%name = ''
       hole%section%md_top = real_of(group, 'md_top', 0.0_wp)
       hole%section%md_bottom = real_of(group, 'md_bottom', 0.0_wp)
       hole%section%diameter = real_of(group, 'diameter', 0.0_wp)
@@ -242,9 +243,11 @@ contains
          case%measured_hookload = optional_of('measured_hookload')
          case%measured_torque = optional_of('measured_torque')
          case%reference_hookload = optional_of('reference_hookload')
-         if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) &
+         if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) then
             call fault(item%line_name, 'name = '//quoted(case%name)// &
                        ' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
+            case%name = ''
+         end if
       end associate
       if (is_sound(group, 'operation')) call check_operation(item%load_case, 0, found)
       do i = 1, found%count

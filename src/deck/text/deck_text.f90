@@ -28,6 +28,7 @@ module dg_deck_text
    type :: group_type
       character(:), allocatable :: name      !< lower case
       integer :: line = 0
+      logical :: torn = .false.              !< a quote is not closed: keys behind it on that line, and the closing /, are lost
       type(entry_type), allocatable :: entries(:)
    end type group_type
 
@@ -78,8 +79,8 @@ contains
             case (token_group)
                call close_entry(parser, faults)
                if (parser%in_group) then
-                  call group_fault(parser, parser%group%line, 'not closed before &'//lower_case(token%text)//' in line '// &
-                                   to_text(token%line)//'; end it with /', faults)
+                  if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed before &'// &
+                     lower_case(token%text)//' in line '//to_text(token%line)//'; end it with /', faults)
                   call close_group(parser)
                end if
                call open_group(parser, token)
@@ -118,7 +119,7 @@ contains
       end do
       call close_entry(parser, faults)
       if (parser%in_group) then
-         call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
+         if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
          call close_group(parser)
       end if
       allocate (groups(parser%n_groups))
@@ -132,6 +133,7 @@ contains
       parser%lost = .false.
       parser%group%name = lower_case(token%text)
       parser%group%line = token%line
+      parser%group%torn = .false.
       if (allocated(parser%group%entries)) deallocate (parser%group%entries)
       allocate (parser%group%entries(first_capacity))
       parser%n_entries = 0
@@ -186,6 +188,7 @@ contains
       type(value_text_type) :: value
       if (token%kind == token_open_text) then
          call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line'//inches(), faults)
+         parser%group%torn = .true.
       else if (token%kind == token_word .and. token%text == '') then
          call entry_fault(parser, 'a repeat count without a value; write 3*0.1', faults)
       else if (token%repeat < 1) then
@@ -323,6 +326,7 @@ contains
          call move_alloc(from(i)%name, into(i)%name)
          call move_alloc(from(i)%entries, into(i)%entries)
          into(i)%line = from(i)%line
+         into(i)%torn = from(i)%torn
       end do
    end subroutine move_groups
 end module dg_deck_text

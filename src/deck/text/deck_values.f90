@@ -68,7 +68,7 @@ contains
          if (checked%values(k)%given) cycle
          if (rules(k)%required) then
             if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
-            if (.not. misspelt(group, keys, trim(keys(k)))) &
+            if (.not. (group%torn .or. misspelt(group, keys, trim(keys(k))))) &
                call add_fault(faults, path, group%line, place//'key '//trim(rules(k)%key)//' is missing; '// &
                               needed_text(rules(k), units))
          else if (rules(k)%default /= '') then

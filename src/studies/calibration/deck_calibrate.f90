@@ -119,7 +119,7 @@ contains
       allocate (wanted, source=texts_of(group, 'predict'))
       allocate (used, source=texts_of(group, 'cases'))
       do i = 1, size(wanted)
-         call find_case(draft, group, 'predict', wanted(i)%text, found, faults)
+         call find_case(draft, group%name, line_of(group, 'predict'), wanted(i)%text, found, faults)
          if (found == 0) cycle
          if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then
             call fault('load case '//quoted(wanted(i)%text)//' is one of cases, so it would be no prediction; keep it in one')
@@ -134,7 +134,7 @@ contains
       end subroutine fault
    end subroutine take_predicted
 
-   !> Numbers of the hole sections named; all where none is.
+   !> Numbers of the hole sections named; all where none is. No fault of its own where the name of a section is at fault.
    subroutine take_holes(draft, group, holes, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
@@ -153,6 +153,7 @@ contains
          do k = 1, size(names)
             if (draft%holes(k)%section%name == wanted(i)%text .and. .not. any(holes == k)) holes = [holes, k]
          end do
+         if (any(names == '')) cycle
          if (.not. any([(draft%holes(k)%section%name == wanted(i)%text, k=1, size(names))])) &
             call add_fault(faults, draft%path, line_of(group, 'holes'), 'group &calibrate: there is no hole section '// &
                            quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))

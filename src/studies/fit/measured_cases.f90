@@ -44,7 +44,7 @@ contains
          if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
       end if
       do i = 1, size(wanted)
-         call find_case(draft, group, 'cases', wanted(i)%text, found, faults)
+         call find_case(draft, group%name, line_of(group, 'cases'), wanted(i)%text, found, faults)
          if (found == 0) cycle
          if (.not. measured(found)) then
             if (.not. draft%cases(found)%sound) cycle

@@ -64,7 +64,7 @@ contains
       if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
          quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
       if (is_sound(group, 'case')) then
-         call find_case(draft, group, 'case', text_of(group, 'case', ''), table%case_index, faults)
+         call find_case(draft, group%name, line_of(group, 'case'), text_of(group, 'case', ''), table%case_index, faults)
          sound = sound .and. table%case_index > 0
       end if
       units = draft%units
