@@ -55,6 +55,12 @@ def assembly(*parts):
     return [BIT, *parts, COLLAR, HEAVY]
 
 
+def motor(bend, pad):
+    """A motor: sleeve of a diameter [mm], bent housing [deg] 2.8 m above the bit, and a stabilizer on top."""
+    housing = pipe(7.0, 171.4, 100.0, 120.0, bend=bend, bend_position=1.8)
+    return [BIT, blade(1.0, pad), housing, blade(1.0, 212.7), COLLAR, HEAVY]
+
+
 PACKED = assembly(blade(1.5, 214.3), between(4.0), blade(1.5, 212.7), between(9.0), blade(1.5, 211.1))
 TIGHT = assembly(blade(0.5, 215.1), between(6.0), blade(0.5, 213.9), between(10.0), blade(0.5, 211.9))
 SHORT = assembly(blade(0.02, 214.3), between(5.0), blade(0.005, 212.7), between(9.0), blade(0.05, 212.7), between(9.0),
@@ -73,7 +79,7 @@ def case(survey, string, bit, operation="trip_out", bore=215.9, **more):
     holes = [(top, bottom, size*1.0e-3, factor) for top, bottom, size, factor in
              more.pop("holes", [(0.0, survey[0][-1], bore, 0.25)])]
     return {"survey": survey, "holes": holes, "string": string, "bit": float(bit), "operation": operation, "mud": 1200.0,
-            "wob": 0.0, "tob": 0.0, "toolface": 0.0, "wall": 1.0e6, **more}
+            "wob": 0.0, "tob": 0.0, "toolface": 0.0, "wall": 1.0e6, "fine": 1.0, **more}
 
 
 DRILLING = {"operation": "rotary_drilling", "wob": 80.0e3, "tob": 4.0e3}
@@ -91,6 +97,9 @@ CASES = {
     "tight_and_short": case(CURVE, TIGHT_AND_SHORT, 290, wall=1.0e7),
     "large_rotary": case(GENTLE, LARGE, 200, "rotary_drilling", bore=311.1, wob=100.0e3, tob=6.0e3),
     "large_up": case(GENTLE, LARGE, 200, bore=311.1),
+    "motor_up": case(CURVE, motor(1.5, 213.5), 290, toolface=30.0, wall=1.0e7),
+    "motor_sliding": case(CURVE, motor(1.0, 214.3), 290, "sliding_drilling", toolface=30.0, wob=60.0e3),
+    "sharp_motor": case(CURVE, motor(2.0, 214.3), 290, toolface=30.0, fine=0.5),
 }
 
 
@@ -149,12 +158,12 @@ def figures_of(name, given, program, fine):
     found, status = solved(program, deck(given))
     if status != "converged":
         return [f"{name}: {status}"]
-    rod = Rod(given)
+    rod = Rod(given, given["fine"])
     if not rod.solve():
         return [f"{name}: no equilibrium of the rod"]
     expected, finer = rod.figures(), {}
     if fine:
-        halved = Rod(given, 0.5)
+        halved = Rod(given, 0.5*given["fine"])
         finer = halved.figures() if halved.solve() else {}
     faults = []
     for figure, goal in GOALS.items():

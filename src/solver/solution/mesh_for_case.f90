@@ -50,9 +50,15 @@ module dg_mesh_for_case
    !> motors with a bent housing and a free bit or a centred one found no equilibrium, with these 5.
    real(wp), parameter :: cut_share = 0.25_wp, shortest_cut = 0.02_wp
 
-   !> Length of elements beside an edge of the string [m]: contact there is that short. The same so close to a bend, which tilts the
-   !> edge [m]. Length of an element over that of a shorter neighbour there [-].
-   real(wp), parameter :: edge_length = 0.05_wp, tilted_edge = 0.02_wp, tilted_within = 1.0_wp, edge_growth = 1.3_wp
+   !> Length of elements beside an edge of the string [m]: contact there is that short.
+   real(wp), parameter :: edge_length = 0.05_wp
+   !> The same within a distance of a bend [m]. The bend tilts the edge, so that its contact is shorter still: with 0.02 m within 1 m
+   !> the contact force of 120 bent motors differed from that of their moments by up to 5.6 %, so by up to 1.2 %.
+   real(wp), parameter :: tilted_edge = 0.005_wp, tilted_within = 10.0_wp
+   !> The same close to the bend [m], and of pieces of the string not longer than this [m]: shorter ones find no equilibrium there.
+   real(wp), parameter :: bent_edge = 0.02_wp, bent_within = 0.5_wp, short_piece = 0.2_wp
+   !> Length of an element over that of a shorter neighbour beside an edge [-].
+   real(wp), parameter :: edge_growth = 1.3_wp
    !> Change of radius over clearance from which an end of a component is an edge [-].
    real(wp), parameter :: edge_height = 0.3_wp
 
@@ -135,8 +141,7 @@ contains
       allocate (bends, source=bend_depths(mesh))
       longest = mesh%length
       do n = 2, mesh%nodes - 1
-         if (is_edge(mesh, n)) longest(n - 1:n) = min(longest(n - 1:n), merge(tilted_edge, edge_length, &
-                                                                              any(abs(mesh%md(n) - bends) < tilted_within)))
+         if (is_edge(mesh, n)) longest(n - 1:n) = min(longest(n - 1:n), length_at_edge(mesh%length(n - 1:n), mesh%md(n), bends))
       end do
       depths = graded(mesh%md, longest, edge_growth)
       depths = halved_pieces(mesh, depths)
@@ -149,6 +154,19 @@ contains
       end do
       mesh = finer
    end subroutine cut_edges
+
+   !> Lengths of the elements on both sides of an edge [m].
+   pure function length_at_edge(pieces, md, bends) result(lengths)
+      real(wp), intent(in) :: pieces(2)     !< elements that are to be cut [m]
+      real(wp), intent(in) :: md, bends(:)  !< depths of the edge and of bends [m]
+      real(wp) :: lengths(2)
+      lengths = edge_length
+      if (any(abs(md - bends) < bent_within)) then
+         lengths = bent_edge
+      else if (any(abs(md - bends) < tilted_within) .and. all(pieces > short_piece)) then
+         lengths = tilted_edge
+      end if
+   end function length_at_edge
 
    !> Depths [m] with one more in the middle of every whole piece between two edges that has less clearance than both its
    !> neighbours: a short blade, or a ring. Such a piece rests on both its ends, and an element has one gap.
