@@ -24,7 +24,7 @@ module dg_table_unit
    !> Units that are not converted here but tell that a row is one of units.
    character(*), parameter :: other_lengths(17) = [character(7) :: 'km', 'hm', 'dm', 'cm', 'mm', 'in', 'inch', 'inches', 'yd', &
       'yard', 'yards', 'mi', 'mile', 'miles', 'fathom', 'kft', '0.1in']
-   character(*), parameter :: other_angles(17) = [character(7) :: 'gon', 'gons', 'grad', 'grads', 'grade', 'grades', 'dms', &
+   character(*), parameter :: other_angles(18) = [character(7) :: 'g', 'gon', 'gons', 'grad', 'grads', 'grade', 'grades', 'dms', &
       'turn', 'turns', 'rev', 'mrad', 'mil', 'mils', '%', 'pct', 'percent', 'permil']
 
 contains

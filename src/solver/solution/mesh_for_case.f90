@@ -52,8 +52,7 @@ module dg_mesh_for_case
 
    !> Length of elements beside an edge of the string [m]: contact there is that short.
    real(wp), parameter :: edge_length = 0.05_wp
-   !> The same within a distance of a bend [m]. The bend tilts the edge, so that its contact is shorter still: with 0.02 m within 1 m
-   !> the contact force of 120 bent motors differed from that of their moments by up to 5.6 %, so by up to 1.2 %.
+   !> The same within a distance of a bend [m]. The bend tilts the edge, so that its contact is shorter still.
    real(wp), parameter :: tilted_edge = 0.005_wp, tilted_within = 10.0_wp
    !> The same close to the bend [m], and of pieces of the string not longer than this [m]: shorter ones find no equilibrium there.
    real(wp), parameter :: bent_edge = 0.02_wp, bent_within = 0.5_wp, short_piece = 0.2_wp
