@@ -4,6 +4,8 @@ module dg_well_head
    use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, is_bit
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_friction_estimate, only: upper_friction_type
+   use dg_hole_section, only: hole_section_type
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing
    use dg_model, only: model_type
@@ -27,9 +29,10 @@ module dg_well_head
 contains
 
    !> The lines. Each string stands with the bit at its deepest load case.
-   pure function well_head(units, model) result(lines)
+   pure function well_head(units, model, upper) result(lines)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
+      type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       type(text_type), allocatable :: lines(:)
       real(wp) :: deepest, air, mud, collars
       character(:), allocatable :: line
@@ -37,6 +40,10 @@ contains
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
       call append_text(lines, friction_line(model))
+      if (present(upper)) then
+         if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &
+            'Upper end of its 95 % interval'//sections_text(upper%holes))
+      end if
       do i = 1, size(model%strings)
          deepest = 0.0_wp
          do k = 1, size(model%cases)
@@ -124,23 +131,7 @@ contains
       character(:), allocatable :: line
       real(wp) :: low, high
       integer :: i, own
-      line = 'Friction factor'
-      if (size(model%holes) <= most_listed) then
-         do i = 1, size(model%holes)
-            associate (hole => model%holes(i))
-               line = line//' '//pair_text(hole%friction_axial, hole%friction_rotary)
-               if (.not. is_missing(hole%friction_running_in)) line = line//', running in '// &
-                                                                      to_text(hole%friction_running_in, few)//','
-               if (hole%name /= '') line = line//' in '//hole%name
-               if (i < size(model%holes)) line = line//','
-            end associate
-         end do
-      else
-         line = line//' '//to_text(minval(model%holes%friction_axial), few)//' to '// &
-            to_text(maxval(model%holes%friction_axial), few)//' axial, '// &
-            to_text(minval(model%holes%friction_rotary), few)//' to '// &
-            to_text(maxval(model%holes%friction_rotary), few)//' rotary in '//to_text(size(model%holes))//' hole sections'
-      end if
+      line = 'Friction factor'//sections_text(model%holes)
       own = 0
       low = huge(low)
       high = 0.0_wp
@@ -157,6 +148,27 @@ contains
       line = line//'. '//to_text(own)//' of '//to_text(size(model%cases))//' load cases have their own, '//to_text(low, few)
       if (high > low) line = line//' to '//to_text(high, few)
    end function friction_line
+
+   !> Friction factors of hole sections, a blank before each.
+   pure function sections_text(holes) result(text)
+      type(hole_section_type), intent(in) :: holes(:)
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (size(holes) <= most_listed) then
+         do i = 1, size(holes)
+            text = text//' '//pair_text(holes(i)%friction_axial, holes(i)%friction_rotary)
+            if (.not. is_missing(holes(i)%friction_running_in)) &
+               text = text//', running in '//to_text(holes(i)%friction_running_in, few)//','
+            if (holes(i)%name /= '') text = text//' in '//holes(i)%name
+            if (i < size(holes)) text = text//','
+         end do
+      else
+         text = ' '//to_text(minval(holes%friction_axial), few)//' to '//to_text(maxval(holes%friction_axial), few)//' axial, '// &
+            to_text(minval(holes%friction_rotary), few)//' to '//to_text(maxval(holes%friction_rotary), few)//' rotary in '// &
+            to_text(size(holes))//' hole sections'
+      end if
+   end function sections_text
 
    !> Two factors as one number where they are equal.
    pure function pair_text(axial, rotary) result(text)

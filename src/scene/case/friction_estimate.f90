@@ -1,9 +1,12 @@
 !> What is known of the friction of hole sections beyond the deck: found by one study of a run, for others to go on from.
 module dg_friction_estimate
    use dg_kinds, only: wp
+   use dg_contact_friction, only: shift_axial_friction
+   use dg_hole_section, only: hole_section_type
+   use dg_load_case, only: load_case_type, moves_axially, rotates
    implicit none
    private
-   public :: friction_estimate_type
+   public :: friction_estimate_type, upper_friction_type, find_upper_friction, has_upper_friction
 
    type :: friction_estimate_type
       character(:), allocatable :: name              !< of the study
@@ -14,4 +17,43 @@ module dg_friction_estimate
       real(wp), allocatable :: deviations(:)         !< one a hole section [-]
       real(wp), allocatable :: correlation(:, :)     !< of two sections [-]
    end type friction_estimate_type
+
+   !> Friction at the upper end of its 95 % interval, in all hole sections at once.
+   type :: upper_friction_type
+      logical :: axial = .false., rotary = .false.      !< coefficients that a study of the run has found and applied
+      logical :: known = .true.                         !< their intervals are
+      type(hole_section_type), allocatable :: holes(:)
+   end type upper_friction_type
+
+   !> Standard deviations from the middle of a normal distribution to the upper end of 95 % of it [-].
+   real(wp), parameter :: end_of_95 = 1.959963984540054_wp
+
+contains
+
+   !> The upper end, from hole sections with the friction that was found.
+   pure subroutine find_upper_friction(holes, estimates, upper)
+      type(hole_section_type), intent(in) :: holes(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
+      type(upper_friction_type), intent(out) :: upper
+      integer :: i
+      upper%holes = holes
+      do i = 1, size(estimates)
+         if (.not. (estimates(i)%applied .and. estimates(i)%found)) cycle
+         upper%axial = upper%axial .or. estimates(i)%axial
+         upper%rotary = upper%rotary .or. estimates(i)%rotary
+         upper%known = upper%known .and. estimates(i)%known
+         if (.not. estimates(i)%known) cycle
+         if (estimates(i)%axial) call shift_axial_friction(upper%holes, end_of_95*estimates(i)%deviations)
+         if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + end_of_95*estimates(i)%deviations
+      end do
+   end subroutine find_upper_friction
+
+   !> True where the friction of a load case is friction that was found.
+   elemental function has_upper_friction(upper, load_case) result(has)
+      type(upper_friction_type), intent(in) :: upper
+      type(load_case_type), intent(in) :: load_case
+      logical :: has
+      has = (upper%axial .and. moves_axially(load_case%operation) .and. .not. load_case%friction_axial%present) .or. &
+            (upper%rotary .and. rotates(load_case%operation) .and. .not. load_case%friction_rotary%present)
+   end function has_upper_friction
 end module dg_friction_estimate
