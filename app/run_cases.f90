@@ -24,7 +24,7 @@ module dg_run_cases
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
-   use dg_result_table, only: result_table
+   use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
    use dg_solve_case, only: solve_case
@@ -81,6 +81,7 @@ contains
       call print_lines(model_table(run%job, run%model, run%results))
       call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
+      call print_lines(cost_table(run%job, run%model, run%results))
       call run_phase(studies, phase_cases, run, '')
       call flush_output()
       if (is_interrupted()) then
