@@ -196,7 +196,8 @@ contains
       call append_text(lines, '    '//program_name//' --convert DECK.nml [UNITS]    '// &
                        'prints the deck in other units')
       call append_text(lines, 'UNITS: '//listed(deck_systems))
-      call append_text(lines, 'exit status: 0 all cases solved, '// &
-                       '2 bad command line, deck or data file, 3 a case did not converge, 1 else')
+      call append_text(lines, 'exit status: 0 every case has an answer (yes, no, or locked up), '// &
+                       '3 a case did not converge,')
+      call append_text(lines, '             2 bad command line, deck or data file, 1 else')
    end subroutine usage_lines
 end module dg_arguments
