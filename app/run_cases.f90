@@ -35,7 +35,7 @@ module dg_run_cases
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_utilisation, only: find_utilisation
-   use dg_verdict, only: verdict_type
+   use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_table, only: verdict_table
    use dg_warnings_table, only: warnings_table
    use dg_well_head, only: well_head
@@ -78,7 +78,7 @@ contains
       call print_line('')
       call print_lines(well_head(run%job%units, run%model, upper))
       call print_lines(result_table(run%job, run%model, run%results, wholes))
-      call print_lines(model_table(run%job, run%model, run%results))
+      call print_lines(model_table(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes))
       call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
       call print_lines(cost_table(run%job, run%model, run%results))
