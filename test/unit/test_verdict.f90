@@ -194,7 +194,7 @@ contains
       call assertRelativelyEqual((0.99_wp*loads(2)/weight_of(model) - cos(angle))/(friction*sin(angle)), &
                                  verdict%possible_friction%value, close)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertEqual('rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
+      call assertEqual('hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
                        ' kN allowed, at the upper end of the 95 % interval of friction. Possible up to about '// &
                        to_text(verdict%possible_friction%value, 3)//' times the calibrated friction', text)
       ! One that cannot be done with the friction found, either.

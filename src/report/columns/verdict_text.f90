@@ -51,8 +51,9 @@ contains
          else
             text = force_text(units, push_of(verdict))//' of push needed at surface'
          end if
+         if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
-         text = trim(limit_title(verdict%limit))//': '// &
+         text = shown_title(verdict%limit)//': '// &
                 load_text(units, verdict%limit, verdict%load%value)//place_text(units, verdict)
          if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed'
       end select
@@ -168,13 +169,25 @@ contains
       if (verdict%limit == limit_lock_up) then
          text = 'WOB is '//text//' of the largest before lock-up'
       else if (verdict%limit /= limit_string_weight) then
-         text = trim(limit_title(verdict%limit))//' '//text//' used'
+         text = shown_title(verdict%limit)//' '//text//' used'
       else if (drags .and. load_case%wob > 0.0_wp) then
          text = 'friction and WOB take '//text//' of the string weight'
       else
          text = trim(merge('friction takes', 'WOB takes     ', drags))//' '//text//' of the string weight'
       end if
    end function used_text
+
+   !> Name of a limit with the load that it limits.
+   pure function shown_title(limit) result(title)
+      integer, intent(in) :: limit
+      character(:), allocatable :: title
+      select case (limit)
+      case (limit_rig); title = 'hook load of the rig'
+      case (limit_top_drive); title = 'torque of the top drive'
+      case (limit_von_mises); title = 'von Mises stress'
+      case default; title = trim(limit_title(limit))
+      end select
+   end function shown_title
 
    !> A load of a limit.
    pure function load_text(units, limit, load) result(text)
