@@ -14,6 +14,7 @@ module dg_test_verdict
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
                            operation_trip_out, optional_real
+   use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_soft_string, only: solve_soft_string
    use dg_text, only: to_text
@@ -165,7 +166,7 @@ contains
       call assertRelativelyEqual(1.0_wp - 0.1_wp*most/(weight_of(model)*cos(angle)), verdict%used%value, close)
    end subroutine test_weight_on_bit
 
-   !> Pulling out with friction that was found, f = 0.3, deviation 0.06: its upper end is 0.3 + 1.96*0.06. The rig carries the hook
+   !> Pulling out with friction that was found, f = 0.3, 95 % interval up to 0.42. The rig carries the hook
    !> load W (cos a + f sin a) at 0.3, and, or not, at the upper end.
    subroutine test_upper_end()
       type(model_type) :: model
@@ -175,9 +176,9 @@ contains
       character(:), allocatable :: text
       real(wp) :: ends(2), loads(2)
       call build(model, operation_trip_out, 0.0_wp)
-      estimate = friction_estimate_type(name='k', applied=.true., found=.true., known=.true., deviations=[0.06_wp])
+      estimate = friction_estimate_type(name='k', applied=.true., found=.true., half_widths=[0.12_wp])
       call find_upper_friction(model%holes, [estimate], upper)
-      ends = [friction, friction + 1.959963984540054_wp*0.06_wp]
+      ends = [friction, friction + 0.12_wp]
       call assertRelativelyEqual(ends(2), upper%holes(1)%friction_axial, close)
       call assertRelativelyEqual(ends(2), upper%holes(1)%friction_rotary, close)
       loads = weight_of(model)*(cos(angle) + ends*sin(angle))
@@ -207,7 +208,7 @@ contains
       call judge(model, given(0.99_wp*loads(2)), verdict, upper)
       call assertEqual(answer_yes, verdict%answer)
       model%cases(1)%friction_axial%present = .false.
-      estimate%known = .false.
+      estimate%half_widths = missing
       call find_upper_friction(model%holes, [estimate], upper)
       call judge(model, given(0.99_wp*loads(2)), verdict, upper)
       call assertEqual(answer_yes, verdict%answer)

@@ -4,6 +4,7 @@ module dg_friction_estimate
    use dg_contact_friction, only: shift_axial_friction
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, moves_axially, rotates
+   use dg_missing, only: is_missing
    implicit none
    private
    public :: friction_estimate_type, upper_friction_type, find_upper_friction, has_upper_friction
@@ -13,6 +14,7 @@ module dg_friction_estimate
       logical :: applied = .false.                   !< the rest of the run uses the coefficients
       logical :: axial = .true., rotary = .true.     !< which coefficients it is of
       logical :: found = .false.
+      real(wp), allocatable :: half_widths(:)        !< of 95 % intervals, one a hole section [-]; missing: not known
       logical :: known = .false.                     !< the numbers below are
       real(wp), allocatable :: deviations(:)         !< one a hole section [-]
       real(wp), allocatable :: correlation(:, :)     !< of two sections [-]
@@ -25,12 +27,9 @@ module dg_friction_estimate
       type(hole_section_type), allocatable :: holes(:)
    end type upper_friction_type
 
-   !> Standard deviations from the middle of a normal distribution to the upper end of 95 % of it [-].
-   real(wp), parameter :: end_of_95 = 1.959963984540054_wp
-
 contains
 
-   !> The upper end, from hole sections with the friction that was found.
+   !> The upper end, from hole sections with the friction that was found. Others keep their friction.
    pure subroutine find_upper_friction(holes, estimates, upper)
       type(hole_section_type), intent(in) :: holes(:)
       type(friction_estimate_type), intent(in) :: estimates(:)
@@ -41,10 +40,10 @@ contains
          if (.not. (estimates(i)%applied .and. estimates(i)%found)) cycle
          upper%axial = upper%axial .or. estimates(i)%axial
          upper%rotary = upper%rotary .or. estimates(i)%rotary
-         upper%known = upper%known .and. estimates(i)%known
-         if (.not. estimates(i)%known) cycle
-         if (estimates(i)%axial) call shift_axial_friction(upper%holes, end_of_95*estimates(i)%deviations)
-         if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + end_of_95*estimates(i)%deviations
+         upper%known = upper%known .and. .not. any(is_missing(estimates(i)%half_widths))
+         if (.not. upper%known) cycle
+         if (estimates(i)%axial) call shift_axial_friction(upper%holes, estimates(i)%half_widths)
+         if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + estimates(i)%half_widths
       end do
    end subroutine find_upper_friction
 
