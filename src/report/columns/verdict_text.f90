@@ -21,6 +21,8 @@ module dg_verdict_text
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
+   !> Friction reserve below which the text says 'only' [-].
+   real(wp), parameter :: little_reserve = 1.1_wp
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
 
@@ -93,7 +95,7 @@ contains
          if (verdict%friction_reserve%present) text = text//' and'
       end if
       if (verdict%friction_reserve%present) then
-         if (text == '') text = '. Works'
+         if (text == '') text = '. Works'//trim(merge(' only', '     ', verdict%friction_reserve%value < little_reserve))
          text = text//' up to about '//times_text(verdict, verdict%friction_reserve%value)//reserve_end(verdict)
       end if
       if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
