@@ -187,7 +187,7 @@ contains
       call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
       call append_text(lines, '  --again        solve those points of sweeps and uncertainties again that did not converge,')
       call append_text(lines, '                 with the solver settings that DECK.nml has now; goes with --part and --merge')
-      call append_text(lines, '  --quiet        no notes, no progress')
+      call append_text(lines, '  --quiet        no progress, no notes on standard error')
       call append_text(lines, '  --help, -h     this text')
       call append_text(lines, '  --version, -v  name and version')
       call append_text(lines, 'or: '//program_name//' --template [UNITS]            prints a commented deck to start from')
