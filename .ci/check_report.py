@@ -60,7 +60,7 @@ def faults_of_answers(folder, page):
         answer = {"no": "NO"}.get(case["can_be_done"], case["can_be_done"])
         wanted = [f" {case['case']} ", f" {answer} "]
         if case["can_be_done"] == "yes":
-            wanted += [f"{float(case['used_pct']):.3g} % used"] + (["Not checked, no rating given: "] if case["not_checked"] else [])
+            wanted += [f"{float(case['used_pct']):.3g} % "] + (["Not checked, no rating given: "] if case["not_checked"] else [])
         else:
             wanted += [case["reason"]]
         faults += [f"the answer for {case['case']} does not tell '{text}': {told}" for text in wanted if text not in told]

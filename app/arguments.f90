@@ -187,7 +187,7 @@ contains
       call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
       call append_text(lines, '  --again        solve those points of sweeps and uncertainties again that did not converge,')
       call append_text(lines, '                 with the solver settings that DECK.nml has now; goes with --part and --merge')
-      call append_text(lines, '  --quiet        no notes, no progress')
+      call append_text(lines, '  --quiet        no progress, no notes on standard error')
       call append_text(lines, '  --help, -h     this text')
       call append_text(lines, '  --version, -v  name and version')
       call append_text(lines, 'or: '//program_name//' --template [UNITS]            prints a commented deck to start from')
@@ -196,7 +196,8 @@ contains
       call append_text(lines, '    '//program_name//' --convert DECK.nml [UNITS]    '// &
                        'prints the deck in other units')
       call append_text(lines, 'UNITS: '//listed(deck_systems))
-      call append_text(lines, 'exit status: 0 all cases solved, '// &
-                       '2 bad command line, deck or data file, 3 a case did not converge, 1 else')
+      call append_text(lines, 'exit status: 0 every case has an answer (yes, no, or locked up), '// &
+                       '3 a case did not converge,')
+      call append_text(lines, '             2 bad command line, deck or data file, 1 else')
    end subroutine usage_lines
 end module dg_arguments

@@ -112,7 +112,7 @@ contains
          status = status_ok
          return
       end if
-      if (.not. job%quiet) call print_notes(notes)
+      if (.not. job%quiet .and. (size(model%cases) == 0 .or. max(job%parts, job%merge) > 0)) call print_notes(notes)
       call run_deck(job, model, studies, arguments%chosen, status)
    end subroutine work
 
@@ -134,7 +134,7 @@ contains
       end do
    end subroutine print_echo
 
-   !> What is legal in the deck but hardly meant.
+   !> What is legal in the deck but hardly meant. Load cases have a block of warnings for it.
    subroutine print_notes(notes)
       type(text_type), intent(in) :: notes(:)
       integer :: i

@@ -8,6 +8,7 @@ module dg_run_cases
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_find_verdict, only: find_verdict
+   use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: settle_packer_loads
    use dg_history_file, only: write_history
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
@@ -23,7 +24,7 @@ module dg_run_cases
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
    use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
-   use dg_result_table, only: result_table
+   use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
    use dg_solve_case, only: solve_case
@@ -34,7 +35,7 @@ module dg_run_cases
    use dg_text, only: quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_utilisation, only: find_utilisation
-   use dg_verdict, only: verdict_type
+   use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_table, only: verdict_table
    use dg_warnings_table, only: warnings_table
    use dg_well_head, only: well_head
@@ -58,8 +59,10 @@ contains
       type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
+      type(upper_friction_type) :: upper
       call settle_packers(run%model, run%status)
-      call solve_all(run%job, run%model, run%results, alongs, wholes, run%status)
+      call find_upper_friction(run%model%holes, run%estimates, upper)
+      call solve_all(run%job, run%model, upper, run%results, alongs, wholes, run%status)
       call count_from_references(run%model, run%results, wholes)
       call note_cases(run%printed%outcome, run%model, run%results)
       call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, wholes, error)
@@ -73,11 +76,12 @@ contains
       call print_lines(verdict_table(run%job, run%model, run%results, wholes))
       call print_lines(warnings_table(run%job, run%model, run%results))
       call print_line('')
-      call print_lines(well_head(run%job%units, run%model))
+      call print_lines(well_head(run%job%units, run%model, upper))
       call print_lines(result_table(run%job, run%model, run%results, wholes))
-      call print_lines(model_table(run%job, run%model, run%results))
+      call print_lines(model_table(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes))
       call limits_table(run%job, run%model, run%results, wholes, lines)
       call print_lines(lines)
+      call print_lines(cost_table(run%job, run%model, run%results))
       call run_phase(studies, phase_cases, run, '')
       call flush_output()
       if (is_interrupted()) then
@@ -118,9 +122,10 @@ contains
    !> Solves every case with every model, as many at a time as the job allows; after a signal no more of them. Cases do not
    !> know of each other, and what is told and written of them comes in the deck's order: nothing depends on the number of
    !> threads. What is solved is written as soon as all before it is.
-   subroutine solve_all(job, model, results, alongs, wholes, status)
+   subroutine solve_all(job, model, upper, results, alongs, wholes, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(upper_friction_type), intent(in) :: upper
       type(case_result_type), intent(inout) :: results(:)
       type(along_string_type), intent(inout) :: alongs(:)
       type(whole_string_type), intent(inout) :: wholes(:)
@@ -148,7 +153,7 @@ contains
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
             call find_utilisation(model, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if
-         call find_verdict(model, results(row), alongs(row), wholes(row), job%design, job%rig_limit, verdict)
+         call find_verdict(model, results(row), alongs(row), wholes(row), job%design, job%rig_limit, verdict, upper)
          wholes(row)%verdict = verdict
          !$omp critical (results_in_order)
          solved(row) = .true.

@@ -11,6 +11,7 @@ module dg_run_pictures
    use dg_registry, only: echo_studies, studies_type
    use dg_study, only: run_type
    use dg_text, only: text_type
+   use dg_verdict, only: answer_yes
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -30,11 +31,11 @@ contains
       type(picture_list_type) :: pictures
       type(text_type), allocatable :: echo(:), before(:), after(:)
       integer :: i
-      call begin_pictures(run%job, run%model, run%results, pictures, error)
+      call begin_pictures(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes, pictures, error)
       do i = 1, size(studies%items)
          if (studies%items(i)%study%is_asked()) call studies%items(i)%study%add_pictures(run%job, run%model, pictures, error)
       end do
-      call end_pictures(run%job, run%model, run%results, alongs, pictures, error)
+      call end_pictures(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes, alongs, pictures, error)
       if (is_interrupted()) then
          if (.not. allocated(error)) call raise(error, status_failure, 'ended by '//interruption_name()//' before report.html')
          return

@@ -39,6 +39,7 @@ contains
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
+      use dg_test_expected_messages, only: expected_messages_suite
       use dg_test_hints, only: hints_suite
       use dg_test_running_in, only: running_in_suite
       use dg_test_unusual_decks, only: unusual_decks_suite
@@ -47,6 +48,7 @@ contains
       call suite%addTest(actions_suite())
       call suite%addTest(bad_decks_suite())
       call suite%addTest(bounds_suite())
+      call suite%addTest(expected_messages_suite())
       call suite%addTest(hints_suite())
       call suite%addTest(odd_decks_suite())
       call suite%addTest(running_in_suite())

@@ -11,7 +11,7 @@ module dg_program_run
    implicit none
    private
    public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
-      clear_scratch, settle_program, program_path, content
+      clear_scratch, settle_program, program_path, content, unwrapped
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
@@ -66,6 +66,19 @@ contains
          changed = text(:at - 1)//new//text(at + len(old):)
       end if
    end function replaced
+
+   !> A printed text with the lines of each wrapped paragraph joined.
+   pure function unwrapped(text) result(whole)
+      character(*), intent(in) :: text
+      character(:), allocatable :: whole
+      integer :: at
+      whole = text
+      do
+         at = index(whole, newline//'  ')
+         if (at == 0) exit
+         whole = whole(:at - 1)//' '//trim(adjustl(whole(at + 1:)))
+      end do
+   end function unwrapped
 
    !> Writes `text` as deck and runs it with results below the scratch folder.
    function run_deck_text(text, options) result(run)

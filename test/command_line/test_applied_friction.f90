@@ -53,6 +53,7 @@ contains
       run = run_deck_text(deck(applied))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'lower: friction axial 0.3, rotary 0.3') > 0, message=run%output)
+      call assertTrue(index(run%output, 'The 95 % interval of the calibrated friction is unknown') > 0, message=run%output)
       call assertTrue(index(run%output, 'Calibration k') < index(run%output, 'Model soft'), message='calibrated first')
       allocate (lines, source=lines_of(results_path//'/calibration.csv'))
       if (anyExceptions()) return
@@ -90,10 +91,13 @@ contains
       character(:), allocatable :: printed, pairs, text
       type(run_type) :: run
       type(text_type), allocatable :: found(:), repeated(:)
-      real(wp) :: read_back(2)
+      real(wp) :: read_back(2), ends(2)
       integer :: i
       run = run_deck_text(replaced(deck(from), 'friction_deviation = 0.02', "friction_from = 'K'"))
       call assertEqual(0, run%status, message=run%diagnostics)
+      ends = [0.2_wp, 0.3_wp] + 1.959963984540054_wp*deviations
+      call assertTrue(index(run%output, newline//'Upper end of its 95 % interval '//to_text(ends(1), 3)//' in upper, '// &
+                            to_text(ends(2), 3)//' in lower'//newline) > 0, message=run%output)
       allocate (found, source=lines_of(results_path//'/uncertainty_u.csv'))
       if (anyExceptions()) return
       i = index(run%output, 'friction_deviations = ')

@@ -133,5 +133,9 @@ contains
       call assertTrue(index(run%output, '  Jar jar in slide: compression of ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.), '--check')
       call assertTrue(index(run%output, newline//'Well to 15000 ft') > 0, message=run%output)
+      ! in open hole of 8.5 in; the pipe reaches into it, though most of it stands in casing
+      call assertTrue(index(run%output, 'joints 8.5 in, clearance 0 in'//newline) > 0, message=run%output)
+      call assertTrue(index(run%output, 'lbm/gal, clearance 0.875 in'//newline) > 0, message=run%output)
+      call assertTrue(index(run%output, 'joints 6.625 in, clearance 0.9375 in, yield 135 ksi') > 0, message=run%output)
    end subroutine test_head
 end module dg_test_can_be_done

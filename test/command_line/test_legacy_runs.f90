@@ -3,7 +3,7 @@ module dg_test_legacy_runs
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
-   use dg_program_run, only: deck_path, good_deck, results_path, run_deck_text, run_program, run_type, scratch
+   use dg_program_run, only: deck_path, good_deck, results_path, run_deck_text, run_program, run_type, scratch, unwrapped
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -51,10 +51,10 @@ contains
       type(run_type) :: run
       run = run_with('md,axial|0,300|# remark|#200,280|900,0', '')
       call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%diagnostics, 'test_legacy_table.txt: rows skipped: 1 that begin with # (first in line 4)') > 0, &
-                      message=run%diagnostics)
+      call assertTrue(index(unwrapped(run%output), &
+                            'test_legacy_table.txt: rows skipped: 1 that begin with # (first in line 4)') > 0, message=run%output)
       run = run_with('0     300|#  200280|900     0', ", md = '1:6', axial = '7:9'")
-      call assertTrue(index(run%diagnostics, 'rows skipped: 1 that begin with # (first in line 2)') > 0, message=run%diagnostics)
+      call assertTrue(index(unwrapped(run%output), 'rows skipped: 1 that begin with # (first in line 2)') > 0, message=run%output)
    end subroutine test_skipped
 
    !> The wrong sign of curvature makes its error in the build section alone, in all three operations.

@@ -141,7 +141,7 @@ contains
       run = run_program(deck_path//' --check')
       call assertTrue(index(run%output, 'note        '//words) > 0, message=run%output)
       run = run_deck_text(deck('', sine))
-      call assertTrue(index(run%diagnostics, 'note: '//words) > 0, message=run%diagnostics)
+      call assertEqual(1, index(run%output, 'Path: '//words), message=run%output)
       run = run_deck_text(deck('', ''))
       call assertEqual(0, index(run%output, 'Path'))
    end subroutine test_named

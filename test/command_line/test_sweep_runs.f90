@@ -5,7 +5,7 @@ module dg_test_sweep_runs
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
-      run_program, run_type
+      run_program, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
    use dg_text, only: append_text, text_type, to_text
    implicit none
@@ -60,7 +60,7 @@ contains
       run = run_deck_text(deck//"&sweep name = 'b', operations = 'up', 'rotate_off_bottom', frictions = 0.2, wob = 20, tob = 1"// &
                           ', bit_depth_from = 700, bit_depth_step = 100 /'//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%diagnostics, 'its wob and tob act in trip_out too') > 0, message=run%diagnostics)
+      call assertTrue(index(unwrapped(run%output), 'its wob and tob act in trip_out too') > 0, message=run%output)
       allocate (sweep(0), summary(0))
       sweep = lines_of(csv)
       if (anyExceptions()) return

@@ -69,7 +69,8 @@ contains
       call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi')
       call mistake("&component name = 'bit', kind = 'bit', length = 1,", &
                    "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
-                   "&component name = 'bit', kind = 'bit', length = 1,", 'bit ''bit'' stands above ''low''')
+                   "&component name = 'bit', kind = 'bit', length = 1,", &
+                   'bit ''bit'' stands above ''low''. List components from the bit upwards')
    end subroutine test_string
 
    !> Left out: fluid, friction.

@@ -111,7 +111,7 @@ contains
             call fill(parts)
             call spoil(parts, i, number)
             if (i == 22) then
-               call refuse(parts, 'wall_left')
+               call refuse(parts, 'wall_left is the part of the wall that wear has left')
             else
                call refuse(parts, 'not a finite number')
             end if
@@ -163,7 +163,7 @@ contains
       type(load_case_type) :: load_case
       type(error_type), allocatable :: error
       call refuse(empty, 'survey: md is not allocated')
-      call refuse(empty, 'holes: there is none')
+      call refuse(empty, 'holes: there is none; give sections from surface down')
       call refuse(empty, 'strings: there is none')
       call fill(parts)
       deallocate (parts%survey%inclination)
@@ -201,7 +201,7 @@ contains
       parts%survey%md = [0.0_wp]
       parts%survey%inclination = [0.0_wp]
       parts%survey%azimuth = [0.0_wp]
-      call refuse(parts, 'survey: md holds 1 station(s)')
+      call refuse(parts, 'survey: md holds 1 station(s); at least two are needed')
       call fill(parts)
       parts%survey%inclination = [0.0_wp, 1.0_wp]
       call refuse(parts, 'survey: inclination has 2 values, md has 4')
@@ -294,7 +294,7 @@ contains
       call refuse(parts, 'numerics: max_iterations')
       parts%numerics = settings_of('auto')
       parts%numerics%linear_solver = 0
-      call refuse(parts, 'numerics: linear_solver')
+      call refuse(parts, 'numerics: linear_solver = 0 is none of its numbers; needs one from 1 to ')
       call fill(parts)
       parts%rig%lines = 0
       call refuse(parts, 'rig: lines')
@@ -316,7 +316,7 @@ contains
       call refuse_case(load_case, 'bit_depth = 2500 m lies below the survey, which ends at 2400 m')
       load_case = drilling()
       load_case%operation = 99
-      call refuse_case(load_case, 'operation = 99')
+      call refuse_case(load_case, 'operation = 99 is no number of an operation; needs one from 1 to ')
       load_case = drilling()
       load_case%operation = operation_ream
       call refuse_case(load_case, 'operation ream needs angular_speed > 0')

@@ -5,7 +5,7 @@ module dg_test_report_table
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
-   use dg_result_table, only: result_table
+   use dg_result_table, only: cost_table, result_table
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: text_type
    use dg_units, only: field_units
@@ -27,7 +27,7 @@ contains
       type(text_type), allocatable :: lines(:)
       type(whole_string_type) :: wholes(size(results))
       where (results%status == result_converged) wholes%verdict%answer = answer_yes
-      allocate (lines, source=result_table(job, model, results, wholes))
+      allocate (lines, source=[result_table(job, model, results, wholes), cost_table(job, model, results)])
    end function table_of
 
    function report_table_suite() result(suite)

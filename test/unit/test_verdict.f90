@@ -9,10 +9,12 @@ module dg_test_verdict
    use dg_error, only: error_type
    use dg_find_verdict, only: find_verdict
    use dg_fluid, only: standing_mud
+   use dg_friction_estimate, only: find_upper_friction, friction_estimate_type, upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
                            operation_trip_out, optional_real
+   use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_soft_string, only: solve_soft_string
    use dg_text, only: to_text
@@ -42,6 +44,8 @@ contains
       call suite%addTest(TestMethod('rig_and_its_reserve', test_rig))
       call suite%addTest(TestMethod('limit_behind_the_reserve', test_reserve_limit))
       call suite%addTest(TestMethod('reserve_of_coils', test_reserve_of_coils))
+      call suite%addTest(TestMethod('upper_end_of_friction', test_upper_end))
+      call suite%addTest(TestMethod('no_lock_up_of_a_string_that_rests', test_static))
       call suite%addTest(TestMethod('top_drive', test_top_drive))
       call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
       call suite%addTest(TestMethod('locked_up', test_locked_up))
@@ -85,10 +89,11 @@ contains
    end function weight_of
 
    !> Solve by the soft string and judge.
-   subroutine judge(model, rig_limit, verdict)
+   subroutine judge(model, rig_limit, verdict, upper)
       type(model_type), intent(in) :: model
       type(optional_real), intent(in) :: rig_limit      !< [N]
       type(verdict_type), intent(out) :: verdict
+      type(upper_friction_type), intent(in), optional :: upper
       type(case_result_type) :: result
       type(along_string_type) :: along
       type(whole_string_type) :: whole
@@ -99,7 +104,7 @@ contains
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, rig_limit, whole)
       call find_utilisation(model, result, along, factors, rig_limit, whole%utilisation)
-      call find_verdict(model, result, along, whole, factors, rig_limit, verdict)
+      call find_verdict(model, result, along, whole, factors, rig_limit, verdict, upper)
    end subroutine judge
 
    !> Running in: hook load W (cos a - f sin a). Friction may be cot a/f times as high until nothing hangs on the hook.
@@ -160,6 +165,78 @@ contains
       call assertEqual(limit_string_weight, verdict%limit)
       call assertRelativelyEqual(1.0_wp - 0.1_wp*most/(weight_of(model)*cos(angle)), verdict%used%value, close)
    end subroutine test_weight_on_bit
+
+   !> Pulling out with friction that was found, f = 0.3, 95 % interval up to 0.42. The rig carries the hook
+   !> load W (cos a + f sin a) at 0.3, and, or not, at the upper end.
+   subroutine test_upper_end()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      type(friction_estimate_type) :: estimate
+      type(upper_friction_type) :: upper
+      character(:), allocatable :: text
+      real(wp) :: ends(2), loads(2)
+      call build(model, operation_trip_out, 0.0_wp)
+      estimate = friction_estimate_type(name='k', applied=.true., found=.true., half_widths=[0.12_wp])
+      call find_upper_friction(model%holes, [estimate], upper)
+      ends = [friction, friction + 0.12_wp]
+      call assertRelativelyEqual(ends(2), upper%holes(1)%friction_axial, close)
+      call assertRelativelyEqual(ends(2), upper%holes(1)%friction_rotary, close)
+      loads = weight_of(model)*(cos(angle) + ends*sin(angle))
+      allocate (character(0) :: text)
+      call judge(model, given(1.01_wp*loads(2)), verdict, upper)
+      call assertEqual(answer_yes, verdict%answer)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'Works at the upper end of the 95 % interval of friction and up to about ') > 0, message=text)
+      call judge(model, given(0.99_wp*loads(2)), verdict, upper)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(limit_rig, verdict%limit)
+      call assertRelativelyEqual(1.0_wp/0.99_wp, verdict%used%value, close)
+      call assertFalse(verdict%friction_reserve%present)
+      call assertRelativelyEqual((0.99_wp*loads(2)/weight_of(model) - cos(angle))/(friction*sin(angle)), &
+                                 verdict%possible_friction%value, close)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertEqual('hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
+                       ' kN allowed, at the upper end of the 95 % interval of friction. Possible up to about '// &
+                       to_text(verdict%possible_friction%value, 3)//' times the calibrated friction', text)
+      ! One that cannot be done with the friction found, either.
+      call judge(model, given(0.99_wp*loads(1)), verdict, upper)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertEqual(0, index(text, 'upper end'), message=text)
+      call assertTrue(index(text, 'Possible with about 0.9') > 0, message=text)
+      ! A friction of the load case's own was not found.
+      model%cases(1)%friction_axial = given(friction)
+      call judge(model, given(0.99_wp*loads(2)), verdict, upper)
+      call assertEqual(answer_yes, verdict%answer)
+      model%cases(1)%friction_axial%present = .false.
+      estimate%half_widths = missing
+      call find_upper_friction(model%holes, [estimate], upper)
+      call judge(model, given(0.99_wp*loads(2)), verdict, upper)
+      call assertEqual(answer_yes, verdict%answer)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'The 95 % interval of the calibrated friction is unknown') > 0, message=text)
+   end subroutine test_upper_end
+
+   !> A string that rests has no friction and no lock-up: weight on bit takes 0.3/cos a of its weight along the hole.
+   subroutine test_static()
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      character(:), allocatable :: text
+      call build(model, operation_static, 0.3_wp*weight_of_pipe())
+      call judge(model, optional_real(), verdict)
+      call assertEqual(limit_string_weight, verdict%limit)
+      allocate (character(0) :: text)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'WOB takes 60 % of the string weight, ') == 1, message=text)
+      call assertTrue(index(text, ' left on the hook') > 0, message=text)
+   contains
+      !> Buoyed weight of the whole string [N].
+      function weight_of_pipe() result(weight)
+         real(wp) :: weight
+         type(model_type) :: empty
+         call build(empty, operation_static, 0.0_wp)
+         weight = weight_of(empty)
+      end function weight_of_pipe
+   end subroutine test_static
 
    !> Pulling out, W (cos a + f sin a) and a block of 100 kN on a rig. The factor follows from the rest.
    subroutine test_rig()

@@ -1,21 +1,25 @@
 !> Finds the answer to 'can it be done?' for a load case from its result and its limits.
 !>
 !> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook load
-!> below zero means a push at surface. Strengths, slips and rig are those of dg_utilisation.
+!> below zero means a push at surface. Strengths, slips and rig are those of dg_utilisation. Where a calibration has found the
+!> friction, the limits must hold with the upper end of its 95 % interval, too.
 module dg_find_verdict
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type
+   use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_design_factors, only: design_factors_type
-   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, own_weight, weight_share
+   use dg_friction_estimate, only: has_upper_friction, upper_friction_type
+   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, given, moves_axially, optional_real, rotates
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
-   use dg_utilisation, only: as_much, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, &
-                             limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises, utilisation_type
-   use dg_verdict, only: answer_no, answer_yes, limit_fatigue, limit_lock_up, limit_string_weight, verdict_type
+   use dg_utilisation, only: as_much, find_utilisation, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, &
+                             limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises, &
+                             utilisation_type
+   use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
+                         limit_lock_up, limit_string_weight, verdict_type
    use dg_weight_on_bit, only: locks_up, most_weight_on_bit
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -25,7 +29,7 @@ module dg_find_verdict
 contains
 
    !> Verdict of a result. `along` and `whole` are only read where it has converged. Unknown where it has not.
-   pure subroutine find_verdict(model, result, along, whole, design, rig_limit, verdict)
+   pure subroutine find_verdict(model, result, along, whole, design, rig_limit, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
@@ -33,6 +37,7 @@ contains
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
       type(verdict_type), intent(out) :: verdict
+      type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       associate (load_case => model%cases(result%case_index))
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
@@ -42,7 +47,8 @@ contains
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
             verdict%most_wob = whole%wob_lockup
-            verdict%buckled_length = merge(whole%coiled_length, whole%helical_length, result%model == model_mcge)
+            verdict%buckled_by_formula = result%model /= model_mcge
+            verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
@@ -51,12 +57,51 @@ contains
             else
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
+            if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
          end if
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
              .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) &
             call find_turning_hookload(model, result%case_index, verdict%turning_hookload)
       end associate
    end subroutine find_verdict
+
+   !> Judges what can be done once more, with friction that was found at the upper end of its interval.
+   pure subroutine judge_upper_end(model, result, design, rig_limit, upper, verdict)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit   !< [N]
+      type(upper_friction_type), intent(in) :: upper
+      type(verdict_type), intent(inout) :: verdict
+      type(model_type) :: raised
+      type(case_result_type) :: other
+      type(along_string_type) :: along
+      type(utilisation_type) :: utilisation
+      type(verdict_type) :: at_end
+      logical :: runaway
+      if (.not. has_upper_friction(upper, model%cases(result%case_index))) return
+      verdict%friction = merge(friction_upper_end, friction_calibrated, upper%known)
+      if (verdict%answer == answer_no .or. .not. upper%known) return
+      raised = model
+      raised%holes = upper%holes
+      at_end%answer = answer_yes
+      at_end%friction = friction_upper_end_alone
+      at_end%not_checked = verdict%not_checked
+      at_end%possible_friction = verdict%friction_reserve
+      if (verdict%most_wob%present) &
+         at_end%most_wob = given(most_weight_on_bit(raised, result%case_index, coiled=.true., pushed=.false.))
+      call find_with_friction(model, raised, result, other, runaway)
+      if (runaway) then
+         at_end%answer = answer_no
+         at_end%limit = limit_lock_up
+      else
+         call find_along_string(raised, other, along)
+         call find_utilisation(raised, other, along, design, rig_limit, utilisation)
+         call judge_strengths(other, along, utilisation, model%rig%block_weight, at_end)
+         call judge_weight(raised, other, at_end%most_wob, at_end)
+      end if
+      if (at_end%answer == answer_no) verdict = at_end
+   end subroutine judge_upper_end
 
    !> Takes the most used of strengths, slips and rig.
    pure subroutine judge_strengths(result, along, utilisation, block_weight, verdict)
@@ -125,7 +170,7 @@ contains
          end if
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
-         if (passed == 0 .and. rotates(load_case%operation)) return
+         if (passed == 0 .and. (rotates(load_case%operation) .or. .not. moves_axially(load_case%operation))) return
          ! The soft string may lock up where beams do not: the limit is reached then, not passed.
          share = 0.0_wp
          if (load_case%wob > 0.0_wp) share = min(load_case%wob/max(wob_lockup%value, tiny(share)), 1.0_wp)

@@ -18,7 +18,7 @@ module dg_friction_reserve
    use dg_verdict, only: limit_lock_up, limit_string_weight
    implicit none
    private
-   public :: find_friction_reserve, find_possible_friction, own_weight, weight_share
+   public :: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
 
    !> Smallest and largest factor that are looked for, and to what part of it [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
@@ -114,6 +114,43 @@ contains
       end associate
    end subroutine begin_soft
 
+   !> The result as it is with the friction of another model of the same well.
+   pure subroutine find_with_friction(model, other_model, result, other, locks_up)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(in) :: other_model        !< another friction of the hole, all else alike
+      type(case_result_type), intent(in) :: result       !< of `model`, converged
+      type(case_result_type), intent(out) :: other       !< hook load, torque, friction, profile
+      logical, intent(out) :: locks_up                   !< no such result
+      type(soft_type) :: soft
+      call begin_soft(model, result, soft)
+      locks_up = .not. allocated(soft%axial)
+      if (.not. locks_up) call shift_result(other_model, result, soft, 1.0_wp, other, locks_up)
+   end subroutine find_with_friction
+
+   !> The result with friction of a model times a factor.
+   pure subroutine shift_result(model, result, soft, factor, other, locks_up)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(soft_type), intent(in) :: soft
+      real(wp), intent(in) :: factor       !< [-]
+      type(case_result_type), intent(out) :: other
+      logical, intent(out) :: locks_up
+      type(soft_totals_type) :: totals
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial))
+      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
+                          other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
+      locks_up = totals%runaway
+      if (locks_up) return
+      other%case_index = result%case_index
+      other%model = result%model
+      other%profile = result%profile
+      other%profile%axial = result%profile%axial + soft%axial_ratio*(axial - soft%axial)
+      other%profile%torque = result%profile%torque + soft%torque_ratio*(torque - soft%torque)
+      other%hookload = other%profile%axial(1)
+      other%torque = other%profile%torque(1)
+      other%friction = result%friction - (other%hookload - result%hookload)
+   end subroutine shift_result
+
    !> One minus the share of the most used limit with all friction times a factor, and that limit.
    pure subroutine find_margin(model, result, design, rig_limit, soft, factor, margin, limit)
       type(model_type), intent(in) :: model
@@ -129,21 +166,13 @@ contains
       type(utilisation_type) :: utilisation
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), share
-      call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
-                          other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
-      if (totals%runaway) then
+      logical :: runaway
+      call shift_result(model, result, soft, factor, other, runaway)
+      if (runaway) then
          margin = 1.0_wp - locked
          limit = limit_lock_up
          return
       end if
-      other%case_index = result%case_index
-      other%model = result%model
-      other%profile = result%profile
-      other%profile%axial = result%profile%axial + soft%axial_ratio*(axial - soft%axial)
-      other%profile%torque = result%profile%torque + soft%torque_ratio*(torque - soft%torque)
-      other%hookload = other%profile%axial(1)
-      other%torque = other%profile%torque(1)
-      other%friction = result%friction - (other%hookload - result%hookload)
       call find_along_string(model, other, along)
       call find_utilisation(model, other, along, design, rig_limit, utilisation)
       margin = 1.0_wp

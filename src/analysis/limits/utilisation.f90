@@ -37,6 +37,8 @@ module dg_utilisation
 
    !> By how much more a limit must be used to count as used more [-]: beyond round-off.
    real(wp), parameter :: as_much = 1.0e-6_wp
+   !> The same of two depths [-].
+   real(wp), parameter :: round_off = 1.0e-10_wp
 
 contains
 
@@ -115,13 +117,13 @@ contains
       if (load > 0.0_wp) share = load/max(strength, load*epsilon(1.0_wp))
    end function share_of
 
-   !> Keeps a use of a limit if it is more than any before.
+   !> Keeps a use of a limit if it is more than any before: of many that are equal the uppermost.
    pure subroutine use_limit(utilisation, limit, used, md)
       type(utilisation_type), intent(inout) :: utilisation
       integer, intent(in) :: limit
       real(wp), intent(in) :: used   !< [-]
       real(wp), intent(in) :: md     !< [m]
-      if (utilisation%used(limit)%present .and. used <= utilisation%used(limit)%value) return
+      if (utilisation%used(limit)%present .and. used <= (1.0_wp + round_off)*utilisation%used(limit)%value) return
       utilisation%used(limit) = given(used)
       utilisation%md(limit) = given(md)
    end subroutine use_limit

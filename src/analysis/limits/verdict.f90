@@ -8,6 +8,7 @@ module dg_verdict
    private
    public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
              limit_lock_up, limit_fatigue, limit_title, limit_code
+   public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
    !> Names in files, in the order of the numbers above.
@@ -20,6 +21,10 @@ module dg_verdict
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(13) :: 'string weight', 'lock-up', &
       'fatigue']
 
+   !> Friction that an answer goes by: of the deck; of a calibration without a 95 % interval; of one with it, and the answer holds
+   !> at its upper end; or is no at its upper end alone.
+   integer, parameter :: friction_given = 0, friction_calibrated = 1, friction_upper_end = 2, friction_upper_end_alone = 3
+
    type :: verdict_type
       integer :: answer = answer_unknown
       integer :: limit = 0                          !< the one that decides; for yes the one used most; 0: none known
@@ -29,8 +34,10 @@ module dg_verdict
       logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
-      type(optional_real) :: possible_friction      !< no: part of all friction, < 1, with which the answer is yes [-]
+      type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
+      integer :: friction = friction_given          !< what the answer goes by
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
+      logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]
    end type verdict_type

@@ -7,8 +7,8 @@ module dg_verdict_text
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
                              limit_tension, limit_top_drive, limit_torsion, limit_von_mises
-   use dg_verdict, only: answer_no, answer_yes, every_limit_count, limit_code, limit_lock_up, limit_string_weight, limit_title, &
-                         verdict_type
+   use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
+                         friction_upper_end_alone, limit_code, limit_lock_up, limit_string_weight, limit_title, verdict_type
    implicit none
    private
    public :: verdict_reason, verdict_sentences, unchecked_codes, row_mark, mark_meaning
@@ -21,6 +21,8 @@ module dg_verdict_text
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
+   !> Friction reserve below which the text says 'only' [-].
+   real(wp), parameter :: little_reserve = 1.1_wp
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
 
@@ -51,11 +53,13 @@ contains
          else
             text = force_text(units, push_of(verdict))//' of push needed at surface'
          end if
+         if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
-         text = trim(limit_title(verdict%limit))//': '// &
+         text = shown_title(verdict%limit)//': '// &
                 load_text(units, verdict%limit, verdict%load%value)//place_text(units, verdict)
          if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed'
       end select
+      if (verdict%friction == friction_upper_end_alone) text = text//', at the upper end of the 95 % interval of friction'
    end function verdict_reason
 
    !> What stands beside the answer: the reason and what helps; or the nearest limit, what is left of it, the friction reserve and
@@ -68,18 +72,43 @@ contains
       if (verdict%answer == answer_no) then
          text = verdict_reason(units, load_case, verdict)//help_text(units, verdict)
       else if (verdict%answer == answer_yes) then
-         text = nearest_text(units, verdict)
+         text = nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp) &
             text = text//'. Largest WOB '//force_text(units, max(verdict%most_wob%value, load_case%wob))
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
-            trim(in_units(units, unit_length, verdict%buckled_length, shown))
-         if (verdict%friction_reserve%present) text = text//'. Works up to about '// &
-            to_text(verdict%friction_reserve%value, shown_factor)//' times the friction given'//reserve_end(verdict)
+            trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
+            trim(merge(' by formula', '           ', verdict%buckled_by_formula))
+         text = text//reserve_text(verdict)
          if (any(verdict%not_checked)) text = text//'. Not checked, no rating given: '//unchecked_text(verdict)
       else
          text = 'No solution was found'
       end if
    end function verdict_sentences
+
+   !> What more friction does.
+   pure function reserve_text(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = ''
+      if (verdict%friction == friction_upper_end) then
+         text = '. Works at the upper end of the 95 % interval of friction'
+         if (verdict%friction_reserve%present) text = text//' and'
+      end if
+      if (verdict%friction_reserve%present) then
+         if (text == '') text = '. Works'//trim(merge(' only', '     ', verdict%friction_reserve%value < little_reserve))
+         text = text//' up to about '//times_text(verdict, verdict%friction_reserve%value)//reserve_end(verdict)
+      end if
+      if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
+   end function reserve_text
+
+   !> A factor of friction.
+   pure function times_text(verdict, factor) result(text)
+      type(verdict_type), intent(in) :: verdict
+      real(wp), intent(in) :: factor       !< [-]
+      character(:), allocatable :: text
+      text = to_text(factor, shown_factor)//' times the '//trim(merge('friction given     ', 'calibrated friction', &
+                                                                      verdict%friction == friction_given))
+   end function times_text
 
    !> The limit that ends the friction reserve, where it is another one than the limit used most today.
    pure function reserve_end(verdict) result(text)
@@ -108,13 +137,15 @@ contains
          if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
             ' of buoyed weight where the hole is steep'
       end if
-      if (verdict%possible_friction%present) text = text//'. Possible with about '// &
-         to_text(verdict%possible_friction%value, shown_factor)//' times the friction given'
+      if (verdict%possible_friction%present) text = text//'. Possible '// &
+         trim(merge('up to', 'with ', verdict%friction == friction_upper_end_alone))//' about '// &
+         times_text(verdict, verdict%possible_friction%value)
    end function help_text
 
    !> The limit used most and what is left of it.
-   pure function nearest_text(units, verdict) result(text)
+   pure function nearest_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       if (verdict%limit == 0) then
@@ -123,11 +154,42 @@ contains
       end if
       text = ''
       if (verdict%used%value > close_to_limit) text = 'Close to its limit: '
-      text = text//trim(limit_title(verdict%limit))//' '//to_text(verdict%used%value/percent, shown_factor)//' % used'// &
-             place_text(units, verdict)
+      text = text//used_text(load_case, verdict)//place_text(units, verdict)
       if (verdict%allowed%present) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
+      if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
+
+   !> How much of the limit is used, and by what.
+   pure function used_text(load_case, verdict) result(text)
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      logical :: drags
+      text = to_text(verdict%used%value/percent, shown_factor)//' %'
+      drags = moves_axially(load_case%operation)
+      if (verdict%limit == limit_lock_up) then
+         text = 'WOB is '//text//' of the largest before lock-up'
+      else if (verdict%limit /= limit_string_weight) then
+         text = shown_title(verdict%limit)//' '//text//' used'
+      else if (drags .and. load_case%wob > 0.0_wp) then
+         text = 'friction and WOB take '//text//' of the string weight'
+      else
+         text = trim(merge('friction takes', 'WOB takes     ', drags))//' '//text//' of the string weight'
+      end if
+   end function used_text
+
+   !> Name of a limit with the load that it limits.
+   pure function shown_title(limit) result(title)
+      integer, intent(in) :: limit
+      character(:), allocatable :: title
+      select case (limit)
+      case (limit_rig); title = 'hook load of the rig'
+      case (limit_top_drive); title = 'torque of the top drive'
+      case (limit_von_mises); title = 'von Mises stress'
+      case default; title = trim(limit_title(limit))
+      end select
+   end function shown_title
 
    !> A load of a limit.
    pure function load_text(units, limit, load) result(text)

@@ -16,10 +16,11 @@ module dg_deck_echo
       torsional_strength
    use dg_rig, only: rig_type
    use dg_text, only: text_type, to_text
-   use dg_trajectory, only: position_at
+   use dg_trajectory, only: position_at, top_md
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
       unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall
    use dg_units, only: unit_system_type
+   use dg_well_head, only: deepest_bit, find_clearances
    implicit none
    private
    public :: echo_lines, hole_friction_text
@@ -149,21 +150,28 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: number
+      type(optional_real) :: clearances(size(model%strings(number)%components))
+      real(wp) :: places(size(clearances))
       integer :: i
-      character(:), allocatable :: length
+      character(:), allocatable :: length, clearance
       associate (string => model%strings(number), units => job%units)
+         if (deepest_bit(model, string) > top_md(model%trajectory)) &
+            call find_clearances(model, string, deepest_bit(model, string), clearances, places)
          call add_line(lines, 'string      '//string%name//', from the bit upwards')
          do i = 1, size(string%components)
             associate (part => string%components(i))
                length = 'to surface'
                if (part%length > 0.0_wp) length = quantity(part%length, units%length, unit_label(units, unit_length))
+               clearance = ''
+               if (clearances(i)%present) clearance = ', clearance '// &
+                  quantity(clearances(i)%value, units%diameter, unit_label(units, unit_diameter))
                call add_line(lines, '  '//part%name//' ('//part%kind//'): '//length//', od '// &
                   quantity(part%od, units%diameter, unit_label(units, unit_diameter))//', id '// &
                   quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
                   quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
                   quantity(part%density, units%density, unit_label(units, unit_density))// &
                   optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))// &
-                  opening_text(units, part)// &
+                  clearance//opening_text(units, part)// &
                   optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &

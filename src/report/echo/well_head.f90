@@ -4,6 +4,9 @@ module dg_well_head
    use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, is_bit
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_friction_estimate, only: upper_friction_type
+   use dg_hole_section, only: hole_section_type
+   use dg_load_case, only: given, optional_real
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing
    use dg_model, only: model_type
@@ -14,7 +17,7 @@ module dg_well_head
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: well_head
+   public :: deepest_bit, find_clearances, well_head
 
    !> Longest piece whose fluids are those at its middle [m].
    real(wp), parameter :: longest_piece = 50.0_wp
@@ -27,21 +30,23 @@ module dg_well_head
 contains
 
    !> The lines. Each string stands with the bit at its deepest load case.
-   pure function well_head(units, model) result(lines)
+   pure function well_head(units, model, upper) result(lines)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
+      type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       type(text_type), allocatable :: lines(:)
       real(wp) :: deepest, air, mud, collars
       character(:), allocatable :: line
-      integer :: i, k
+      integer :: i
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
       call append_text(lines, friction_line(model))
+      if (present(upper)) then
+         if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &
+            'Upper end of its 95 % interval'//sections_text(upper%holes))
+      end if
       do i = 1, size(model%strings)
-         deepest = 0.0_wp
-         do k = 1, size(model%cases)
-            if (model%cases(k)%string == model%strings(i)%name) deepest = max(deepest, model%cases(k)%bit_depth)
-         end do
+         deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
          call weigh(model, model%strings(i), deepest, air, mud, collars)
          line = 'String '//model%strings(i)%name//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
@@ -62,33 +67,55 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth [m]
       character(:), allocatable :: text
-      real(wp) :: tops(size(string%components)), lower, upper, widest, clearance, least, place
-      integer :: i, k, part
+      type(optional_real) :: clearances(size(string%components))
+      real(wp) :: places(size(string%components))
+      integer :: part
       text = ''
-      least = huge(least)
-      part = 0
-      place = 0.0_wp
+      call find_clearances(model, string, bit, clearances, places)
+      where (is_bit(string%components)) clearances%present = .false.
+      if (.not. any(clearances%present)) return
+      part = minloc(clearances%value, mask=clearances%present, dim=1)
+      text = 'Least clearance of '//string%name//' '//trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
+             ' on a side: '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
+   end function clearance_line
+
+   !> The least clearance of each component with the bit at a depth, absent of those above surface.
+   pure subroutine find_clearances(model, string, bit, clearances, places)
+      type(model_type), intent(in) :: model
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: bit                          !< measured depth [m]
+      type(optional_real), intent(out) :: clearances(:)    !< one a component, on a side [m]
+      real(wp), intent(out) :: places(:)                   !< measured depths [m]
+      real(wp) :: tops(size(string%components)), lower, upper, widest, clearance
+      integer :: i, k
+      places = 0.0_wp
       tops = component_tops(string, bit - top_md(model%trajectory))
       lower = bit
       do i = 1, size(tops)
          upper = bit - tops(i)
-         if (.not. is_bit(string%components(i)) .and. lower > upper) then
-            widest = max(contact_diameter(string%components(i), upper), centralizer_diameter(string%components(i)))
-            do k = 1, size(model%holes)
-               if (model%holes(k)%md_top >= lower .or. model%holes(k)%md_bottom <= upper) cycle
-               clearance = 0.5_wp*(model%holes(k)%diameter - widest)
-               if (clearance >= least) cycle
-               least = clearance
-               part = i
-               place = min(lower, model%holes(k)%md_bottom)
-            end do
-         end if
+         widest = max(contact_diameter(string%components(i), upper), centralizer_diameter(string%components(i)))
+         do k = 1, size(model%holes)
+            if (model%holes(k)%md_top >= lower .or. model%holes(k)%md_bottom <= upper .or. lower <= upper) cycle
+            clearance = 0.5_wp*(model%holes(k)%diameter - widest)
+            if (clearances(i)%present .and. clearance >= clearances(i)%value) cycle
+            clearances(i) = given(clearance)
+            places(i) = min(lower, model%holes(k)%md_bottom)
+         end do
          lower = upper
       end do
-      if (part == 0) return
-      text = 'Least clearance of '//string%name//' '//trim(in_units(units, unit_diameter, least, few))//' on a side: '// &
-             string%components(part)%name//' at '//trim(in_units(units, unit_length, place, digits))
-   end function clearance_line
+   end subroutine find_clearances
+
+   !> Depth of the bit at the deepest load case of a string [m]; 0 where no case has it.
+   pure function deepest_bit(model, string) result(deepest)
+      type(model_type), intent(in) :: model
+      type(drillstring_type), intent(in) :: string
+      real(wp) :: deepest
+      integer :: k
+      deepest = 0.0_wp
+      do k = 1, size(model%cases)
+         if (model%cases(k)%string == string%name) deepest = max(deepest, model%cases(k)%bit_depth)
+      end do
+   end function deepest_bit
 
    !> Depths, the largest inclination and the sharpest dogleg with where they are.
    pure function path_line(units, model) result(line)
@@ -124,23 +151,7 @@ contains
       character(:), allocatable :: line
       real(wp) :: low, high
       integer :: i, own
-      line = 'Friction factor'
-      if (size(model%holes) <= most_listed) then
-         do i = 1, size(model%holes)
-            associate (hole => model%holes(i))
-               line = line//' '//pair_text(hole%friction_axial, hole%friction_rotary)
-               if (.not. is_missing(hole%friction_running_in)) line = line//', running in '// &
-                                                                      to_text(hole%friction_running_in, few)//','
-               if (hole%name /= '') line = line//' in '//hole%name
-               if (i < size(model%holes)) line = line//','
-            end associate
-         end do
-      else
-         line = line//' '//to_text(minval(model%holes%friction_axial), few)//' to '// &
-            to_text(maxval(model%holes%friction_axial), few)//' axial, '// &
-            to_text(minval(model%holes%friction_rotary), few)//' to '// &
-            to_text(maxval(model%holes%friction_rotary), few)//' rotary in '//to_text(size(model%holes))//' hole sections'
-      end if
+      line = 'Friction factor'//sections_text(model%holes)
       own = 0
       low = huge(low)
       high = 0.0_wp
@@ -157,6 +168,27 @@ contains
       line = line//'. '//to_text(own)//' of '//to_text(size(model%cases))//' load cases have their own, '//to_text(low, few)
       if (high > low) line = line//' to '//to_text(high, few)
    end function friction_line
+
+   !> Friction factors of hole sections, a blank before each.
+   pure function sections_text(holes) result(text)
+      type(hole_section_type), intent(in) :: holes(:)
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (size(holes) <= most_listed) then
+         do i = 1, size(holes)
+            text = text//' '//pair_text(holes(i)%friction_axial, holes(i)%friction_rotary)
+            if (.not. is_missing(holes(i)%friction_running_in)) &
+               text = text//', running in '//to_text(holes(i)%friction_running_in, few)//','
+            if (holes(i)%name /= '') text = text//' in '//holes(i)%name
+            if (i < size(holes)) text = text//','
+         end do
+      else
+         text = ' '//to_text(minval(holes%friction_axial), few)//' to '//to_text(maxval(holes%friction_axial), few)//' axial, '// &
+            to_text(minval(holes%friction_rotary), few)//' to '//to_text(maxval(holes%friction_rotary), few)//' rotary in '// &
+            to_text(size(holes))//' hole sections'
+      end if
+   end function sections_text
 
    !> Two factors as one number where they are equal.
    pure function pair_text(axial, rotary) result(text)

@@ -27,7 +27,7 @@ module dg_html_report
    use dg_text, only: text_type, to_text
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
-   use dg_warnings_table, only: warning_order, warning_text
+   use dg_warnings_table, only: deck_warnings, warning_order, warning_text
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -164,19 +164,19 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: notes(:)
       character(:), allocatable :: head
       integer, allocatable :: order(:)
-      integer :: i, notes
+      integer :: i
       allocate (order, source=warning_order(results))
-      notes = 0
-      if (allocated(job%notes)) notes = size(job%notes)
-      if (size(order) + notes == 0) then
+      allocate (notes, source=deck_warnings(job, model))
+      if (size(order) + size(notes) == 0) then
          call add_line(lines, '<p>No warnings.</p>')
          return
       end if
-      call add_line(lines, '<h2>Warnings ('//to_text(size(order) + notes)//')</h2><ul>')
-      do i = 1, notes
-         call add_line(lines, '<li>Deck: '//html_safe(job%notes(i)%text)//'.</li>')
+      call add_line(lines, '<h2>Warnings ('//to_text(size(order) + size(notes))//')</h2><ul>')
+      do i = 1, size(notes)
+         call add_line(lines, '<li>Deck: '//html_safe(notes(i)%text)//'</li>')
       end do
       do i = 1, size(order)
          associate (result => results(order(i)))
@@ -246,7 +246,8 @@ contains
                     'that may be added at the top before anything yields, bending included. wob buckling: WOB where buckling '// &
                     'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with the friction of a buckled '// &
                     'string.</p>')
-      call add_line(lines, '<p>governing limit: the limit of strength, slips or rig that is used most, how much of it, where. '// &
+      call add_line(lines, '<p>governing strength limit: of pipe, connections, slips and rig the one that is used most, how '// &
+                    'much of it, where. String weight, lock-up and buckling are apart. '// &
                     factors_text(job%design)//' bit side force: of the bit on the formation. bit tilt: between bit and hole '// &
                     'axis. Clock angles count from the high side. shape, snaking length, coiled length, coil turns: sinusoidal '// &
                     'and helical buckling that mcge found.</p>')

@@ -18,6 +18,9 @@ module dg_html_text
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'
+   !> Columns with another heading than their name in files.
+   character(*), parameter :: renamed_columns(2) = [character(21) :: 'governing_limit', 'governing_utilisation']
+   character(*), parameter :: headings(2) = [character(25) :: 'governing strength limit', 'of it used']
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp
    integer, parameter :: few_digits = 3
@@ -100,7 +103,7 @@ contains
          unit = ''
          if (columns(i)%quantity /= quantity_text) unit = unit_text(columns(i)%quantity, units)
          head = head//'<th'//trim(merge(' class="text"', '             ', columns(i)%quantity == quantity_text))//' title="'// &
-            html_safe(trim(columns(i)%meaning))//'" scope="col">'//spaced(trim(columns(i)%name))//'<br><small>'// &
+            html_safe(trim(columns(i)%meaning))//'" scope="col">'//heading_of(trim(columns(i)%name))//'<br><small>'// &
             html_safe(unit)//'</small></th>'
       end do
       call add_line(page, head//'</tr></thead><tbody>')
@@ -171,6 +174,17 @@ contains
          number = 1
       end select
    end function decimals
+
+   !> Heading of a column.
+   pure function heading_of(name) result(heading)
+      character(*), intent(in) :: name
+      character(:), allocatable :: heading
+      integer :: i
+      heading = spaced(name)
+      do i = 1, size(headings)
+         if (name == renamed_columns(i)) heading = trim(headings(i))
+      end do
+   end function heading_of
 
    !> Underscores as blanks, so that long names break in narrow columns.
    pure function spaced(name) result(text)

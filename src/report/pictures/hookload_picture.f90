@@ -12,6 +12,7 @@ module dg_hookload_picture
    use dg_rig, only: indicated_load
    use dg_text, only: append_text, text_type, to_text
    use dg_column, only: quantity_moment, unit_text
+   use dg_verdict_text, only: mark_meaning, row_mark
    implicit none
    private
    public :: hookload_script
@@ -29,11 +30,12 @@ module dg_hookload_picture
 contains
 
    !> Script of the picture of all hook loads beside what was measured.
-   subroutine hookload_script(name, job, model, results, lines)
+   subroutine hookload_script(name, job, model, results, marked, lines)
       character(*), intent(in) :: name      !< of the picture
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)      !< as many: cannot be done, or no solution
       type(text_type), allocatable, intent(out) :: lines(:)
       type(series_type), allocatable :: series(:)
       type(text_type) :: names(size(model%cases))
@@ -48,8 +50,9 @@ contains
       panels = 1 + count([with_error, with_torque])
       longest = 0
       do i = 1, n
-         longest = max(longest, len(model%cases(i)%name))
          names(i)%text = model%cases(i)%name
+         if (any(marked .and. results%case_index == i)) names(i)%text = names(i)%text//' '//row_mark
+         longest = max(longest, len(names(i)%text))
       end do
       left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
       tics = row_tics(names, left, width)
@@ -68,6 +71,7 @@ contains
          call add_marks(3, "with points pt 6 ps 1.3 lw 1.2 lc rgb '"//colour_measured//"'", 'reference')
       if (any(results%status /= result_converged)) &
          call add_series(series, 'NaN', "with lines lc rgb '#ffffff'", 'not converged cases are left out')
+      if (any(marked)) call add_series(series, 'NaN', "with lines lc rgb '#ffffff'", mark_meaning)
       call legend(lines, 'Hook load of all cases', series, top + 8.0_wp/height, 1.0_wp - 40.0_wp/height)
       call append_text(lines, 'set yrange ['//to_text(real(n, wp) + 0.6_wp, digits)//':0.4]')
       label = 'hook load'

@@ -42,10 +42,11 @@ module dg_picture_files
 contains
 
    !> Begins the pictures of a run with that of all load cases. `error` where a script cannot be written.
-   subroutine begin_pictures(job, model, results, list, error)
+   subroutine begin_pictures(job, model, results, marked, list, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)                      !< as many: cannot be done, or no solution
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
@@ -53,7 +54,7 @@ contains
       call make_folder(folder_in(job), error)
       if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
       if (allocated(error) .or. size(results) == 0) return
-      call hookload_script('hookload', job, model, results, lines)
+      call hookload_script('hookload', job, model, results, marked, lines)
       call add_picture(list, job, new_picture('hookload', 'Hook load of all cases', 0, &
                                      rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list())), &
                        lines, error)
@@ -61,10 +62,11 @@ contains
 
    !> Adds those along the string of each load case, and has all drawn. `error` also where gnuplot fails or the program is asked to
    !> end; a missing gnuplot is none.
-   subroutine end_pictures(job, model, results, alongs, list, error)
+   subroutine end_pictures(job, model, results, marked, alongs, list, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)                      !< as many: cannot be done, or no solution
       type(along_string_type), intent(in) :: alongs(:)      !< as many
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
@@ -72,23 +74,24 @@ contains
       if (allocated(error)) return
       if (job%profiles) then                ! the files that these draw from
          do i = 1, size(model%cases)
-            call add_case(list, job, model, i, results, alongs, error)
+            call add_case(list, job, model, i, results, marked, alongs, error)
          end do
       end if
       if (.not. allocated(error)) call draw(job, list, error)
    end subroutine end_pictures
 
    !> Pictures along the string of a load case, of those results that are solutions; none where there are none.
-   subroutine add_case(list, job, model, case_index, results, alongs, error)
+   subroutine add_case(list, job, model, case_index, results, marked, alongs, error)
       type(picture_list_type), intent(inout) :: list
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)                      !< as many
       type(along_string_type), intent(in) :: alongs(:)      !< as many
       type(error_type), allocatable, intent(inout) :: error
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name, left_out, file
+      character(:), allocatable :: name, left_out, file, answer
       integer, allocatable :: rows(:)
       integer :: k
       rows = pack([(k, k=1, size(results))], results%case_index == case_index .and. results%status == result_converged)
@@ -101,26 +104,28 @@ contains
       end do
       ! contact is what gap elements find; of other models the first
       k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
+      answer = ''
+      if (marked(k)) answer = '. Cannot be done'
       associate (load_case => model%cases(case_index))
          file = case_file(profile_file, load_case%name, results(k)%model)
          name = free_name(list, 'path_'//load_case%name)
          call path_script(name, job, model, results(k), lines)
-         call add_picture(list, job, new_picture(name, 'Well path with contact of the string', case_index, &
+         call add_picture(list, job, new_picture(name, 'Well path with contact of the string'//answer, case_index, &
                                         rows_along(file, path_columns, results(k), alongs(k))), lines, error)
          name = free_name(list, 'forces_'//load_case%name)
          call forces_script(name, job, model, results(rows), alongs(rows), left_out, lines)
-         call add_picture(list, job, new_picture(name, 'Along the string', case_index, &
+         call add_picture(list, job, new_picture(name, 'Along the string'//answer, case_index, &
                                         rows_along(file, forces_columns, results(k), alongs(k))), lines, error)
          name = free_name(list, 'strength_'//load_case%name)
          call strength_script(name, job, model, results(rows), alongs(rows), lines)
-         call add_picture(list, job, new_picture(name, 'Stress, safety factor and torque against what the string bears', &
-                                        case_index, &
+         call add_picture(list, job, new_picture(name, 'Stress, safety factor and torque against what the string bears'// &
+                                        answer, case_index, &
                                         rows_along(file, strength_columns, results(k), alongs(k))), lines, error)
          if (results(k)%model /= model_mcge) return
          name = free_name(list, 'assembly_'//load_case%name)
          call assembly_script(name, job, model, results(k), lines)
          call add_picture(list, job, new_picture(name, &
-            'The lowest part of the string in its hole; forces across it, angles as clock angles', case_index, &
+            'The lowest part of the string in its hole; forces across it, angles as clock angles'//answer, case_index, &
             rows_of_contacts(case_file(contacts_file, load_case%name, results(k)%model), results(k), &
                              load_case%bit_depth - shown_length)), lines, error)
       end associate

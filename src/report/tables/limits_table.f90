@@ -100,13 +100,14 @@ contains
       call append_least(lines, units, names, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
-         call append_text(lines, '  Beyond the '//trim(buckling_name(wholes(i)%buckling))//' buckling load in '//names(i)%text// &
-                          ': '//to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
+         call append_text(lines, '  By formula, beyond the '//trim(buckling_name(wholes(i)%buckling))//' buckling load in '// &
+                          names(i)%text//': '// &
+                          to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
                           trim(units%length_label)//' of string')
       end do
       do i = 1, size(results)
          if (wholes(i)%shape == buckling_none) cycle
-         call append_text(lines, '  Buckled in '//names(i)%text//': sinusoidal '// &
+         call append_text(lines, '  By mcge, buckled in '//names(i)%text//': sinusoidal '// &
                           to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', helical '// &
                           to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' ('// &
                           to_text(anint(wholes(i)%coil_turns))//' turns)')

@@ -2,7 +2,7 @@
 !> and what each cost. Every line fits 120 columns.
 module dg_model_table
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, has_numbers, result_converged
+   use dg_case_result, only: case_result_type, has_numbers
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given, optional_real
    use dg_model, only: model_type
@@ -10,6 +10,7 @@ module dg_model_table
    use dg_text, only: append_text, text_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
+   use dg_verdict_text, only: mark_meaning, row_mark
    implicit none
    private
    public :: model_table
@@ -27,12 +28,13 @@ contains
 
    !> The lines of the comparison, cases in the deck's order, in each the models in the deck's order. No line where
    !> there is one model.
-   pure function model_table(job, model, results) result(lines)
+   pure function model_table(job, model, results, marked) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: marked(:)         !< as many: cannot be done, or no solution
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: rule
+      character(:), allocatable :: rule, mark
       integer :: i, j, first, row
       allocate (lines(0))
       if (size(job%models) < 2) return
@@ -47,7 +49,8 @@ contains
          do i = 1, size(job%models)
             row = row_of(results, job%models(i), j)
             if (row == 0 .or. first == 0) cycle
-            call append_text(lines, trim(table_row(job%units, model, results(row), results(first), i == 1)))
+            mark = trim(merge(' '//row_mark, '  ', marked(row)))
+            call append_text(lines, trim(table_row(job%units, model, results(row), results(first), i == 1))//mark)
          end do
       end do
       call append_text(lines, rule)
@@ -56,7 +59,7 @@ contains
                           repeat(' ', 4*number_width + 2*share_width)// &
                           fixed_cell(sum(results%seconds, results%model == job%models(i)), seconds_width, 4))
       end do
-      if (any(results%status /= result_converged)) call append_text(lines, '! no solution')
+      if (any(marked)) call append_text(lines, mark_meaning)
    end function model_table
 
    pure subroutine append_head(lines, units)
@@ -97,7 +100,6 @@ contains
          fixed_cell(optional_real(has_numbers(result%status), result%torque), units%moment, number_width, 3)// &
          fixed_cell(turn, units%moment, number_width, 3)//fixed_cell(turn_share, one, share_width, 3)// &
          fixed_cell(result%seconds, seconds_width, 4)
-      if (result%status /= result_converged) row = row//' !'
    end function table_row
 
    !> Row of a model and case among the results, 0 where there is none.

@@ -1,4 +1,4 @@
-!> The tables on standard output: the paper's Table 1, and what the run cost.
+!> Two tables of every model on standard output: the paper's Table 1, and what each case cost.
 !> Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
@@ -16,7 +16,7 @@ module dg_result_table
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: result_table
+   public :: cost_table, result_table
 
    !> Widths of the columns of the second table.
    integer, parameter :: name_width = 24
@@ -28,7 +28,7 @@ module dg_result_table
 
 contains
 
-   !> The lines of the tables.
+   !> The lines of Table 1.
    pure function result_table(job, model, results, wholes) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -45,10 +45,27 @@ contains
          call append_text(lines, 'Model '//trim(model_name(job%models(i))))
          call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows), &
                              wholes(rows)%verdict%answer /= answer_yes)
-         call append_text(lines, '')
-         call append_costs(lines, job%units, model%cases(results(rows)%case_index), results(rows))
       end do
    end function result_table
+
+   !> The lines of the table of costs.
+   pure function cost_table(job, model, results) result(lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: lines(:)
+      integer, allocatable :: rows(:)
+      integer :: i, k
+      allocate (lines(0))
+      do i = 1, size(job%models)
+         rows = pack([(k, k=1, size(results))], results%model == job%models(i))
+         if (size(rows) == 0) cycle
+         call append_text(lines, '')
+         call append_text(lines, 'How it was solved, model '//trim(model_name(job%models(i)))//': elements, contacts by state, '// &
+                          'changes of state and place')
+         call append_costs(lines, job%units, model%cases(results(rows)%case_index), results(rows))
+      end do
+   end function cost_table
 
    !> What each case cost and where its gaps ended; '-' where a model has no gaps or does not iterate.
    pure subroutine append_costs(lines, units, cases, results)

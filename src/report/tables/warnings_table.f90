@@ -1,4 +1,5 @@
-!> The block 'Warnings' on standard output, under the verdict: one entry a load case, those without a solution first.
+!> The block 'Warnings' on standard output, under the verdict: what is unusual in the deck, then one entry a load case, those
+!> without a solution first.
 module dg_warnings_table
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
    use dg_job, only: job_type, model_name
@@ -7,27 +8,32 @@ module dg_warnings_table
    use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
    private
-   public :: warnings_table, warning_order, warning_text
+   public :: warnings_table, deck_warnings, warning_order, warning_text
 
    !> Statuses as they follow each other in the block.
    integer, parameter :: by_weight(3) = [result_not_converged, result_locked_up, result_converged]
 
 contains
 
-   !> The lines of the block; none where no case has a message.
+   !> The lines of the block; none where deck and cases have no message.
    pure function warnings_table(job, model, results) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
+      type(text_type), allocatable :: notes(:)
       character(:), allocatable :: head
       integer, allocatable :: order(:)
       integer :: i
       allocate (lines(0))
       allocate (order, source=warning_order(results))
-      if (size(order) == 0) return
+      allocate (notes, source=deck_warnings(job, model))
+      if (size(order) + size(notes) == 0) return
       call append_text(lines, '')
-      call append_text(lines, 'Warnings ('//to_text(size(order))//')')
+      call append_text(lines, 'Warnings ('//to_text(size(order) + size(notes))//')')
+      do i = 1, size(notes)
+         call append_wrapped(lines, 'Deck: ', notes(i)%text, page_width)
+      end do
       do i = 1, size(order)
          associate (result => results(order(i)))
             head = model%cases(result%case_index)%name
@@ -36,6 +42,29 @@ contains
          end associate
       end do
    end function warnings_table
+
+   !> Notes on the deck as sentences, without those on its path, which have lines of their own.
+   pure function deck_warnings(job, model) result(notes)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable :: notes(:)
+      integer :: i, k
+      allocate (notes(0))
+      if (.not. allocated(job%notes)) return
+      do i = 1, size(job%notes)
+         if (allocated(model%path_notes)) then
+            if (any([(model%path_notes(k)%text == job%notes(i)%text, k=1, size(model%path_notes))])) cycle
+         end if
+         call append_text(notes, job%notes(i)%text//trim(merge(' ', '.', index('.?', last_of(job%notes(i)%text)) > 0)))
+      end do
+   contains
+      !> The last letter.
+      pure function last_of(text) result(letter)
+         character(*), intent(in) :: text
+         character :: letter
+         letter = text(len(text):)
+      end function last_of
+   end function deck_warnings
 
    !> Results that have a warning: those without a solution first, then locked-up ones, each in the deck's order.
    pure function warning_order(results) result(order)

@@ -1,17 +1,58 @@
 !> What is known of the friction of hole sections beyond the deck: found by one study of a run, for others to go on from.
 module dg_friction_estimate
    use dg_kinds, only: wp
+   use dg_contact_friction, only: shift_axial_friction
+   use dg_hole_section, only: hole_section_type
+   use dg_load_case, only: load_case_type, moves_axially, rotates
+   use dg_missing, only: is_missing
    implicit none
    private
-   public :: friction_estimate_type
+   public :: friction_estimate_type, upper_friction_type, find_upper_friction, has_upper_friction
 
    type :: friction_estimate_type
       character(:), allocatable :: name              !< of the study
       logical :: applied = .false.                   !< the rest of the run uses the coefficients
       logical :: axial = .true., rotary = .true.     !< which coefficients it is of
       logical :: found = .false.
+      real(wp), allocatable :: half_widths(:)        !< of 95 % intervals, one a hole section [-]; missing: not known
       logical :: known = .false.                     !< the numbers below are
       real(wp), allocatable :: deviations(:)         !< one a hole section [-]
       real(wp), allocatable :: correlation(:, :)     !< of two sections [-]
    end type friction_estimate_type
+
+   !> Friction at the upper end of its 95 % interval, in all hole sections at once.
+   type :: upper_friction_type
+      logical :: axial = .false., rotary = .false.      !< coefficients that a study of the run has found and applied
+      logical :: known = .true.                         !< their intervals are
+      type(hole_section_type), allocatable :: holes(:)
+   end type upper_friction_type
+
+contains
+
+   !> The upper end, from hole sections with the friction that was found. Others keep their friction.
+   pure subroutine find_upper_friction(holes, estimates, upper)
+      type(hole_section_type), intent(in) :: holes(:)
+      type(friction_estimate_type), intent(in) :: estimates(:)
+      type(upper_friction_type), intent(out) :: upper
+      integer :: i
+      upper%holes = holes
+      do i = 1, size(estimates)
+         if (.not. (estimates(i)%applied .and. estimates(i)%found)) cycle
+         upper%axial = upper%axial .or. estimates(i)%axial
+         upper%rotary = upper%rotary .or. estimates(i)%rotary
+         upper%known = upper%known .and. .not. any(is_missing(estimates(i)%half_widths))
+         if (.not. upper%known) cycle
+         if (estimates(i)%axial) call shift_axial_friction(upper%holes, estimates(i)%half_widths)
+         if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + estimates(i)%half_widths
+      end do
+   end subroutine find_upper_friction
+
+   !> True where the friction of a load case is friction that was found.
+   elemental function has_upper_friction(upper, load_case) result(has)
+      type(upper_friction_type), intent(in) :: upper
+      type(load_case_type), intent(in) :: load_case
+      logical :: has
+      has = (upper%axial .and. moves_axially(load_case%operation) .and. .not. load_case%friction_axial%present) .or. &
+            (upper%rotary .and. rotates(load_case%operation) .and. .not. load_case%friction_rotary%present)
+   end function has_upper_friction
 end module dg_friction_estimate

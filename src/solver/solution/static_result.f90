@@ -234,8 +234,9 @@ contains
          call add_message(result, 'Contact force: allow '//to_text(100.0_wp*share, shown_clearances)//' %, mostly between '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
                           trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
-                          trim(in_units(units, unit_force, found%by_analysis, shown))//' for hook load and torque, and '// &
-                          trim(in_units(units, unit_force, found%by_beam, shown))//' for moments and side forces')
+                          trim(in_units(units, unit_force, found%by_analysis, shown))//' by the elements of hook load and '// &
+                          'torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' by the shorter ones of '// &
+                          'moments and side forces. Which is nearer is not known')
       end associate
    end subroutine tell_unlike_contact
 

@@ -21,7 +21,7 @@ module dg_calibration_study
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_learnt_friction, only: learn_friction
+   use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
@@ -193,6 +193,7 @@ contains
       if (allocated(estimate%deviations)) deallocate (estimate%deviations, estimate%correlation)
       allocate (estimate%deviations(sections), estimate%correlation(sections, sections))
       estimate%found = .true.
+      estimate%half_widths = half_widths_of(calibration, result, sections)
       call learn_friction(calibration, result, estimate%deviations, estimate%correlation, estimate%known)
    end subroutine hand_on
 

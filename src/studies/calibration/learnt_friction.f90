@@ -4,10 +4,10 @@ module dg_learnt_friction
    use dg_calibration, only: calibration_type
    use dg_calibration_result, only: calibration_result_type
    use dg_fit_statistics, only: as_normal, student_quantile, upper_end
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: learn_friction
+   public :: half_widths_of, learn_friction
 
    !> Deviations and correlations are handed on as they are printed, so that a deck that repeats them draws the same.
    real(wp), parameter :: deviation_steps = 1.0e5_wp, correlation_steps = 1.0e4_wp
@@ -23,15 +23,8 @@ contains
       real(wp), intent(out) :: deviations(:)         !< one a hole section of the deck [-]
       real(wp), intent(out) :: correlation(:, :)
       logical, intent(out) :: known
-      integer :: unknown(size(deviations)), i, j, u
-      unknown = 0
-      do j = 1, size(calibration%holes)
-         do u = 1, size(calibration%unknowns)
-            if (calibration%unknowns(u)%is_offset) cycle
-            if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
-            unknown(calibration%holes(j)) = u
-         end do
-      end do
+      integer :: unknown(size(deviations)), i, j
+      unknown = unknowns_of(calibration, size(deviations))
       known = allocated(result%statistics%half_width) .and. any(unknown > 0)
       deviations = 0.0_wp
       correlation = 0.0_wp
@@ -49,4 +42,38 @@ contains
          end do
       end do
    end subroutine learn_friction
+
+   !> Half of the 95 % interval of the coefficient of each hole section [-]: 0 where it was not looked for or the data do not tell
+   !> it, missing where it has no interval.
+   pure function half_widths_of(calibration, result, sections) result(half_widths)
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      integer, intent(in) :: sections      !< of the hole
+      real(wp) :: half_widths(sections)
+      integer :: unknown(sections), i
+      unknown = unknowns_of(calibration, sections)
+      half_widths = 0.0_wp
+      do i = 1, sections
+         if (unknown(i) == 0) cycle
+         if (result%fit%unfelt(unknown(i))) cycle
+         half_widths(i) = missing
+         if (allocated(result%statistics%half_width)) half_widths(i) = result%statistics%half_width(unknown(i))
+      end do
+   end function half_widths_of
+
+   !> Number of the unknown that each hole section has as its coefficient; 0: none.
+   pure function unknowns_of(calibration, sections) result(unknown)
+      type(calibration_type), intent(in) :: calibration
+      integer, intent(in) :: sections
+      integer :: unknown(sections)
+      integer :: j, u
+      unknown = 0
+      do j = 1, size(calibration%holes)
+         do u = 1, size(calibration%unknowns)
+            if (calibration%unknowns(u)%is_offset) cycle
+            if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
+            unknown(calibration%holes(j)) = u
+         end do
+      end do
+   end function unknowns_of
 end module dg_learnt_friction
