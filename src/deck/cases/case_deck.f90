@@ -13,6 +13,7 @@ module dg_case_deck
 
    !> What stands for values that the files do not have, in SI: friction, mud, drill pipe.
    real(wp), parameter :: friction_cased = 0.25_wp, friction_open = 0.30_wp, mud = 1200.0_wp
+   real(wp), parameter :: roughest = 2.0_wp        ! of a deck
    real(wp), parameter :: pipe_od = 0.127_wp, pipe_id = 0.1086_wp, part_length = 9.144_wp
    !> Clearance and width of a hole that is not known: that of the widest part, times this [-].
    real(wp), parameter :: wider = 1.2_wp
@@ -29,7 +30,7 @@ contains
       type(text_type), allocatable :: notes(:)
       real(wp) :: bottom
       allocate (lines(0), notes(0))
-      call lined_up(case%holes, holes, notes)
+      call lined_up(case%holes, units, holes, notes)
       call append_text(lines, '! Made by '//program_name//' '//program_version//' --import from '//comment(case%source))
       call append_text(lines, '! Look for MISSING and GUESSED: values that the files do not have.')
       call append_text(lines, '')
@@ -116,7 +117,7 @@ contains
             call put_number(lines, 'md_bottom', min(bottom, hole%bottom)/units%length, &
                             trim(merge('end of the survey', '                 ', hole%bottom > bottom)))
             call put_number(lines, 'diameter', hole%diameter/units%diameter, hole%remark)
-            if (hole%friction > 0.0_wp) then
+            if (hole%friction > 0.0_wp .and. hole%friction <= roughest) then
                call put_number(lines, 'friction', hole%friction, '')
             else
                call put_number(lines, 'friction', merge(friction_cased, friction_open, hole%cased), 'GUESSED')
@@ -175,10 +176,10 @@ contains
       else
          call put_number(lines, 'od', max(pipe_od, part%id*wider)/units%diameter, 'GUESSED: MISSING in the file')
       end if
-      if (part%id > 0.0_wp .or. part%kind == 'bit') then
+      if (part%id > 0.0_wp .and. (part%id < part%od .or. part%od <= 0.0_wp)) then
          call put_number(lines, 'id', part%id/units%diameter, '')
       else
-         call put_number(lines, 'id', 0.0_wp, 'MISSING in the file: solid')
+         call put_number(lines, 'id', 0.0_wp, 'GUESSED: solid; the file: '//to_text(part%id/units%diameter, digits))
       end if
       if (part%mass > 0.0_wp) then
          call put_number(lines, 'mass', part%mass/units%mass_per_length, '')

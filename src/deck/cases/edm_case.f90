@@ -16,6 +16,7 @@ module dg_edm_case
    real(wp), parameter :: psi = 6894.757293168_wp, foot_pound = 1.3558179483_wp
    !> A yield above this is in lbf/ft2 [psi], a density above this in lbm/ft3 [lbm/gal].
    real(wp), parameter :: highest_yield = 1.0e6_wp, highest_density = 25.0_wp
+   real(wp), parameter :: vertical = 0.01_wp*degree
    real(wp), parameter :: square_foot = 144.0_wp, cubic_foot = 7.48051948_wp     ! in2, gal
 
 contains
@@ -34,7 +35,7 @@ contains
       call read_survey(tree, wellbore, case, datum, failure)
       if (failure /= '') return
       call append_text(case%survey_notes, 'GUESSED: units of the export: ft, in, deg, lbm/gal, lbm/ft, psi, ft.lbf')
-      call pick(tree, 'cd_case', wellbore, 'case_name', 'hole_sect_group_id', case%hole_notes, row)
+      call pick(tree, 'cd_case', wellbore, 'case_name', 'hole_sect_group_id', 'case', case%hole_notes, row)
       group = ''
       assembly = ''
       if (row > 0) then
@@ -42,7 +43,8 @@ contains
          assembly = attribute(tree%elements(row), 'assembly_id')
       end if
       if (group == '') then
-         call pick(tree, 'cd_hole_sect_group', wellbore, 'hole_name', 'hole_sect_group_id', case%hole_notes, row)
+         call pick(tree, 'cd_hole_sect_group', wellbore, 'hole_name', 'hole_sect_group_id', 'group of sections', &
+                   case%hole_notes, row)
          if (row > 0) group = attribute(tree%elements(row), 'hole_sect_group_id')
       end if
       call read_holes(tree, wellbore, group, datum, case, failure)
@@ -68,7 +70,7 @@ contains
          table = 'cd_survey'
          key = 'survey_header_id'
       end if
-      call pick(tree, table//'_header', wellbore, 'name', key, case%survey_notes, row)
+      call pick(tree, table//'_header', wellbore, 'name', key, 'survey', case%survey_notes, row)
       header = ''
       if (row > 0) header = attribute(tree%elements(row), key)
       rows = pack([(i, i=1, tree%n)], [(tree%elements(i)%name == table//'_station' .and. is_of(tree, i, wellbore) .and. &
@@ -86,6 +88,8 @@ contains
          call get(tree, rows(i), 'md', foot, md(i), failure)
          call get(tree, rows(i), 'inclination', degree, inclination(i), failure)
          call get(tree, rows(i), 'azimuth', degree, azimuth(i), failure)
+         if (inclination(i) > vertical .and. attribute(tree%elements(rows(i)), 'azimuth') == '' .and. failure == '') &
+            failure = 'line '//to_text(tree%elements(rows(i))%line)//': the survey station is inclined and has no azimuth'
       end do
       if (failure /= '') return
       order = sorted_places(md)
@@ -137,6 +141,7 @@ contains
          if (group /= '' .and. attribute(tree%elements(i), 'hole_sect_group_id') /= group) cycle
          hole%name = attribute(tree%elements(i), 'name')
          if (hole%name == '') hole%name = attribute(tree%elements(i), 'catalog_key_desc')
+         if (hole%name == '') hole%name = attribute(tree%elements(i), 'sect_type_code')
          hole%cased = any(index(lower_case(attribute(tree%elements(i), 'sect_type_code')), ['cas', 'lin', 'rsr', 'ris']) == 1)
          hole%remark = ''
          hole%diameter = first_of('effective_diameter', 'hole_size')

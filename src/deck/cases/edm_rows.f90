@@ -90,10 +90,11 @@ contains
    end subroutine choose_wellbore
 
    !> The row of a table that counts for a wellbore: of phase ACTUAL, else the last. A note names the others.
-   subroutine pick(tree, table, wellbore, name, key, notes, row)
+   subroutine pick(tree, table, wellbore, name, key, noun, notes, row)
       type(xml_tree_type), intent(in) :: tree
       character(*), intent(in) :: table, wellbore, name
       character(*), intent(in) :: key              !< attribute that the row must have
+      character(*), intent(in) :: noun             !< for the row
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer, intent(out) :: row                  !< 0: none
       type(text_type), allocatable :: names(:)
@@ -113,7 +114,7 @@ contains
          row = i
       end do
       if (size(names) < 2) return
-      call append_text(notes, 'GUESSED: '//attribute(tree%elements(row), name)//', of '//one_of(names))
+      call append_text(notes, 'GUESSED: '//noun//' '//attribute(tree%elements(row), name)//', of '//one_of(names))
    end subroutine pick
 
    !> Whether a row belongs to a wellbore, or to none.

@@ -1,14 +1,16 @@
 !> A deck from the files of another program: an EDM export, or WITSML documents of a well.
 module dg_import_case
    use dg_case_deck, only: case_deck
+   use dg_constants, only: degree, pi
    use dg_edm_case, only: read_edm_case
    use dg_edm_rows, only: edm_attributes, edm_elements, is_edm
    use dg_fault_list, only: fault_list_type
    use dg_file_kind, only: foreign_kind, is_xml
-   use dg_file_lines, only: file_begin
+   use dg_file_lines, only: read_lines
    use dg_imported_case, only: empty_case, imported_case_type, one_of
+   use dg_kinds, only: wp
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
-   use dg_text, only: append_text, lower_case, text_type
+   use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system, unit_system_type
    use dg_witsml_case, only: has_trajectory, is_called, read_witsml_case, well_of, witsml_elements
    use dg_xml_tree, only: read_tree, xml_tree_type
@@ -66,19 +68,42 @@ contains
          failure = files(1)%text//': no survey in what was given. Add the trajectory of the well'
          return
       end if
+      failure = survey_fault(case)
+      if (failure /= '') failure = files(1)%text//': '//failure
+      if (failure /= '') return
       if (units_name /= '') units = unit_system(units_name)
       call case_deck(case, units, lines)
    end subroutine import_case
+
+   !> What keeps a survey from being that of a deck, in words; ''.
+   pure function survey_fault(case) result(fault)
+      type(imported_case_type), intent(in) :: case
+      character(:), allocatable :: fault
+      real(wp), parameter :: deepest = 50.0e3_wp, least = 1.0_wp     ! m
+      integer :: i
+      fault = ''
+      if (size(case%md) < 2 .or. maxval(case%md) < least) fault = 'the survey has fewer than two stations, or no depth'
+      do i = 1, size(case%md)
+         if (case%inclination(i) >= 0.0_wp .and. case%inclination(i) <= pi .and. case%azimuth(i) >= -2.0_wp*pi .and. &
+             case%azimuth(i) <= 4.0_wp*pi .and. case%md(i) <= deepest) cycle
+         fault = 'station '//to_text(i)//' of the survey is out of range: depth '//to_text(case%md(i), 6)//' m, inclination '// &
+                 to_text(case%inclination(i)/degree, 6)//' deg, azimuth '//to_text(case%azimuth(i)/degree, 6)//' deg'
+         return
+      end do
+   end function survey_fault
 
    !> The parts of one document that make a case. A document without any is a failure.
    subroutine read_document(path, tree, failure)
       character(*), intent(in) :: path
       type(xml_tree_type), intent(inout) :: tree
       character(:), allocatable, intent(inout) :: failure
+      type(text_type), allocatable :: text(:)
       failure = foreign_kind(path)
-      if (failure == '' .and. .not. is_xml(path)) then
-         failure = 'is not XML'
-         if (len(file_begin(path, 1)) == 0) failure = 'is empty, or cannot be opened'
+      if (failure /= '') then
+         failure = failure(:index(failure//'. ', '. ') - 1)//', not an EDM export or a WITSML document (XML)'
+      else if (.not. is_xml(path)) then
+         call read_lines(path, text, failure)
+         if (failure == '') failure = 'is not XML in UTF-8. Give an EDM export, or WITSML documents'
       end if
       if (failure == '') call read_tree(path, edm_elements//' '//witsml_elements, edm_attributes//' uom', tree, failure)
       if (failure == '' .and. tree%n == 0) failure = 'holds neither an EDM export (CD_WELL ...) nor a trajectory, tubular, '// &

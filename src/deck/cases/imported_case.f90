@@ -4,6 +4,7 @@ module dg_imported_case
    use dg_kinds, only: wp
    use dg_merge_sort, only: sorted_places
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: imported_case_type, imported_hole_type, imported_part_type, empty_case, lined_up, kind_of_part, is_meant, one_of
@@ -83,8 +84,9 @@ contains
    end function kind_of_part
 
    !> Sections that abut, from those of a file, which may cover each other. `notes` tell of gaps.
-   pure subroutine lined_up(given, holes, notes)
+   pure subroutine lined_up(given, units, holes, notes)
       type(imported_hole_type), intent(in) :: given(:)
+      type(unit_system_type), intent(in) :: units  !< of the notes
       type(imported_hole_type), allocatable, intent(out) :: holes(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: depths(2*size(given) + 1), top, bottom
@@ -108,8 +110,8 @@ contains
          end do
          if (best == 0) then
             call next_section(bottom, best)
-            call append_text(notes, 'GUESSED: no section from '//to_text(top, 6)//' to '//to_text(bottom, 6)// &
-                             ' m; the one below is taken to reach up')
+            call append_text(notes, 'GUESSED: no section from '//to_text(top/units%length, 6)//' to '// &
+                             to_text(bottom/units%length, 6)//' '//trim(units%length_label)//'; the one below reaches up')
          end if
          if (best == 0) exit
          if (best == last) then

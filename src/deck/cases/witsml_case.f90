@@ -32,14 +32,14 @@ module dg_witsml_case
 
 contains
 
-   !> Whether an object, its well or its wellbore has a name; any has ''.
+   !> Whether an object, its well or its wellbore has a name; any has '', and one without a well has any.
    function is_called(tree, i, name) result(is)
       type(xml_tree_type), intent(in) :: tree
       integer, intent(in) :: i
       character(*), intent(in) :: name
       logical :: is
-      is = name == '' .or. is_meant(well_of(tree, i), name) .or. is_meant(object_name(tree, i), name) .or. &
-           is_meant(text_at(tree, i, 'namewellbore'), name)
+      is = name == '' .or. well_of(tree, i) == '' .or. is_meant(well_of(tree, i), name) .or. &
+           is_meant(object_name(tree, i), name) .or. is_meant(text_at(tree, i, 'namewellbore'), name)
    end function is_called
 
    !> Whether a document has a trajectory of a well that is called by a name.
@@ -93,7 +93,7 @@ contains
       integer :: i
       do i = 1, tree%n
          if (tree%elements(i)%parent > 0 .or. failure /= '') cycle
-         if (well /= '' .and. .not. is_meant(well_of(tree, i), well)) cycle
+         if (.not. is_called(tree, i, well)) cycle
          select case (tree%elements(i)%name)
          case ('tubular')
             if (size(case%parts) > 0) then
