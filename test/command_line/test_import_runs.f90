@@ -129,6 +129,8 @@ contains
                                                   'md="900" inclination="9" azimuth="3"'), 'cof="0.2"', 'cof="20"')), '')
       call expect(run%output, "  tie_on = 'vertical'                   ! GUESSED: hole above the first station is MISSING")
       call expect(run%output, 'friction = 0.25                       ! GUESSED')
+      run = imported(text_list(replaced(edm, 'od_body="8.5"', 'od_body="8.504"')), '')
+      call expect(run%output, '! GUESSED: as wide as the hole; the file has 0.102 mm more')
    end subroutine test_missing
 
    !> Names stay in their texts and comments.

@@ -15,8 +15,8 @@ module dg_case_deck
    real(wp), parameter :: friction_cased = 0.25_wp, friction_open = 0.30_wp, mud = 1200.0_wp
    real(wp), parameter :: roughest = 2.0_wp        ! of a deck
    real(wp), parameter :: pipe_od = 0.127_wp, pipe_id = 0.1086_wp, part_length = 9.144_wp
-   !> Clearance and width of a hole that is not known: that of the widest part, times this [-].
-   real(wp), parameter :: wider = 1.2_wp
+   !> Width of a hole that is not known over that of the widest part [-]; wider than any hole [m].
+   real(wp), parameter :: wider = 1.2_wp, widest = 100.0_wp
    integer, parameter :: digits = 8, a_line = 6, longest_name = 60, longest_comment = 240, remark_column = 40
 
 contains
@@ -52,7 +52,7 @@ contains
          call put_number(lines, 'density', mud/units%density, 'GUESSED: no density of the mud in the files')
       end if
       call append_text(lines, '/')
-      call put_string(case, units, lines)
+      call put_string(case, holes, units, lines)
       call put_cases(case, units, bottom, lines)
    end subroutine case_deck
 
@@ -130,8 +130,9 @@ contains
    end subroutine put_holes
 
    !> Components from the bit upwards.
-   subroutine put_string(case, units, lines)
+   subroutine put_string(case, holes, units, lines)
       type(imported_case_type), intent(in) :: case
+      type(imported_hole_type), intent(in) :: holes(:)
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: lines(:)
       integer :: i
@@ -145,9 +146,28 @@ contains
          call append_text(lines, '/')
       end if
       do i = 1, size(case%parts)
-         call put_part(case%parts(i), i == size(case%parts), units, lines)
+         call put_part(fitted(case%parts(i), minval([widest, holes%diameter])), i == size(case%parts), units, lines)
       end do
    end subroutine put_string
+
+   !> A component that is wider than the hole by the rounding of a diameter is made as wide; of any other a remark tells.
+   function fitted(given, narrowest) result(part)
+      type(imported_part_type), intent(in) :: given
+      real(wp), intent(in) :: narrowest            !< diameter of the hole [m]
+      type(imported_part_type) :: part
+      real(wp), parameter :: rounded = 0.5e-3_wp   ! m
+      part = given
+      if (max(part%od, part%joint_od) <= narrowest) return
+      if (max(part%od, part%joint_od) > narrowest + rounded) then
+         part%remark = 'wider than the hole: check both'
+      else
+         part%remark = 'GUESSED: as wide as the hole; the file has '// &
+                       to_text((max(part%od, part%joint_od) - narrowest)*1.0e3_wp, 3)// &
+                       ' mm more'
+         part%od = min(part%od, narrowest)
+         part%joint_od = min(part%joint_od, narrowest)
+      end if
+   end function fitted
 
    subroutine put_part(part, uppermost, units, lines)
       type(imported_part_type), intent(in) :: part
