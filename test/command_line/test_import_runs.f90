@@ -130,7 +130,9 @@ contains
       call expect(run%output, "  tie_on = 'vertical'                   ! GUESSED: hole above the first station is MISSING")
       call expect(run%output, 'friction = 0.25                       ! GUESSED')
       run = imported(text_list(replaced(edm, 'od_body="8.5"', 'od_body="8.504"')), '')
-      call expect(run%output, '! GUESSED: as wide as the hole; the file has 0.102 mm more')
+      call expect(run%output, '! GUESSED: as wide as the hole. The file has 0.102 mm more')
+      run = imported(text_list(replaced(edm, 'od_body="6.75"', 'od_body="8.5"')), '')
+      call expect(run%output, '! GUESSED: 1 mm narrower than the hole. The file has 1 mm more')
    end subroutine test_missing
 
    !> Names stay in their texts and comments.

@@ -150,23 +150,23 @@ contains
       end do
    end subroutine put_string
 
-   !> A component that is wider than the hole by the rounding of a diameter is made as wide; of any other a remark tells.
+   !> A bit that is wider than the hole is made as wide, as 216 mm in a hole of 8 1/2 in; any other component 1 mm narrower. A
+   !> remark tells of it.
    function fitted(given, narrowest) result(part)
       type(imported_part_type), intent(in) :: given
       real(wp), intent(in) :: narrowest            !< diameter of the hole [m]
       type(imported_part_type) :: part
-      real(wp), parameter :: rounded = 0.5e-3_wp   ! m
+      real(wp), parameter :: play = 1.0e-3_wp      ! m
+      real(wp) :: width, limit
       part = given
-      if (max(part%od, part%joint_od) <= narrowest) return
-      if (max(part%od, part%joint_od) > narrowest + rounded) then
-         part%remark = 'wider than the hole: check both'
-      else
-         part%remark = 'GUESSED: as wide as the hole; the file has '// &
-                       to_text((max(part%od, part%joint_od) - narrowest)*1.0e3_wp, 3)// &
-                       ' mm more'
-         part%od = min(part%od, narrowest)
-         part%joint_od = min(part%joint_od, narrowest)
-      end if
+      width = max(part%od, part%joint_od)
+      limit = narrowest
+      if (part%kind /= 'bit' .and. width >= narrowest) limit = narrowest - play
+      if (width <= limit) return
+      part%remark = 'GUESSED: '//trim(merge('1 mm narrower than the hole', 'as wide as the hole        ', limit < narrowest))// &
+                    '. The file has '//to_text((width - limit)*1.0e3_wp, 3)//' mm more; a tool that opens has opened_od'
+      part%od = min(part%od, limit)
+      part%joint_od = min(part%joint_od, limit)
    end function fitted
 
    subroutine put_part(part, uppermost, units, lines)
