@@ -96,6 +96,12 @@ contains
                                          '<CD_DATUM datum_elevation="82.5" is_default="Y"/><CD_CASE')), '')
       call expect(run%output, 'md = 2.5, 5082.5, 9082.5')
       call expect(run%output, '82.5 ft added')
+      run = imported(text_list(replaced(edm, 'hole_size="8.5" length="3200" md_shoe="9200"/>', 'hole_size="8.5" '// &
+                                        'md_shoe="9200"/><CD_HOLE_SECT'//of// &
+                                        'hole_sect_group_id="G" hole_size="10.5" md_shoe="7000"/>')), '')
+      call expect(run%output, '  md_top = 6000'//newline//'  md_bottom = 7000'//newline//'  diameter = 10.5')
+      call expect(run%output, '  md_top = 7000'//newline//'  md_bottom = 9000                      ! end of the survey'//newline// &
+                  '  diameter = 8.5')
    end subroutine test_edm
 
    !> Documents of three versions make one deck.
