@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs input/sweep_parallel.sh and input/sweep_slurm.sh on decks whose names a shell would take for something else.
+"""Runs input/sweep_parallel.sh and input/sweep_slurm.sh on decks whose names a shell would take for something else, and the two
+parameter studies of input/README.md as they stand there.
 
 Usage: check_scripts.py PATH_TO_DRILLGAP
 
@@ -9,6 +10,7 @@ The task of an array of Slurm is its environment variable.
 """
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -74,6 +76,32 @@ def faults_of(script, name, home):
     return faults
 
 
+def faults_of_studies(home):
+    """What the parameter studies do wrong: each prints a row a density, model and load case, with one hook load by either."""
+    readme = (ROOT / "input/README.md").read_text(encoding="utf-8")
+    folder = home / "study"
+    folder.mkdir()
+    environment = os.environ | {"PATH": f"{home}/bin:{os.environ['PATH']}"}
+
+    def start(*words):
+        return subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+
+    (folder / "well.nml").write_text(start("drillgap", "--template").stdout.replace("&job", "&job plots = .false."), encoding="utf-8")
+    rows = []
+    for language, program in (("python", [sys.executable, "-c"]), ("sh", ["sh", "-c"])):
+        done = start(*program, re.search(rf"^```{language}\n(.*?)^```", readme, re.M | re.S).group(1))
+        if done.returncode:
+            return [f"{language}: exit status {done.returncode}: {done.stderr[:300]}"]
+        rows.append([re.split("[ ,]", line) for line in done.stdout.splitlines()])
+    head = (folder / "density_1100/summary.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+    by_python = [[row[0], row[1], float(row[3])] for row in rows[0]]
+    by_shell = [[row[0], row[1], float(row[1 + head.index("hookload_kN")])] for row in rows[1]]
+    densities = sorted({row[0] for row in by_python if row[2] > 0})
+    if densities != ["1100", "1200", "1300"] or by_python != by_shell or len({row[2] for row in by_python}) != len(by_python):
+        return [f"rows by Python {by_python}, by the shell {by_shell}"]
+    return []
+
+
 def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
@@ -95,6 +123,10 @@ def main():
                 passed, failed = passed + (not faults), failed + bool(faults)
                 if faults:
                     print(f"FAIL {script}, {name!r}: " + "; ".join(faults), flush=True)
+        faults = faults_of_studies(home)
+        passed, failed = passed + (not faults), failed + bool(faults)
+        if faults:
+            print("FAIL input/README.md, parameter study: " + "; ".join(faults), flush=True)
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0
 

@@ -20,7 +20,9 @@ module dg_arguments
       integer :: parts = 0                    !< of so many; 0: undivided
       integer :: merge = 0                    !< > 0: so many parts are to be joined
       character(:), allocatable :: action    !< '', or what to do instead of a run: an option without its dashes
-      character(:), allocatable :: units     !< '', or the system of units for --convert
+      character(:), allocatable :: units     !< '', or the system of units for --convert and --import
+      type(text_type), allocatable :: files(:) !< for --import, behind `deck`
+      character(:), allocatable :: well      !< the same; '': the only one
       logical :: again = .false.              !< points that did not converge are solved again
       logical :: check = .false.
       logical :: quiet = .false.
@@ -28,8 +30,9 @@ module dg_arguments
       logical :: version = .false.
    end type arguments_type
 
-   character(*), parameter :: options(12) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', '--again', &
-                                             '--quiet', '--help', '--version', '--template', '--list-catalogue', '--convert']
+   character(*), parameter :: options(15) = [character(16) :: '--check', '--output', '--threads', '--part', '--merge', '--again', &
+                                             '--quiet', '--help', '--version', '--template', '--list-catalogue', '--convert', &
+                                             '--import', '--well', '--units']
    !> Most digits of a number of threads.
    integer, parameter :: longest_count = 4
 
@@ -47,6 +50,8 @@ contains
       arguments%output_dir = ''
       arguments%action = ''
       arguments%units = ''
+      arguments%well = ''
+      allocate (arguments%files(0))
       arguments%chosen = [1]
       value = ''
       only_decks = .false.
@@ -63,6 +68,9 @@ contains
                 arguments%units == '') then
                arguments%units = word
                cycle
+            else if (arguments%action == 'import' .and. arguments%deck /= '' .and. word /= '') then
+               call append_text(arguments%files, word)
+               cycle
             else if (arguments%deck /= '') then
                call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'. Give one')
             else if (word == '') then
@@ -77,7 +85,7 @@ contains
          equals = index(word, '=')
          if (equals > 0) option = word(:equals - 1)
          select case (option)
-         case ('--output', '--threads', '--part', '--merge')
+         case ('--output', '--threads', '--part', '--merge', '--well', '--units')
             value = ''
             if (equals > 0) then
                value = word(equals + 1:)
@@ -85,18 +93,7 @@ contains
                i = i + 1
                if (i <= command_argument_count()) value = argument(i)
             end if
-            if (value == '') then
-               call refuse(option//' needs a value, as in '//option//' '//sample_of(option))
-            else if (option == '--output') then
-               arguments%output_dir = value
-            else if (option == '--part') then
-               call read_part(value)
-            else if (option == '--merge') then
-               if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts. Give 1 to 9999, as in --merge 4')
-               if (is_count(value)) read (value, *) arguments%merge
-            else
-               call read_threads(value)
-            end if
+            call take_value()
          case ('--again', '--check', '--quiet', '--help', '--version', '-h', '-v')
             if (equals > 0) call refuse(option//' takes no value. Write '//option)
             if (option == '--again') arguments%again = .true.
@@ -104,7 +101,7 @@ contains
             if (option == '--quiet') arguments%quiet = .true.
             if (option == '--help' .or. option == '-h') arguments%help = .true.
             if (option == '--version' .or. option == '-v') arguments%version = .true.
-         case ('--template', '--list-catalogue', '--convert')
+         case ('--template', '--list-catalogue', '--convert', '--import')
             if (equals > 0) call refuse('after '//option//' comes a blank, not =')
             if (arguments%action /= '') call refuse(option//' and --'//arguments%action//' exclude each other. Give one')
             arguments%action = option(3:)
@@ -113,33 +110,37 @@ contains
          end select
          if (allocated(error)) return
       end do
-      if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
-          .not. (arguments%help .or. arguments%version)) &
-         call refuse('no deck given. Write '//program_name//' DECK.nml')
-      if (arguments%deck /= '' .and. arguments%action == 'template' .and. deck_system(arguments%deck) == 0) &
-         call refuse('--template takes no deck and no units '//quoted(arguments%deck)//'. Units are '//listed(deck_systems))
-
-      if (.not. allocated(error) .and. arguments%parts > 0 .and. arguments%merge > 0) &
-         call refuse('--part and --merge exclude each other. Join the parts when all are there')
+      if (.not. allocated(error)) call check_words(arguments, error)
 
    contains
 
-      !> Reads i/n or a list of parts.
-      subroutine read_part(text)
-         character(*), intent(in) :: text
-         character(:), allocatable :: failure
-         call read_part_list(text, arguments%chosen, arguments%parts, failure)
-         if (failure /= '') call refuse('--part '//text//' is no part: '//failure//'. Give i/n with i from 1 to n, as in '// &
-                                        '--part 2/4, or several, each once, as in --part 3,7-9/40')
-      end subroutine read_part
+      !> Takes the value of an option that has one.
+      subroutine take_value()
+         if (value == '') then
+            call refuse(option//' needs a value, as in '//option//' '//sample_of(option))
+            return
+         end if
+         select case (option)
+         case ('--output')
+            arguments%output_dir = value
+         case ('--well')
+            arguments%well = value
+         case ('--units')
+            arguments%units = value
+            if (deck_system(value) == 0) call refuse('no units '//quoted(value)//'. Units are '//listed(deck_systems))
+         case ('--part')
+            call read_part(value, arguments, error)
+         case ('--merge')
+            if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts. Give 1 to 9999, as in --merge 4')
+            if (is_count(value)) read (value, *) arguments%merge
+         case default
+            call read_threads(value)
+         end select
+      end subroutine take_value
 
       subroutine refuse(message)
          character(*), intent(in) :: message
-         character(:), allocatable :: end_mark
-         if (allocated(error)) return     ! the first fault is enough
-         end_mark = '.'
-         if (index('.?', message(len(message):)) > 0) end_mark = ''
-         call raise(error, status_bad_input, message//end_mark//' See '//program_name//' --help')
+         call raise_once(error, message)
       end subroutine refuse
 
       subroutine read_threads(text)
@@ -153,6 +154,47 @@ contains
       end subroutine read_threads
    end subroutine read_arguments
 
+   !> What all options together must have, and what excludes each other.
+   subroutine check_words(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(inout) :: error
+      if (arguments%action == 'import') then
+         if (arguments%deck == '') call raise_once(error, '--import needs a file, as in --import well.xml')
+      else if (arguments%well /= '' .or. (arguments%units /= '' .and. arguments%action /= 'convert')) then
+         call raise_once(error, '--well and --units go with --import')
+      end if
+      if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
+          .not. (arguments%help .or. arguments%version)) &
+         call raise_once(error, 'no deck given. Write '//program_name//' DECK.nml')
+      if (arguments%deck /= '' .and. arguments%action == 'template' .and. deck_system(arguments%deck) == 0) &
+         call raise_once(error, '--template takes no deck and no units '//quoted(arguments%deck)//'. Units are '// &
+                         listed(deck_systems))
+      if (arguments%parts > 0 .and. arguments%merge > 0) &
+         call raise_once(error, '--part and --merge exclude each other. Join the parts when all are there')
+   end subroutine check_words
+
+   !> Reads i/n or a list of parts.
+   subroutine read_part(text, arguments, error)
+      character(*), intent(in) :: text
+      type(arguments_type), intent(inout) :: arguments
+      type(error_type), allocatable, intent(inout) :: error
+      character(:), allocatable :: failure
+      call read_part_list(text, arguments%chosen, arguments%parts, failure)
+      if (failure /= '') call raise_once(error, '--part '//text//' is no part: '//failure//'. Give i/n with i from 1 to n, as '// &
+                                         'in --part 2/4, or several, each once, as in --part 3,7-9/40')
+   end subroutine read_part
+
+   !> Keeps the first fault.
+   subroutine raise_once(error, message)
+      type(error_type), allocatable, intent(inout) :: error
+      character(*), intent(in) :: message
+      character(:), allocatable :: end_mark
+      if (allocated(error)) return
+      end_mark = '.'
+      if (index('.?', message(len(message):)) > 0) end_mark = ''
+      call raise(error, status_bad_input, message//end_mark//' See '//program_name//' --help')
+   end subroutine raise_once
+
    !> A value that an option may have.
    pure function sample_of(option) result(value)
       character(*), intent(in) :: option
@@ -160,6 +202,8 @@ contains
       select case (option)
       case ('--output'); value = 'results'
       case ('--part'); value = '2/4'
+      case ('--well'); value = 'A-1'
+      case ('--units'); value = 'field'
       case default; value = '4'
       end select
    end function sample_of
@@ -195,6 +239,8 @@ contains
                        'prints the catalogue of pipe, or what has PATTERN in its name')
       call append_text(lines, '    '//program_name//' --convert DECK.nml [UNITS]    '// &
                        'prints the deck in other units')
+      call append_text(lines, '    '//program_name//' --import FILE... [--well NAME] [--units UNITS]')
+      call append_text(lines, '                 prints a deck made from an EDM export, or from WITSML documents of a well')
       call append_text(lines, 'UNITS: '//listed(deck_systems))
       call append_text(lines, 'exit status: 0 every case has an answer (yes, no, or locked up), '// &
                        '3 a case did not converge,')

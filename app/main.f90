@@ -42,7 +42,7 @@ program main
       call print_line(program_name//' '//program_version)
       status = status_ok
    else if (arguments%action /= '') then
-      call run_action(arguments%action, arguments%deck, arguments%units, status)
+      call run_action(arguments, status)
    else
       call work(arguments, status)
    end if

@@ -1,5 +1,7 @@
-!> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units.
+!> What the program does without solving anything: a deck to start from, the catalogue of pipe, a deck in other units, a deck of
+!> another program's case.
 module dg_run_action
+   use dg_arguments, only: arguments_type
    use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_schema, only: group_keys_type
@@ -8,6 +10,7 @@ module dg_run_action
    use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: status_bad_input, status_failure, status_ok
    use dg_fault_list, only: add_fault, fault_lines, fault_list_type
+   use dg_import_case, only: import_case
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -17,7 +20,7 @@ module dg_run_action
    use dg_read_deck, only: build_deck
    use dg_registry, only: deck_groups
    use dg_standard_output, only: put_line
-   use dg_text, only: append_text, lower_case, quoted, text_type
+   use dg_text, only: append_text, lower_case, quoted, text_list, text_type
    use dg_unit_kind, only: unit_diameter, unit_label, unit_mass, unit_stress
    use dg_units, only: field_units, si_units, unit_system, unit_system_type
    implicit none
@@ -30,11 +33,9 @@ module dg_run_action
 
 contains
 
-   !> Does what the option `action` (without its dashes) says.
-   subroutine run_action(action, operand, wanted, status)
-      character(*), intent(in) :: action
-      character(*), intent(in) :: operand     !< '': none
-      character(*), intent(in) :: wanted      !< system of units for --convert; '': SI, or field from SI
+   !> Does what an option that solves nothing says.
+   subroutine run_action(arguments, status)
+      type(arguments_type), intent(in) :: arguments
       integer, intent(out) :: status          !< of the program
       type(text_type), allocatable :: lines(:), deck(:), notes(:)
       type(fault_list_type) :: faults
@@ -44,16 +45,16 @@ contains
       type(unit_system_type) :: units
       character(:), allocatable :: name, failure
       allocate (lines(0))   ! the compiler's flow analysis takes them for undefined otherwise
-      select case (action)
+      select case (arguments%action)
       case ('template')
          call deck_groups(groups)
-         call deck_template(groups, unit_system(operand), lines)
+         call deck_template(groups, unit_system(arguments%deck), lines)
          call print_lines(lines)
          status = status_ok
       case ('list-catalogue')
-         call list_catalogue(operand, status)
+         call list_catalogue(arguments%deck, status)
       case ('convert')
-         call read_source(operand, name, deck, failure)
+         call read_source(arguments%deck, name, deck, failure)
          if (failure /= '') then
             call add_fault(faults, name, 0, 'deck '//failure)
          else
@@ -64,11 +65,20 @@ contains
             status = status_bad_input
          else
             call deck_groups(groups)
-            units = unit_system(wanted)
-            if (wanted == '' .and. job%units%name == units%name) units = field_units()
+            units = unit_system(arguments%units)
+            if (arguments%units == '' .and. job%units%name == units%name) units = field_units()
             call convert_deck(name, deck, job%units, units, groups, lines)
             call print_deck(lines)
             status = status_ok
+         end if
+      case ('import')
+         call import_case([text_list(arguments%deck), arguments%files], arguments%well, arguments%units, lines, failure)
+         status = status_ok
+         if (failure == '') then
+            call print_deck(lines)
+         else
+            call tell(failure)
+            status = status_bad_input
          end if
       case default
          status = status_failure

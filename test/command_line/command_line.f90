@@ -21,6 +21,7 @@ contains
       use dg_test_odd_decks, only: odd_decks_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
+      use dg_test_import_runs, only: import_runs_suite
       use dg_test_interruption, only: interruption_suite
       use dg_test_threads, only: threads_suite
       use dg_test_study_runs, only: study_runs_suite
@@ -61,6 +62,7 @@ contains
       call suite%addTest(standard_output_suite())
       call suite%addTest(legacy_runs_suite())
       call suite%addTest(threads_suite())
+      call suite%addTest(import_runs_suite())
       call suite%addTest(interruption_suite())
       call suite%addTest(study_runs_suite())
       call suite%addTest(sweep_runs_suite())

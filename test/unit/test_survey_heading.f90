@@ -159,6 +159,11 @@ contains
                   skipped='rows skipped: 2 of text (first in line 4)')
       call accept('a page in as many words as columns', 'MD Inc Azi TVD;0 0 0 0;500 10 90 490;Page 2 of 3;1200 45 100 999', &
                   skipped='rows skipped: 1 of text (first in line 4)')
+      call accept('another table below', 'MD Inc Azi TVD;0 0 0 0;500 10 90 490;1200 45 100 999;;Casing Points;MD TVD Name;'// &
+                  '500.00 490.00 20in', skipped='rows skipped: 3 of text (first in line 6)')
+      call accept('stations below such a title', 'MD Inc Azi TVD;0 0 0 0;500 10 90 490;Targets;1200 45 100 999', &
+                  skipped='rows skipped: 1 of text (first in line 4)')
+      call refuse('no title above', 'MD Inc Azi TVD;0 0 0 0;500 10 90 490;1200 45 100 999;500.00 490.00 20in', 'columns')
       call accept('rules', 'MD Inc Azi;--- --- ---;0 0 0;500 10 90;======;1200 45 100', &
                   skipped='rows skipped: 2 of dashes (first in line 2)')
       call accept('headers', 'MD,Inc,Azi;m,deg,deg;0,0,0;500,10,90;MD,Inc,Azi;m,deg,deg;'//last, &

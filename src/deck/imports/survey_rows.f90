@@ -24,6 +24,9 @@ module dg_survey_rows
       'of text', 'of dashes', 'with the header or its units again', 'without azimuth where the hole is vertical']
    !> Inclination below which a station needs no azimuth [rad].
    real(wp), parameter :: vertical = 0.5_wp*degree
+   !> Titles of tables below the stations, as COMPASS prints them.
+   character(*), parameter :: other_tables(7) = [character(18) :: 'casing points', 'formations', 'targets', 'design targets', &
+      'plan annotations', 'design annotations', 'survey annotations']
    !> Cells for no value.
    character(*), parameter :: no_values(12) = [character(4) :: '', '-', '--', '---', '----', 'n/a', 'na', 'nan', 'none', 'null', &
                                                '*', '.']
@@ -46,7 +49,9 @@ contains
       integer :: line, length, column
       logical :: legal(3), null(3), needed(3)
       character(:), allocatable :: well        ! that the first row names
+      logical :: below                         ! the stations, in a table of something else
       well = ''
+      below = .false.
       needed = layout%place(:3) > 0
       do line = 1, min(layout%first_row - 1, size(lines))
          if (all_numbers(lines(line)%text, layout)) call skipped(above)%add(line)
@@ -71,11 +76,14 @@ contains
             call read_cell(cell(row, layout%place(column)), layout%separator == ',', line, marks, numbers(column), legal(column))
             if (layout%has_null .and. legal(column)) null(column) = abs(numbers(column) - layout%null) <= spacing(layout%null)
          end do
-         if (.not. all(legal)) then
+         below = below .or. (n > 0 .and. any(other_tables == lower_case(adjustl(lines(line)%text(:length)))))
+         if (all(legal) .and. row%count == layout%width) then
+            below = .false.
+         else if (below .or. .not. all(legal)) then
             if (is_header_again(lines, layout, line)) then
                call skipped(header)%add(line)
                cycle
-            else if (is_text(row, layout, legal)) then
+            else if (below .or. is_text(row, layout, legal)) then
                call skipped(note)%add(line)
                cycle
             end if
