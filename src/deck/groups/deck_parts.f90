@@ -104,6 +104,7 @@ contains
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
          call draft_bend()
+         call draft_pad()
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
       end associate
@@ -128,6 +129,18 @@ contains
                call fault(line_of(group, 'bend'), 'bend needs bend_position, its distance above the lower end of the component')
          end associate
       end subroutine draft_bend
+
+      !> Pads, which say where they press.
+      subroutine draft_pad()
+         associate (part => item%component)
+            part%pad_force = real_of(group, 'pad_force', part%pad_force)
+            part%pad_clock = real_of(group, 'pad_clock', part%pad_clock)
+            part%pad_position = real_of(group, 'pad_position', part%pad_position)
+            if (part%pad_force > 0.0_wp .and. .not. is_given(group, 'pad_position')) &
+               call fault(line_of(group, 'pad_force'), 'pad_force needs pad_position, its distance above the lower end of the '// &
+                          'component')
+         end associate
+      end subroutine draft_pad
 
       !> Coefficients of its own, or scales of the hole's: not both for one way.
       subroutine draft_friction()

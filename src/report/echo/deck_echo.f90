@@ -1,7 +1,7 @@
 !> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_bend, is_worn, opens, worn_od
+   use dg_component, only: component_type, has_bend, has_pad, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_hole_section, only: hole_section_type
@@ -168,7 +168,7 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
-                  bent_text(units, part)//sensor_text(units, part))
+                  bent_text(units, part)//pad_text(units, part)//sensor_text(units, part))
                call add_strength(lines, units, part, job%design)
                if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
@@ -247,6 +247,17 @@ contains
       if (has_bend(part)) text = ', bent by '//quantity(part%bend, units%angle, unit_label(units, unit_angle))//' at '// &
                                  quantity(part%bend_position, units%length, unit_label(units, unit_length))
    end function bent_text
+
+   !> The pads of a component, nothing where it has none.
+   pure function pad_text(units, part) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      character(:), allocatable :: text
+      text = ''
+      if (has_pad(part)) text = ', pushed by pads with '//quantity(part%pad_force, units%force, unit_label(units, unit_force))// &
+         ' to '//quantity(part%pad_clock, units%angle, unit_label(units, unit_angle))//' at '// &
+         quantity(part%pad_position, units%length, unit_label(units, unit_length))
+   end function pad_text
 
    !> The survey sensor of a component, nothing where it has none.
    pure function sensor_text(units, part) result(text)

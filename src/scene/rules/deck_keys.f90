@@ -51,6 +51,7 @@ module dg_deck_keys
    real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
    real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
+   real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
    real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
@@ -164,7 +165,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(33) = [ &
+   type(key_rule_type), parameter :: component_keys(36) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -225,6 +226,12 @@ module dg_deck_keys
          meaning='angle of a bent housing; 0: straight'), &
       key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='of the bend above the lower end of the component; needed with bend'), &
+      key_rule_type('component', 'pad_force', unit=unit_force, low=0.0_wp, high=hardest_pad, default='0', &
+         meaning='with which pads push the tool across the hole (push-the-bit), whether it turns or not; 0: no pads'), &
+      key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
+         meaning='direction of that force on the string, as toolface: 0 builds; the pad that is out stands opposite'), &
+      key_rule_type('component', 'pad_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
+         meaning='of the pads above the lower end of the component; needed with pad_force'), &
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='of a survey sensor above the lower end of the component; gives its sag correction')]
 

@@ -161,6 +161,9 @@ contains
       call check_range(ranges, 'friction_scale_rotary', component%scale_rotary, found, 'scale_rotary')
       call check_range(ranges, 'bend', component%bend, found)
       call check_range(ranges, 'bend_position', component%bend_position, found)
+      call check_range(ranges, 'pad_force', component%pad_force, found)
+      call check_range(ranges, 'pad_clock', component%pad_clock, found)
+      call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
       if (is_shown(component%wall_left)) then
          if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
