@@ -56,6 +56,9 @@ contains
       hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
       hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
       hole%section%cased = logical_of(group, 'cased', .false.)
+      hole%section%casing_od = real_of(group, 'casing_od', missing)
+      hole%section%casing_yield = real_of(group, 'casing_yield', missing)
+      hole%section%wear_factor = real_of(group, 'wear_factor', missing)
    end subroutine draft_hole
 
    !> A component; checks its diameters and its joints.
@@ -247,6 +250,7 @@ contains
          case%temperature_change_bottom = real_of(group, 'temperature_change_bottom', 0.0_wp)
          case%angular_speed = real_of(group, 'rpm', 0.0_wp)
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
+         case%hours = real_of(group, 'hours', 0.0_wp)
          case%toolface = real_of(group, 'toolface', 0.0_wp)
          case%friction_axial = optional_of('friction_axial')
          case%friction_rotary = optional_of('friction_rotary')

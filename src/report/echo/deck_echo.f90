@@ -18,7 +18,7 @@ module dg_deck_echo
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall
+      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall, unit_wear
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -103,11 +103,26 @@ contains
             call add_line(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
                quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', '//hole_friction_text(hole)// &
                optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
-               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter)))
+               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter))// &
+               casing_text(units, hole))
          end associate
       end do
       call add_fluids(lines, units, model)
    end subroutine add_hole
+
+   !> The casing of a hole section, nothing where its wear is not asked for.
+   pure function casing_text(units, hole) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(hole_section_type), intent(in) :: hole
+      character(:), allocatable :: text
+      text = ''
+      if (.not. is_missing(hole%casing_od)) text = ', casing '// &
+         quantity(hole%casing_od, units%diameter, unit_label(units, unit_diameter))
+      if (.not. is_missing(hole%casing_yield)) text = text//', yield '// &
+         quantity(hole%casing_yield, units%stress, unit_label(units, unit_stress))
+      if (.not. is_missing(hole%wear_factor)) text = text//', wear factor '// &
+         quantity(hole%wear_factor, unit_factor(units, unit_wear), unit_label(units, unit_wear))
+   end function casing_text
 
    !> Friction of a hole section in words.
    pure function hole_friction_text(hole) result(text)
@@ -294,6 +309,7 @@ contains
             optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
                      unit_label(units, unit_temperature))// &
             optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
+            optional(' for ', case%hours, 1.0_wp, 'h')// &
             optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
             given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
             given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &

@@ -4,17 +4,19 @@ module dg_limits_table
    use dg_kinds, only: wp
    use dg_named_states, only: buckling_name, buckling_none
    use dg_case_result, only: case_result_type, result_converged
+   use dg_casing_wear, only: groove_type
    use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, model_name
    use dg_length_change, only: total_change
    use dg_load_case, only: given, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_force
+   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_pressure
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -122,9 +124,27 @@ contains
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
+         if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
+      end do
+      do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> The worst groove in casing, and what it leaves.
+   pure subroutine append_groove(lines, units, name, groove)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: name                 !< of the case
+      type(groove_type), intent(in) :: groove
+      character(:), allocatable :: left
+      left = ''
+      if (.not. is_missing(groove%burst)) left = ', burst '//trim(in_units(units, unit_pressure, groove%burst, few))// &
+         ', collapse '//trim(in_units(units, unit_pressure, groove%collapse, few))
+      call append_text(lines, '  Casing wear in '//name//': '//trim(in_units(units, unit_diameter, groove%depth, few))//' at '// &
+                       to_text(anint(groove%md/units%length))//' '//trim(units%length_label)//', '// &
+                       to_text(100.0_wp*groove%wall_left, few)//' % of the wall left'//left)
+   end subroutine append_groove
 
    !> Change of length and its parts, and the force that a packer takes.
    pure subroutine append_length_change(lines, units, model, number, whole)

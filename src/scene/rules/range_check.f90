@@ -220,6 +220,7 @@ contains
          'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
          to_text(operation_count))
       call check_range(ranges, 'bit_depth', load_case%bit_depth, found)
+      call check_range(ranges, 'hours', load_case%hours, found)
       call check_range(ranges, 'wob', load_case%wob, found)
       call check_range(ranges, 'tob', load_case%tob, found)
       call check_range(ranges, 'rpm', load_case%angular_speed, found, 'angular_speed')
