@@ -41,6 +41,7 @@ contains
       use dg_test_sag_correction, only: sag_correction_suite
       use dg_test_pads, only: pads_suite
       use dg_test_casing_wear, only: casing_wear_suite
+      use dg_test_fatigue, only: fatigue_suite
       use dg_test_length_change, only: length_change_suite
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
@@ -84,6 +85,7 @@ contains
       call suite%addTest(sag_correction_suite())
       call suite%addTest(pads_suite())
       call suite%addTest(casing_wear_suite())
+      call suite%addTest(fatigue_suite())
       call suite%addTest(length_change_suite())
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())

@@ -1,7 +1,7 @@
 !> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_bend, has_pad, is_worn, opens, worn_od
+   use dg_component, only: component_type, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_hole_section, only: hole_section_type
@@ -17,6 +17,7 @@ module dg_deck_echo
    use dg_rig, only: rig_type
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: position_at
+   use dg_tools_text, only: tools_text
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
       unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall, unit_wear
    use dg_units, only: unit_system_type
@@ -183,7 +184,7 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
-                  bent_text(units, part)//pad_text(units, part)//sensor_text(units, part))
+                  tools_text(units, part))
                call add_strength(lines, units, part, job%design)
                if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
@@ -252,37 +253,6 @@ contains
       if (is_worn(part)) text = ' with '//to_text(100.0_wp*part%wall_left, digits)//' % of the wall'//text
       call add_line(lines, '    strength'//text)
    end subroutine add_strength
-
-   !> The bend of a component, nothing where it is straight.
-   pure function bent_text(units, part) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(component_type), intent(in) :: part
-      character(:), allocatable :: text
-      text = ''
-      if (has_bend(part)) text = ', bent by '//quantity(part%bend, units%angle, unit_label(units, unit_angle))//' at '// &
-                                 quantity(part%bend_position, units%length, unit_label(units, unit_length))
-   end function bent_text
-
-   !> The pads of a component, nothing where it has none.
-   pure function pad_text(units, part) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(component_type), intent(in) :: part
-      character(:), allocatable :: text
-      text = ''
-      if (has_pad(part)) text = ', pushed by pads with '//quantity(part%pad_force, units%force, unit_label(units, unit_force))// &
-         ' to '//quantity(part%pad_clock, units%angle, unit_label(units, unit_angle))//' at '// &
-         quantity(part%pad_position, units%length, unit_label(units, unit_length))
-   end function pad_text
-
-   !> The survey sensor of a component, nothing where it has none.
-   pure function sensor_text(units, part) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(component_type), intent(in) :: part
-      character(:), allocatable :: text
-      text = ''
-      if (.not. is_missing(part%sensor)) text = ', survey sensor at '// &
-         quantity(part%sensor, units%length, unit_label(units, unit_length))
-   end function sensor_text
 
    !> One load case.
    pure subroutine add_case(lines, units, model, number)

@@ -2,7 +2,7 @@
 module dg_limits_file
    use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_curvature, quantity_force, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_pressure, quantity_stress, quantity_text, quantity_turns, quantity_width
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
@@ -20,7 +20,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(70) = [ &
+   type(column_type), parameter :: limits_columns(75) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -107,7 +107,14 @@ module dg_limits_file
       column_type('casing_wear_md', quantity_length, 'where'), &
       column_type('casing_wall_left', quantity_percent, 'there, of the wall as it was new'), &
       column_type('casing_burst_left', quantity_pressure, 'burst strength there (Barlow, 7/8 of the wall left)'), &
-      column_type('casing_collapse_left', quantity_pressure, 'collapse strength there without tension (API 5C3)')]
+      column_type('casing_collapse_left', quantity_pressure, 'collapse strength there without tension (API 5C3)'), &
+      column_type('fatigue_used', quantity_percent, 'of the bending amplitude that the body bears without end at its tension, '// &
+         'most along the string; this and those that follow: in cases that turn, where fatigue_curve is given'), &
+      column_type('fatigue_md', quantity_length, 'where'), &
+      column_type('fatigue_turns', quantity_none, 'until failure there; empty where endless, or without fatigue_exponent'), &
+      column_type('fatigue_damage', quantity_percent, 'part of the life there that hours of rotation take'), &
+      column_type('fatigue_dogleg', quantity_curvature, 'largest dogleg in which the pipe there may turn without end at its '// &
+         'tension (Lubinski 1961)')]
 
 contains
 
@@ -225,6 +232,13 @@ contains
          call put(row, in_percent(optional_real(groove%present, groove%wall_left)))
          call put(row, optional_real(groove%present .and. .not. is_missing(groove%burst), groove%burst))
          call put(row, optional_real(groove%present .and. .not. is_missing(groove%collapse), groove%collapse))
+      end associate
+      associate (fatigue => whole%fatigue)
+         call put(row, in_percent(optional_real(fatigue%present, fatigue%used)))
+         call put(row, optional_real(fatigue%present, fatigue%md))
+         call put(row, optional_real(.not. is_missing(fatigue%turns), fatigue%turns))
+         call put(row, in_percent(optional_real(.not. is_missing(fatigue%damage), fatigue%damage)))
+         call put(row, optional_real(.not. is_missing(fatigue%dogleg), fatigue%dogleg))
       end associate
    end subroutine limits_fields
 
