@@ -38,6 +38,8 @@ COLUMNS = {
     "datum_columns": "calibration_data.csv",
     "prediction_columns": "calibration_prediction.csv",
     "contact_columns": "contacts_<case>_<model>.csv",
+    "casing_wear_columns": "casing_wear_<case>_<model>.csv",
+    "fatigue_columns": "fatigue_<case>_<model>.csv",
     "gap_columns": "/cases/<case>/<model>/gaps",
     "survey_columns": "/survey",
 }

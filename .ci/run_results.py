@@ -26,7 +26,7 @@ WRONG_WAY = 2.0e-2
 SMALL_STRAIN = 0.01          # stretch over length
 # Solutions that a calibration takes for each of its cases.
 FIT = 50
-TEXTS = {"case", "section", "model", "operation", "status", "message", "gap_state", "judged_by", "kind", "buckling", "side", "shape", "hole", "fidelity",
+TEXTS = {"case", "component", "section", "model", "operation", "status", "message", "gap_state", "judged_by", "kind", "buckling", "side", "shape", "hole", "fidelity",
          "gap_location", "linear_solver", "reference", "pareto", "calibration", "parameter", "verdict", "applied", "governing_limit", "can_be_done",
          "reason", "limit", "not_checked", "settings"}
 NO_NUMBER = re.compile(r"[-+]?(nan(\(.*\))?|inf(inity)?|\*+)", re.I)

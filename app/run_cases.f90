@@ -3,10 +3,14 @@ module dg_run_cases
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
+   use dg_casing_wear, only: wears_casing
+   use dg_casing_wear_file, only: write_casing_wear
    use dg_contacts_file, only: write_contacts
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
+   use dg_fatigue, only: asks_for_fatigue
+   use dg_fatigue_file, only: write_fatigue
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: settle_packer_loads
@@ -23,7 +27,7 @@ module dg_run_cases
    use dg_profile_file, only: write_profile
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
-   use dg_result_name, only: case_file, contacts_file, history_file, hole_file, profile_file, view_file
+   use dg_result_name, only: case_file, contacts_file, fatigue_file, history_file, hole_file, profile_file, view_file, wear_file
    use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
@@ -237,6 +241,14 @@ contains
          end if
          if (job%profiles .and. allocated(result%contacts)) then
             call write_contacts(in_folder(job, case_file(contacts_file, case, number)), job, result, error)
+            call note_failure(error, status)
+         end if
+         if (job%profiles .and. has_numbers(result%status) .and. wears_casing(model, model%cases(result%case_index))) then
+            call write_casing_wear(in_folder(job, case_file(wear_file, case, number)), job, model, result, error)
+            call note_failure(error, status)
+         end if
+         if (job%profiles .and. has_numbers(result%status) .and. asks_for_fatigue(model, model%cases(result%case_index))) then
+            call write_fatigue(in_folder(job, case_file(fatigue_file, case, number)), job, model, result, along, error)
             call note_failure(error, status)
          end if
          if (model%numerics%history .and. allocated(result%history)) then

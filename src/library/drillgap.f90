@@ -17,6 +17,7 @@ module drillgap
    use dg_constants, only: degree, pi
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type, raise, status_bad_input, status_failure
+   use dg_fatigue_curve, only: fatigue_curve_type, fatigue_e75, fatigue_none, fatigue_own, fatigue_s135
    use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_section_type
@@ -45,6 +46,7 @@ module drillgap
    public :: error_type, status_bad_input, status_failure
    public :: model_parts_type, survey_type, interpolation_minimum_curvature, interpolation_spline
    public :: hole_section_type, drillstring_type, component_type, centralizer_type, fluid_type
+   public :: fatigue_curve_type, fatigue_none, fatigue_e75, fatigue_s135, fatigue_own
    public :: collar_none, collar_closed, collar_open_below, boundary_type, rig_type
    public :: numerics_type, settings_of, gap_at_extremum, gap_at_nodes
    public :: add_hole, add_component, add_fluid

@@ -29,6 +29,7 @@ contains
       call suite%addTest(TestMethod('components', test_components))
       call suite%addTest(TestMethod('load_cases', test_load_cases))
       call suite%addTest(TestMethod('packers', test_packers))
+      call suite%addTest(TestMethod('wear_and_fatigue', test_wear))
       call suite%addTest(TestMethod('all_faults_in_one_run', test_all_faults))
       call suite%addTest(TestMethod('field_units_in_messages', test_field_units))
    end function bad_decks_suite
@@ -260,6 +261,19 @@ contains
       call refuse("'sliding'", "'ream'", 18, 'operation ream needs rpm > 0')
       call refuse("'sliding'", "'backream', rpm = 60", 18, 'operation backream needs trip_speed > 0')
    end subroutine test_load_cases
+
+   !> What pads, casing wear and fatigue need.
+   subroutine test_wear()
+      call refuse("od = 171.45", "od = 171.45, pad_force = 15", 12, 'pad_force needs pad_position')
+      call refuse("od = 171.45", "od = 171.45, pad_force = 15, pad_position = 120", 12, &
+                  'pad_position = 120 is greater than length = 100')
+      call refuse("diameter = 220.0", "diameter = 220.0, wear_factor = 10", 6, 'wear_factor needs casing_od')
+      call refuse("diameter = 220.0", "diameter = 220.0, casing_od = 200", 6, &
+                  'casing_od = 200 mm is not greater than diameter = 220 mm')
+      call refuse("wob = 20.0", "wob = 20.0, hours = 5", 19, 'hours needs rpm > 0')
+      call refuse("od = 171.45", "od = 171.45, fatigue_curve = 'own'", 12, "fatigue_curve = 'own' needs fatigue_limit")
+      call refuse("od = 171.45", "od = 171.45, fatigue_limit = 100", 12, "fatigue_limit needs fatigue_curve = 'own'")
+   end subroutine test_wear
 
    !> Two faults, two messages, in the order of lines; and one slip gives one message.
    subroutine test_all_faults()

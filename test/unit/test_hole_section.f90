@@ -46,8 +46,10 @@ contains
          call assertEqual(1, count(hole_keys == rules(k)%key), message=rules(k)%key)
       end do
       call assertEqual(count(rules%kind == kind_real) - 1, size(hole_keys))
-      hole = hole_section_type('', 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, .false., 8.0_wp)
-      call assertEqual([1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, 8.0_wp], hole_numbers(hole))
+      hole = hole_section_type('', 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, .false., 8.0_wp, &
+                               9.0_wp, 10.0_wp, 11.0_wp)
+      call assertEqual([1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, 8.0_wp, 9.0_wp, 10.0_wp, 11.0_wp], &
+                       hole_numbers(hole))
    end subroutine test_numbers
 
    !> Of trip_in alone another, where it is given; changed for some operations or for all.

@@ -39,6 +39,9 @@ contains
       use dg_test_lone_contacts, only: lone_contacts_suite
       use dg_test_contact_sums, only: contact_sums_suite
       use dg_test_sag_correction, only: sag_correction_suite
+      use dg_test_pads, only: pads_suite
+      use dg_test_casing_wear, only: casing_wear_suite
+      use dg_test_fatigue, only: fatigue_suite
       use dg_test_length_change, only: length_change_suite
       use dg_test_whirling, only: whirling_suite
       use dg_test_moments, only: moments_suite
@@ -80,6 +83,9 @@ contains
       call suite%addTest(lone_contacts_suite())
       call suite%addTest(contact_sums_suite())
       call suite%addTest(sag_correction_suite())
+      call suite%addTest(pads_suite())
+      call suite%addTest(casing_wear_suite())
+      call suite%addTest(fatigue_suite())
       call suite%addTest(length_change_suite())
       call suite%addTest(whirling_suite())
       call suite%addTest(moments_suite())

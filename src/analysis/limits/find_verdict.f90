@@ -8,10 +8,12 @@ module dg_find_verdict
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_design_factors, only: design_factors_type
+   use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, given, moves_axially, optional_real, rotates
+   use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
@@ -52,9 +54,10 @@ contains
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
+            call judge_fatigue(whole%fatigue, verdict)
             if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
-            else
+            else if (verdict%limit /= limit_fatigue) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
@@ -203,6 +206,23 @@ contains
          if (locks_up(model, case_index)) limit = limit_lock_up
       end if
    end function passed_weight
+
+   !> Fatigue decides where the hours of a case take more than the life of the pipe, and nothing else makes the answer no. It counts
+   !> as checked where the pipe bears the bending without end, or its damage is known.
+   pure subroutine judge_fatigue(fatigue, verdict)
+      type(fatigue_type), intent(in) :: fatigue
+      type(verdict_type), intent(inout) :: verdict
+      if (.not. fatigue%present) return
+      verdict%not_checked(limit_fatigue) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
+      if (is_missing(fatigue%damage) .or. verdict%answer == answer_no) return
+      if (fatigue%damage <= 1.0_wp) return
+      verdict%answer = answer_no
+      verdict%limit = limit_fatigue
+      verdict%used = given(fatigue%damage)
+      verdict%md = given(fatigue%md)
+      verdict%load = given(fatigue%amplitude)
+      verdict%allowed = given(fatigue%permitted)
+   end subroutine judge_fatigue
 
    !> True where a share [-] is more than what is used of the limit so far.
    pure function is_most(share, verdict) result(is)

@@ -15,7 +15,8 @@ module dg_verdict
    character(*), parameter :: answer_name(0:2) = [character(7) :: 'unknown', 'no', 'yes']
 
    !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
-   !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue has no rating in a deck.
+   !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue: the part of its life
+   !> that the hours of the case take of the pipe.
    integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3
    integer, parameter :: every_limit_count = limit_count + 3
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(13) :: 'string weight', 'lock-up', &

@@ -6,8 +6,10 @@ module dg_whole_string
    use dg_buckled_shape, only: find_buckled_shape
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
+   use dg_casing_wear, only: find_casing_wear, groove_type, worst_groove
    use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
    use dg_drillstring, only: component_at, component_tops
+   use dg_fatigue, only: fatigue_type, find_fatigue
    use dg_job, only: model_mcge
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type
    use dg_load_case, only: block_way, given, optional_real
@@ -63,6 +65,8 @@ module dg_whole_string
       type(optional_real) :: sensor_md              !< where the sensor is [m]
       type(length_change_type) :: length_change     !< of the string, in its parts [m]
       type(optional_real) :: packer_force           !< of the string on its packer beside pressures, down > 0 [N]
+      type(groove_type) :: groove                   !< in casing that the string wears most
+      type(fatigue_type) :: fatigue                 !< of the component that is tired most
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -94,6 +98,8 @@ contains
       type(along_string_type), intent(in) :: along
       type(optional_real), intent(in) :: rig_limit   !< [N]
       type(whole_string_type), intent(out) :: whole
+      type(groove_type), allocatable :: grooves(:)
+      type(fatigue_type), allocatable :: parts(:)
       integer :: i
       associate (profile => result%profile)
          call add_deformation(model, result, along, whole)
@@ -128,6 +134,10 @@ contains
       end associate
       whole%packer_force = optional_real(model%boundary%packer_bore > 0.0_wp, model%cases(result%case_index)%wob)
       if (result%model == model_mcge) call add_shape(model, result, along, whole)
+      call find_casing_wear(model, result, grooves)
+      whole%groove = worst_groove(grooves)
+      call find_fatigue(model, result, along, parts)
+      if (size(parts) > 0) whole%fatigue = parts(1)
       call take(result%stability_margin, whole%stability_margin)
       call take(result%bit_side_force, whole%bit_side_force)
       call take(result%bit_side_clock, whole%bit_side_clock)

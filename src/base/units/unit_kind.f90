@@ -6,7 +6,8 @@ module dg_unit_kind
       unit_moment => quantity_moment, unit_modulus => quantity_modulus, unit_stress => quantity_stress, &
       unit_pressure => quantity_pressure, unit_wall => quantity_wall, unit_rotation => quantity_rotation, &
       unit_speed => quantity_speed, unit_gravity => quantity_gravity, unit_curvature => quantity_curvature, &
-      unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_type
+      unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_wear => quantity_wear, &
+      unit_type
    use dg_text, only: to_text
    use dg_units, only: unit_in, unit_system_type
    implicit none
@@ -14,7 +15,7 @@ module dg_unit_kind
    public :: unit_factor, unit_label, in_units, smaller_unit
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
-      unit_temperature, unit_expansion
+      unit_temperature, unit_expansion, unit_wear
 
    !> Room for a number and the name of its unit.
    integer, parameter :: told_width = 40

@@ -2,7 +2,7 @@
 !> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: closed_diameter, has_bend, has_blades, is_open, opens, tube_area
+   use dg_component, only: closed_diameter, has_bend, has_blades, has_pad, is_open, opens, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type, string_use_type
    use dg_error, only: error_type
@@ -81,7 +81,7 @@ contains
          call append_text(notes, 'more notes on components are left out')
          exit
       end do
-      call note_bends(draft, job, notes)
+      call note_tools(draft, job, notes)
    end subroutine note_oddities
 
    !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
@@ -101,20 +101,17 @@ contains
       end do
    end subroutine note_block
 
-   !> Bent housings that a model, or a string that turns, leaves out.
-   subroutine note_bends(draft, job, notes)
+   !> Bent housings and pads that a model, or a string that turns, leaves out.
+   subroutine note_tools(draft, job, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i, k
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
+            if (has_bend(item%component)) call note_model(item%line, 'the bent housing')
+            if (has_pad(item%component)) call note_model(item%line, 'the force of the pads')
             if (.not. has_bend(item%component)) cycle
-            do k = 1, size(job%models)
-               if (job%models(k) == model_mcge .or. (job%models(k) == model_mixed .and. draft%numerics%mixed_elements)) cycle
-               call append_text(notes, 'group &component in line '//to_text(item%line)// &
-                  ': model '//trim(model_name(job%models(k)))//' ignores the bent housing. Use mcge')
-            end do
             do k = 1, size(draft%cases)
                if (draft%cases(k)%load_case%string /= item%string .or. .not. rotates(draft%cases(k)%load_case%operation)) cycle
                call append_text(notes, 'group &component in line '//to_text(item%line)//': rotating cases, as '// &
@@ -123,7 +120,18 @@ contains
             end do
          end associate
       end do
-   end subroutine note_bends
+   contains
+      subroutine note_model(line, ignored)
+         integer, intent(in) :: line
+         character(*), intent(in) :: ignored
+         integer :: m
+         do m = 1, size(job%models)
+            if (job%models(m) == model_mcge .or. (job%models(m) == model_mixed .and. draft%numerics%mixed_elements)) cycle
+            call append_text(notes, 'group &component in line '//to_text(line)//': model '//trim(model_name(job%models(m)))// &
+                             ' ignores '//ignored//'. Use mcge')
+         end do
+      end subroutine note_model
+   end subroutine note_tools
 
    !> A survey that goes deeper, or turns more sharply, than any hole does.
    subroutine note_path(draft, notes)

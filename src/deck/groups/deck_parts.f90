@@ -9,6 +9,7 @@ module dg_deck_parts
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
+   use dg_deck_tools, only: draft_tools
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
@@ -57,6 +58,9 @@ contains
       hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
       hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
       hole%section%cased = logical_of(group, 'cased', .false.)
+      hole%section%casing_od = real_of(group, 'casing_od', missing)
+      hole%section%casing_yield = real_of(group, 'casing_yield', missing)
+      hole%section%wear_factor = real_of(group, 'wear_factor', missing)
    end subroutine draft_hole
 
    !> A component; checks its diameters and its joints.
@@ -89,7 +93,6 @@ contains
          part%expansion = real_of(group, 'expansion', part%expansion)
          part%joint_od = real_of(group, 'joint_od', part%joint_od)
          part%joint_length = real_of(group, 'joint_length', part%joint_length)
-         part%sensor = real_of(group, 'sensor', part%sensor)
          part%opened_od = real_of(group, 'opened_od', part%opened_od)
          part%opened_below = real_of(group, 'opened_below', part%opened_below)
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
@@ -104,7 +107,7 @@ contains
          end select
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
-         call draft_bend()
+         call draft_tools(path, group, part, item%sound, faults)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
       end associate
@@ -119,16 +122,6 @@ contains
       end do
 
    contains
-
-      !> A bent housing, which says where it is bent.
-      subroutine draft_bend()
-         associate (part => item%component)
-            part%bend = real_of(group, 'bend', part%bend)
-            part%bend_position = real_of(group, 'bend_position', part%bend_position)
-            if (part%bend > 0.0_wp .and. .not. is_given(group, 'bend_position')) &
-               call fault(line_of(group, 'bend'), 'bend needs bend_position, its distance above the lower end of the component')
-         end associate
-      end subroutine draft_bend
 
       !> Coefficients of its own, or scales of the hole's: not both for one way.
       subroutine draft_friction()
@@ -235,6 +228,7 @@ contains
          case%temperature_change_bottom = real_of(group, 'temperature_change_bottom', 0.0_wp)
          case%angular_speed = real_of(group, 'rpm', 0.0_wp)
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
+         case%hours = real_of(group, 'hours', 0.0_wp)
          case%toolface = real_of(group, 'toolface', 0.0_wp)
          case%friction_axial = optional_of('friction_axial')
          case%friction_rotary = optional_of('friction_rotary')

@@ -15,6 +15,7 @@ module dg_assembly
    use dg_gap_contact, only: contact_action, couple_action, touch_type
    use dg_gap_element, only: gap_nodal_force
    use dg_gap_table, only: gap_table_type
+   use dg_hermite, only: hermite_line_load
    use dg_lanes, only: lanes
    use dg_mesh, only: mesh_type
    use dg_scatter, only: clear_element, element_type, hold_top, scatter_more
@@ -165,7 +166,7 @@ contains
       by_slopes(2, 1) = by_slopes(1, 2)
    end subroutine take_to_frame
 
-   !> Completes an element of a row by what is its own: weight, drag, a bend, friction of a string that whirls.
+   !> Completes an element of a row by what is its own: weight, drag, pads, a bend, friction of a string that whirls.
    pure subroutine finish_element(mesh, loads, l, contact, row, work, matrix, force, twisting)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -176,8 +177,8 @@ contains
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(out) :: force(12)             !< on (x_i, d_i, x_j, d_j)
       real(wp), intent(out) :: twisting(2)           !< torque on both nodes
-      real(wp) :: drag
-      integer :: e
+      real(wp) :: drag, line(4)
+      integer :: e, i
       e = row%first + l - 1
       force = row%force(l, :)
       twisting = row%twisting(l, :)
@@ -188,6 +189,12 @@ contains
          drag = 0.5_wp*loads%friction_scale*mesh%drag(e)
          force(1:3) = force(1:3) - drag*mesh%frame(:, 1, e)
          force(7:9) = force(7:9) - drag*mesh%frame(:, 1, e + 1)
+      end if
+      if (allocated(mesh%push)) then
+         line = hermite_line_load(mesh%length(e))
+         do i = 1, 4
+            force(3*i - 2:3*i) = force(3*i - 2:3*i) - line(i)*mesh%push(:, e)
+         end do
       end if
       if (.not. row%closed(l)) work%normal(e) = 0.0_wp
       if (allocated(mesh%bend)) call add_own_bend(mesh, l, row, work, force, matrix)

@@ -67,5 +67,6 @@ contains
       type(mesh_type), intent(in) :: mesh
       real(wp) :: scale
       scale = max(sum(abs(mesh%weight)*mesh%length) + abs(end_compression(model, load_case)), least_scale)
+      if (allocated(mesh%push)) scale = scale + sum(norm2(mesh%push, dim=1)*mesh%length)
    end function force_scale
 end module dg_end_supports

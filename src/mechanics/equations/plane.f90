@@ -42,7 +42,7 @@ contains
       way = way_rotates
       if (any(abs(mesh%rotary) > 0.0_wp) .or. abs(tob) > 0.0_wp) return
       way = way_turns
-      if (allocated(mesh%bend)) return
+      if (allocated(mesh%bend) .or. allocated(mesh%push)) return
       call find_plane(mesh, plane, found)
       if (.not. found) return
       way = merge(way_buckles, way_planar, may_buckle)

@@ -7,10 +7,11 @@ module dg_mesh
    use dg_kinds, only: wp
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, component_type, &
-                           contact_diameter, effective_joint_length, has_bend, has_joints, room_of, room_of_held_bit, &
+                           contact_diameter, effective_joint_length, has_bend, has_joints, has_pad, room_of, room_of_held_bit, &
                            torsional_stiffness
    use dg_contact_friction, only: find_friction, running_drag
-   use dg_drillstring, only: all_centralizer_ends, at_joint, bend_ends, bend_within, component_at, component_tops, joint_ends
+   use dg_drillstring, only: all_centralizer_ends, at_joint, bend_within, component_at, component_tops, joint_ends, &
+                             pad_within, tool_ends
    use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_hole_section, only: hole_section_at, wall_of
    use dg_load_case, only: load_case_type, rotates
@@ -54,6 +55,8 @@ module dg_mesh
       !> Angle by which an element is bent before loading, times the unit vector to which its lower end points (3,elements) [rad];
       !> not allocated where the whole string is straight.
       real(wp), allocatable :: bend(:, :)
+      !> Force of pads on the string per length, across the hole (3,elements) [N/m]; not allocated where no tool has pads.
+      real(wp), allocatable :: push(:, :)
    end type mesh_type
 
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
@@ -153,7 +156,28 @@ contains
       end do
       if (any(has_bend(model%strings(index)%components)) .and. (load_case%bend_stands .or. .not. rotates(load_case%operation))) &
          call bend_mesh(model, load_case, tops, mesh)
+      if (any(has_pad(model%strings(index)%components))) call push_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
+
+   !> Forces of pads on the elements. A tool that steers while it turns presses to one side of the hole: they do not turn.
+   pure subroutine push_mesh(model, load_case, tops, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      type(mesh_type), intent(inout) :: mesh
+      real(wp) :: up(3), force(2)
+      integer :: e
+      allocate (mesh%push(3, mesh%elements), source=0.0_wp)
+      do e = 1, mesh%elements
+         force = pad_within(model%strings(string_index(model%strings, load_case%string)), tops, &
+                            load_case%bit_depth - mesh%md(e + 1), load_case%bit_depth - mesh%md(e))
+         if (.not. any(abs(force) > 0.0_wp)) cycle
+         associate (t => mesh%frame(:, 1, e))
+            up = high_side(t)
+            mesh%push(:, e) = (force(1)*up + force(2)*cross(t, up))/mesh%length(e)
+         end associate
+      end do
+   end subroutine push_mesh
 
    !> How the elements are bent before loading: towards the toolface, about the hole axis where they are.
    pure subroutine bend_mesh(model, load_case, tops, mesh)
@@ -241,7 +265,7 @@ contains
       allocate (tops(size(model%strings(n)%components)))
       tops = component_tops(model%strings(n), bit - top)
       breaks = [model%trajectory%md, model%holes%md_bottom, bit - tops, fluid_tops(model%mud, bit)]
-      breaks = [breaks, bit - bend_ends(model%strings(n), tops)]
+      breaks = [breaks, bit - tool_ends(model%strings(n), tops)]
       breaks = [breaks, bit - all_centralizer_ends(model%strings(n), tops)]
       if (model%numerics%discrete_joints) breaks = [breaks, bit - joint_ends(model%strings(n), tops)]
       breaks = pack(breaks, breaks > top .and. breaks < bit)

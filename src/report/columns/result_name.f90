@@ -1,22 +1,29 @@
 !> Names of the files of results, relative to the output folder. No other file is ever removed from it.
 module dg_result_name
+   use dg_casing_wear, only: wears_casing
+   use dg_fatigue, only: asks_for_fatigue
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: text_type, to_text
    implicit none
    private
-   public :: profile_file, view_file, hole_file, contacts_file, history_file, case_file, points_file, record_file, failed_file
+   public :: profile_file, view_file, hole_file, contacts_file, wear_file, fatigue_file, history_file
+   public :: case_file, points_file, record_file, failed_file
    public :: result_names, is_result_name, is_record_name, picture_folder
 
    ! Files of one case.
-   integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, history_file = 5, case_files = 5
+   integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, wear_file = 5, history_file = 6, &
+                         fatigue_file = 7, case_files = 7
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
    character(*), parameter :: fixed_names(4) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html']
    !> Beginnings of names with something of the deck in them, and their endings. Builds before 0.2.0 wrote .vtkhdf.
-   character(*), parameter :: beginnings(6) = [character(12) :: 'profile_', 'contacts_', 'history_', 'view_', 'hole_', 'view_']
-   character(*), parameter :: endings(6) = [character(7) :: '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf']
+   character(*), parameter :: beginnings(8) = [character(12) :: 'profile_', 'contacts_', 'casing_wear_', 'fatigue_', 'history_', &
+      'view_', 'hole_', 'view_']
+   character(*), parameter :: endings(8) = [character(7) :: '.csv', '.csv', '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf']
+   !> So many of them end in the name of a model.
+   integer, parameter :: with_model = 5
    !> Stands for something of the deck in the forms of names of studies.
    character, parameter :: anything = '*'
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
@@ -44,6 +51,10 @@ contains
          name = 'hole'//name//'.hdf'
       case (contacts_file)
          name = 'contacts'//name//'.csv'
+      case (wear_file)
+         name = 'casing_wear'//name//'.csv'
+      case (fatigue_file)
+         name = 'fatigue'//name//'.csv'
       case default
          name = 'history'//name//'.csv'
       end select
@@ -109,6 +120,10 @@ contains
             do i = 1, size(model%cases)
                call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
                call add(case_file(contacts_file, model%cases(i)%name, job%models(j)), job%profiles)
+               call add(case_file(wear_file, model%cases(i)%name, job%models(j)), &
+                        job%profiles .and. wears_casing(model, model%cases(i)))
+               call add(case_file(fatigue_file, model%cases(i)%name, job%models(j)), &
+                        job%profiles .and. asks_for_fatigue(model, model%cases(i)))
                call add(case_file(view_file, model%cases(i)%name, job%models(j)), job%plots)
                call add(case_file(hole_file, model%cases(i)%name, job%models(j)), job%plots)
                call add(case_file(history_file, model%cases(i)%name, job%models(j)), model%numerics%history)
@@ -134,7 +149,7 @@ contains
       if (.not. is_plain(name)) return
       is = any(fixed_names == name)
       do i = 1, size(beginnings)
-         if (i > 3) then
+         if (i > with_model) then
             is = is .or. has_form(name, trim(beginnings(i)), trim(endings(i)))
             cycle
          end if

@@ -8,7 +8,8 @@ module dg_verdict_text
    use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
                              limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, limit_code, limit_lock_up, limit_string_weight, limit_title, verdict_type
+                         friction_upper_end_alone, limit_code, limit_fatigue, limit_lock_up, limit_string_weight, limit_title, &
+                         verdict_type
    implicit none
    private
    public :: verdict_reason, verdict_sentences, unchecked_codes, row_mark, mark_meaning
@@ -200,7 +201,7 @@ contains
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
          text = trim(in_units(units, unit_moment, load, shown))
-      case (limit_von_mises)
+      case (limit_von_mises, limit_fatigue)
          text = trim(in_units(units, unit_stress, load, shown))
       case (limit_burst, limit_collapse)
          text = trim(in_units(units, unit_pressure, load, shown))

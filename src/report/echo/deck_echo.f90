@@ -1,7 +1,7 @@
 !> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_bend, is_worn, opens, worn_od
+   use dg_component, only: component_type, is_worn, opens, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_fluid, only: collar_name, collar_none
    use dg_hole_section, only: hole_section_type
@@ -16,9 +16,10 @@ module dg_deck_echo
       torsional_strength
    use dg_rig, only: rig_type
    use dg_text, only: text_type, to_text
+   use dg_tools_text, only: tools_text
    use dg_trajectory, only: position_at, top_md
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall
+      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall, unit_wear
    use dg_units, only: unit_system_type
    use dg_well_head, only: deepest_bit, find_clearances
    implicit none
@@ -104,11 +105,26 @@ contains
             call add_line(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
                quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', '//hole_friction_text(hole)// &
                optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
-               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter)))
+               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter))// &
+               casing_text(units, hole))
          end associate
       end do
       call add_fluids(lines, units, model)
    end subroutine add_hole
+
+   !> The casing of a hole section, nothing where its wear is not asked for.
+   pure function casing_text(units, hole) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(hole_section_type), intent(in) :: hole
+      character(:), allocatable :: text
+      text = ''
+      if (.not. is_missing(hole%casing_od)) text = ', casing '// &
+         quantity(hole%casing_od, units%diameter, unit_label(units, unit_diameter))
+      if (.not. is_missing(hole%casing_yield)) text = text//', yield '// &
+         quantity(hole%casing_yield, units%stress, unit_label(units, unit_stress))
+      if (.not. is_missing(hole%wear_factor)) text = text//', wear factor '// &
+         quantity(hole%wear_factor, unit_factor(units, unit_wear), unit_label(units, unit_wear))
+   end function casing_text
 
    !> Friction of a hole section in words.
    pure function hole_friction_text(hole) result(text)
@@ -176,7 +192,7 @@ contains
                   optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
-                  bent_text(units, part)//sensor_text(units, part))
+                  tools_text(units, part))
                call add_strength(lines, units, part, job%design)
                if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
@@ -246,26 +262,6 @@ contains
       call add_line(lines, '    strength'//text)
    end subroutine add_strength
 
-   !> The bend of a component, nothing where it is straight.
-   pure function bent_text(units, part) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(component_type), intent(in) :: part
-      character(:), allocatable :: text
-      text = ''
-      if (has_bend(part)) text = ', bent by '//quantity(part%bend, units%angle, unit_label(units, unit_angle))//' at '// &
-                                 quantity(part%bend_position, units%length, unit_label(units, unit_length))
-   end function bent_text
-
-   !> The survey sensor of a component, nothing where it has none.
-   pure function sensor_text(units, part) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(component_type), intent(in) :: part
-      character(:), allocatable :: text
-      text = ''
-      if (.not. is_missing(part%sensor)) text = ', survey sensor at '// &
-         quantity(part%sensor, units%length, unit_label(units, unit_length))
-   end function sensor_text
-
    !> One load case.
    pure subroutine add_case(lines, units, model, number)
       type(line_list_type), intent(inout) :: lines
@@ -291,6 +287,7 @@ contains
             optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
                      unit_label(units, unit_temperature))// &
             optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
+            optional(' for ', case%hours, 1.0_wp, 'h')// &
             optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
             given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
             given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &

@@ -2,15 +2,16 @@
 module dg_limits_file
    use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
-                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_stress, &
-                        quantity_text, quantity_turns
+   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_curvature, quantity_force, &
+                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
+                        quantity_pressure, quantity_stress, quantity_text, quantity_turns, quantity_width
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
    use dg_length_change, only: total_change
    use dg_load_case, only: optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_utilisation, only: governing_name, limit_rig, limit_top_drive
    use dg_whole_string, only: whole_string_type
@@ -19,7 +20,7 @@ module dg_limits_file
    public :: write_limits, limits_columns, limits_fields
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: limits_columns(65) = [ &
+   type(column_type), parameter :: limits_columns(75) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('model', quantity_text, 'name of the model'), &
       column_type('status', quantity_text, 'as in summary.csv: only converged is a solution; not_converged: all that follows '// &
@@ -100,7 +101,20 @@ module dg_limits_file
       column_type('length_change_temperature', quantity_length, 'by the change of temperature'), &
       column_type('length_change', quantity_length, 'sum of the four'), &
       column_type('packer_force', quantity_force, 'of the string on its packer, beside that of the pressures: weight set '// &
-         'down is positive; found where packer_hold holds the string')]
+         'down is positive; found where packer_hold holds the string'), &
+      column_type('casing_wear', quantity_width, 'depth of the groove in casing that leaves the least part of its wall; this '// &
+         'and those that follow: in cases that turn for hours, where wear_factor is given'), &
+      column_type('casing_wear_md', quantity_length, 'where'), &
+      column_type('casing_wall_left', quantity_percent, 'there, of the wall as it was new'), &
+      column_type('casing_burst_left', quantity_pressure, 'burst strength there (Barlow, 7/8 of the wall left)'), &
+      column_type('casing_collapse_left', quantity_pressure, 'collapse strength there without tension (API 5C3)'), &
+      column_type('fatigue_used', quantity_percent, 'of the bending amplitude that the body bears without end at its tension, '// &
+         'most along the string; this and those that follow: in cases that turn, where fatigue_curve is given'), &
+      column_type('fatigue_md', quantity_length, 'where'), &
+      column_type('fatigue_turns', quantity_none, 'until failure there; empty where endless, or without fatigue_exponent'), &
+      column_type('fatigue_damage', quantity_percent, 'part of the life there that hours of rotation take'), &
+      column_type('fatigue_dogleg', quantity_curvature, 'largest dogleg in which the pipe there may turn without end at its '// &
+         'tension (Lubinski 1961)')]
 
 contains
 
@@ -212,6 +226,20 @@ contains
          call put(row, optional_real(change%present, total_change(change)))
       end associate
       call put(row, whole%packer_force)
+      associate (groove => whole%groove)
+         call put(row, optional_real(groove%present, groove%depth))
+         call put(row, optional_real(groove%present, groove%md))
+         call put(row, in_percent(optional_real(groove%present, groove%wall_left)))
+         call put(row, optional_real(groove%present .and. .not. is_missing(groove%burst), groove%burst))
+         call put(row, optional_real(groove%present .and. .not. is_missing(groove%collapse), groove%collapse))
+      end associate
+      associate (fatigue => whole%fatigue)
+         call put(row, in_percent(optional_real(fatigue%present, fatigue%used)))
+         call put(row, optional_real(fatigue%present, fatigue%md))
+         call put(row, optional_real(.not. is_missing(fatigue%turns), fatigue%turns))
+         call put(row, in_percent(optional_real(.not. is_missing(fatigue%damage), fatigue%damage)))
+         call put(row, optional_real(.not. is_missing(fatigue%dogleg), fatigue%dogleg))
+      end associate
    end subroutine limits_fields
 
    !> A share [-] in per cent.

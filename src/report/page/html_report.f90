@@ -40,10 +40,12 @@ module dg_html_report
       'section']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
-   character(*), parameter :: limits_shown(20) = [character(25) :: 'case', 'stretch', 'windup', 'neutral_top', &
+   character(*), parameter :: limits_shown(30) = [character(25) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin', 'length_change', 'length_change_force', &
-      'length_change_pressure', 'length_change_buckling', 'length_change_temperature', 'packer_force']
+      'length_change_pressure', 'length_change_buckling', 'length_change_temperature', 'packer_force', 'casing_wear', &
+      'casing_wear_md', 'casing_wall_left', 'casing_burst_left', 'casing_collapse_left', &
+      'fatigue_used', 'fatigue_md', 'fatigue_turns', 'fatigue_damage', 'fatigue_dogleg']
    character(*), parameter :: most_shown(15) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
       'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']

@@ -4,17 +4,20 @@ module dg_limits_table
    use dg_kinds, only: wp
    use dg_named_states, only: buckling_name, buckling_none
    use dg_case_result, only: case_result_type, result_converged
+   use dg_casing_wear, only: groove_type
    use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
+   use dg_fatigue, only: fatigue_type
    use dg_job, only: job_type, model_name
    use dg_length_change, only: total_change
    use dg_load_case, only: given, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_force
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -123,9 +126,50 @@ contains
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
+         if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
+         if (wholes(i)%fatigue%present) call append_fatigue(lines, units, names(i)%text, wholes(i)%fatigue)
+      end do
+      do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> Fatigue of the component that is tired most.
+   pure subroutine append_fatigue(lines, units, name, fatigue)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: name                 !< of the case
+      type(fatigue_type), intent(in) :: fatigue
+      character(:), allocatable :: text
+      text = '  Fatigue in '//name//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+             to_text(anint(fatigue%md/units%length))//' '//trim(units%length_label)//', '// &
+             trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
+      if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'
+      call append_text(lines, text)
+      text = ''
+      if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg for its tension '// &
+         trim(in_units(units, unit_curvature, fatigue%dogleg, few))
+      if (.not. is_missing(fatigue%damage)) then
+         if (text /= '') text = text//', '
+         text = text//to_text(100.0_wp*fatigue%damage, few)//' % of its life used'
+      end if
+      if (text /= '') call append_text(lines, '    '//text)
+   end subroutine append_fatigue
+
+   !> The worst groove in casing, and what it leaves.
+   pure subroutine append_groove(lines, units, name, groove)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: name                 !< of the case
+      type(groove_type), intent(in) :: groove
+      character(:), allocatable :: left
+      left = ''
+      if (.not. is_missing(groove%burst)) left = ', burst '//trim(in_units(units, unit_pressure, groove%burst, few))// &
+         ', collapse '//trim(in_units(units, unit_pressure, groove%collapse, few))
+      call append_text(lines, '  Casing wear in '//name//': '//trim(in_units(units, unit_diameter, groove%depth, few))//' at '// &
+                       to_text(anint(groove%md/units%length))//' '//trim(units%length_label)//', '// &
+                       to_text(100.0_wp*groove%wall_left, few)//' % of the wall left'//left)
+   end subroutine append_groove
 
    !> Change of length and its parts, and the force that a packer takes.
    pure subroutine append_length_change(lines, units, model, number, whole)

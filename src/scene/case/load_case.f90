@@ -88,6 +88,7 @@ module dg_load_case
       type(optional_real) :: friction_axial  !< overrides mu2 of every hole section [-]
       type(optional_real) :: friction_rotary !< overrides mu1 of every hole section [-]
       real(wp) :: angular_speed = 0.0_wp    !< of the string [rad/s], >= 0
+      real(wp) :: hours = 0.0_wp            !< time of rotation at that speed [h], >= 0
       real(wp) :: trip_speed = 0.0_wp       !< axial, of the string [m/s], >= 0
       real(wp) :: toolface = 0.0_wp         !< to which bends of the string point: from the high side (north), clockwise [rad]
       logical :: bend_stands = .false.      !< a string that turns is seen at this toolface; else without its bends

@@ -14,8 +14,8 @@ module dg_hole_section
    real(wp), parameter :: hardest = 1.0e13_wp
 
    !> Keys of the numbers of a section, in the order of `hole_numbers`.
-   character(*), parameter :: hole_keys(8) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
-      'friction_rotary', 'wall_stiffness', 'mud_sheath', 'friction_running_in']
+   character(*), parameter :: hole_keys(11) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
+      'friction_rotary', 'wall_stiffness', 'mud_sheath', 'friction_running_in', 'casing_od', 'casing_yield', 'wear_factor']
 
    type :: hole_section_type
       character(:), allocatable :: name
@@ -28,6 +28,9 @@ module dg_hole_section
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
       logical :: cased = .false.           !< for sweeps by friction cased and open, and for tools that open
       real(wp) :: friction_running_in = missing !< mu2 of trip_in alone [-]; missing: friction_axial
+      real(wp) :: casing_od = missing      !< outside diameter of the casing, for wear [m]
+      real(wp) :: casing_yield = missing   !< its yield strength, for what wear leaves [Pa]
+      real(wp) :: wear_factor = missing    !< volume worn off it over the work of sliding [1/Pa]
    end type hole_section_type
 
 contains
@@ -37,7 +40,7 @@ contains
       type(hole_section_type), intent(in) :: hole
       real(wp) :: numbers(size(hole_keys))
       numbers = [hole%md_top, hole%md_bottom, hole%diameter, hole%friction_axial, hole%friction_rotary, hole%wall_stiffness, &
-                 hole%mud_sheath, hole%friction_running_in]
+                 hole%mud_sheath, hole%friction_running_in, hole%casing_od, hole%casing_yield, hole%wear_factor]
    end function hole_numbers
 
    !> Stiffness of a section's wall, elastic and rigid [N/m2]. Where the section has none of its own the solver's holds. Where mud

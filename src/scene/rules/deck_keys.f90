@@ -10,7 +10,7 @@ module dg_deck_keys
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, &
-      unit_temperature, unit_expansion
+      unit_temperature, unit_expansion, unit_wear
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -51,6 +51,8 @@ module dg_deck_keys
    real(wp), parameter :: most_lines = 40.0_wp    ! rigs have 6 to 16
    real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
+   real(wp), parameter :: most_wear = 1.0e4_wp    ! 1e-14/Pa; tests have 0.1 to 1000
+   real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
    real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
@@ -114,7 +116,7 @@ module dg_deck_keys
       key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
          meaning='of the random numbers: the same seed gives the same hole')]
 
-   type(key_rule_type), parameter :: hole_keys(11) = [ &
+   type(key_rule_type), parameter :: hole_keys(14) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
       key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
          meaning='upper end; default the lower end of the section before'), &
@@ -133,7 +135,13 @@ module dg_deck_keys
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section'), &
       key_rule_type('hole', 'cased', kind_logical, default='.false.', &
-         meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep')]
+         meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep'), &
+      key_rule_type('hole', 'casing_od', unit=unit_diameter, low=narrowest, high=widest, &
+         meaning='outside diameter of the casing, for its wear; needed with wear_factor'), &
+      key_rule_type('hole', 'casing_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='yield strength of the casing, for burst and collapse of what wear leaves'), &
+      key_rule_type('hole', 'wear_factor', unit=unit_wear, low=0.0_wp, open=.true., high=most_wear, &
+         meaning='volume worn off the casing over side force times way; water-base mud 7 to 30 (5 to 20e-10/psi)')]
 
    type(key_rule_type), parameter :: fluid_keys(7) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
@@ -164,7 +172,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(33) = [ &
+   type(key_rule_type), parameter :: component_keys(42) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -225,6 +233,24 @@ module dg_deck_keys
          meaning='angle of a bent housing; 0: straight'), &
       key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='of the bend above the lower end of the component; needed with bend'), &
+      key_rule_type('component', 'fatigue_curve', kind_text, default='none', choices='none E75 S135 own', &
+         meaning='bending that the body bears while it turns: of API RP 7G by grade, or an own one'), &
+      key_rule_type('component', 'fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='amplitude that an own curve bears without end and without tension'), &
+      key_rule_type('component', 'tensile_strength', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
+         meaning='of an own curve, for the effect of tension (Goodman); 0: none'), &
+      key_rule_type('component', 'fatigue_share', low=0.0_wp, open=.true., high=1.0_wp, default='1', &
+         meaning='part of the permitted amplitude that the mud leaves; very corrosive: 0.6'), &
+      key_rule_type('component', 'fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
+         meaning='m of the S-N curve above the permitted amplitude, turns = fatigue_turns (permitted/amplitude)^m; 0: not known'), &
+      key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
+         meaning='turns from which on the permitted amplitude is borne without end'), &
+      key_rule_type('component', 'pad_force', unit=unit_force, low=0.0_wp, high=hardest_pad, default='0', &
+         meaning='with which pads push the tool across the hole (push-the-bit), whether it turns or not; 0: no pads'), &
+      key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
+         meaning='direction of that force on the string, as toolface: 0 builds; the pad that is out stands opposite'), &
+      key_rule_type('component', 'pad_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
+         meaning='of the pads above the lower end of the component; needed with pad_force'), &
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='of a survey sensor above the lower end of the component; gives its sag correction')]
 
@@ -275,7 +301,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
          meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
 
-   type(key_rule_type), parameter :: load_case_keys(20) = [ &
+   type(key_rule_type), parameter :: load_case_keys(21) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -289,6 +315,8 @@ module dg_deck_keys
       key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, meaning='overrides mu2 of the hole'), &
       key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, meaning='overrides mu1 of the hole'), &
       key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
+      key_rule_type('load_case', 'hours', low=0.0_wp, high=1.0e5_wp, default='0', &
+         meaning='time of rotation at rpm in h, for wear of casing and fatigue'), &
       key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string'), &
       key_rule_type('load_case', 'pump_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &

@@ -3,7 +3,8 @@ module dg_hole_check
    use dg_component, only: shortest_contact
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_model_fault, only: depth_words, diameter_words, length_digits, model_faults_type, note_fault
+   use dg_missing, only: is_missing
+   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -29,6 +30,14 @@ contains
          call note_fault(found, 'hole', place, 'md_bottom', 'the section from '//depth_words(units, hole%md_top)//' to '// &
                          depth_words(units, hole%md_bottom)//' is shorter than the shortest contact, '// &
                          diameter_words(units, shortest_contact, length_digits))
+      end if
+      if (is_missing(hole%casing_od)) then
+         if (.not. is_missing(hole%wear_factor)) call note_fault(found, 'hole', place, 'wear_factor', 'wear_factor needs '// &
+            'casing_od, the outside diameter of the casing that wears')
+      else if (.not. hole%casing_od > hole%diameter) then
+         call note_fault(found, 'hole', place, 'casing_od', 'casing_od = '// &
+                         diameter_words(units, hole%casing_od, diameter_digits)//' is not greater than diameter = '// &
+                         diameter_words(units, hole%diameter, diameter_digits))
       end if
    end subroutine check_section
 

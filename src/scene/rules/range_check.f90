@@ -6,6 +6,7 @@ module dg_range_check
    use dg_component, only: component_type
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
+   use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_kinds, only: wp
@@ -161,6 +162,10 @@ contains
       call check_range(ranges, 'friction_scale_rotary', component%scale_rotary, found, 'scale_rotary')
       call check_range(ranges, 'bend', component%bend, found)
       call check_range(ranges, 'bend_position', component%bend_position, found)
+      call check_range(ranges, 'pad_force', component%pad_force, found)
+      call check_fatigue_ranges(ranges, component%fatigue, found)
+      call check_range(ranges, 'pad_clock', component%pad_clock, found)
+      call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
       if (is_shown(component%wall_left)) then
          if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
@@ -168,6 +173,20 @@ contains
       call note_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; needs a '// &
                       'number, '//to_text(thinnest)//' to 1')
    end subroutine check_component_ranges
+
+   !> The same for the fatigue curve of a component.
+   subroutine check_fatigue_ranges(ranges, fatigue, found)
+      type(ranges_type), intent(in) :: ranges
+      type(fatigue_curve_type), intent(in) :: fatigue
+      type(model_faults_type), intent(inout) :: found
+      if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call note_fault(found, ranges%part, ranges%place, &
+         'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
+      if (fatigue%curve == fatigue_own) call check_range(ranges, 'fatigue_limit', fatigue%limit, found)
+      call check_range(ranges, 'tensile_strength', fatigue%tensile, found)
+      call check_range(ranges, 'fatigue_share', fatigue%share, found)
+      call check_range(ranges, 'fatigue_exponent', fatigue%exponent, found)
+      call check_range(ranges, 'fatigue_turns', fatigue%turns, found)
+   end subroutine check_fatigue_ranges
 
    !> The same for the centralisers of a component.
    subroutine check_centralizer_ranges(centralizer, place, units, found)
@@ -217,6 +236,7 @@ contains
          'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
          to_text(operation_count))
       call check_range(ranges, 'bit_depth', load_case%bit_depth, found)
+      call check_range(ranges, 'hours', load_case%hours, found)
       call check_range(ranges, 'wob', load_case%wob, found)
       call check_range(ranges, 'tob', load_case%tob, found)
       call check_range(ranges, 'rpm', load_case%angular_speed, found, 'angular_speed')

@@ -28,12 +28,9 @@ contains
       associate (part => component)
          call check_shortest('length', part%length)
          call check_shortest('joint_length', part%joint_length)
-         if (part%length > 0.0_wp .and. part%bend_position > part%length) call fault('bend_position', 'bend_position = '// &
-            long(part%bend_position)//' is greater than length = '//long(part%length))
-         if (.not. is_missing(part%sensor) .and. part%length > 0.0_wp) then
-            if (part%sensor > part%length) call fault('sensor', 'sensor = '//long(part%sensor)//' is greater than length = '// &
-               long(part%length))
-         end if
+         call check_within('bend_position', part%bend_position)
+         call check_within('pad_position', part%pad_position)
+         if (.not. is_missing(part%sensor)) call check_within('sensor', part%sensor)
          if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
          if (part%joint_od > 0.0_wp .and. part%joint_od < part%od) call fault('joint_od', 'joint_od = '//wide(part%joint_od)// &
             ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
@@ -50,6 +47,14 @@ contains
          character(*), intent(in) :: key, message
          call note_fault(found, 'component', place, key, message)
       end subroutine fault
+
+      !> A place above the lower end of the component lies within it.
+      subroutine check_within(key, position)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: position    !< [m]
+         if (component%length > 0.0_wp .and. position > component%length) &
+            call fault(key, key//' = '//long(position)//' is greater than length = '//long(component%length))
+      end subroutine check_within
 
       subroutine check_shortest(key, length)
          character(*), intent(in) :: key

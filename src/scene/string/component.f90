@@ -4,14 +4,15 @@ module dg_component
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
    use dg_constants, only: pi, steel_density
+   use dg_fatigue_curve, only: fatigue_curve_type
    use dg_missing, only: is_missing, missing
    use dg_text, only: lower_case
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, is_bit, room_of, &
-             room_of_held_bit, shortest_contact
+   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
+             room_of, room_of_held_bit, shortest_contact
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -50,9 +51,13 @@ module dg_component
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
       real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
       real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
+      real(wp) :: pad_force = 0.0_wp         !< across the hole on the string by pads that press on its wall [N]; 0: none
+      real(wp) :: pad_clock = 0.0_wp         !< its direction [rad], from the high side, clockwise looking down the hole
+      real(wp) :: pad_position = 0.0_wp      !< of the pads above the component's lower end [m]
       real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
       real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
+      type(fatigue_curve_type) :: fatigue    !< of its body
       type(centralizer_type) :: centralizer  !< on its body
    end type component_type
 
@@ -203,6 +208,13 @@ contains
       logical :: has
       has = component%bend > 0.0_wp
    end function has_bend
+
+   !> Whether pads of the component press it across the hole: a push-the-bit tool.
+   elemental function has_pad(component) result(has)
+      type(component_type), intent(in) :: component
+      logical :: has
+      has = component%pad_force > 0.0_wp
+   end function has_pad
 
    !> Length of one tool joint [m].
    elemental function effective_joint_length(component) result(length)

@@ -2,10 +2,10 @@
 module dg_drillstring
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_ends
-   use dg_component, only: component_type, effective_joint_length, has_bend, has_joints
+   use dg_component, only: component_type, effective_joint_length, has_bend, has_joints, has_pad
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, all_centralizer_ends, bend_ends, &
+   public :: drillstring_type, component_at, component_tops, joint_ends, all_centralizer_ends, tool_ends, pad_within, &
              bend_within, at_joint
 
    type :: drillstring_type
@@ -13,9 +13,9 @@ module dg_drillstring
       type(component_type), allocatable :: components(:) !< from the bit upwards
    end type drillstring_type
 
-   !> Length of the piece over which a bent housing bends [m]: short beside the distances to bit and stabilisers, longer than depths
-   !> that are made one.
-   real(wp), parameter :: bend_length = 0.1_wp
+   !> Length of the piece over which a bent housing bends, or pads press [m]: short beside the distances to bit and stabilisers,
+   !> longer than depths that are made one.
+   real(wp), parameter :: piece_length = 0.1_wp
 
 contains
 
@@ -96,17 +96,20 @@ contains
       end do
    end function all_centralizer_ends
 
-   !> Ends of the pieces that are bent, as distances above the bit [m].
-   pure function bend_ends(string, tops) result(ends)
+   !> Ends of the pieces that are bent, or that pads press, as distances above the bit [m].
+   pure function tool_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops
       real(wp), allocatable :: ends(:)
       integer :: i
       allocate (ends(0))
       do i = 1, size(tops)
-         if (has_bend(string%components(i))) ends = [ends, bent_piece(string, tops, i)]
+         associate (part => string%components(i))
+            if (has_bend(part)) ends = [ends, short_piece(string, tops, i, part%bend_position)]
+            if (has_pad(part)) ends = [ends, short_piece(string, tops, i, part%pad_position)]
+         end associate
       end do
-   end function bend_ends
+   end function tool_ends
 
    !> Angle by which the string is bent between two distances above the bit [rad].
    pure function bend_within(string, tops, low, high) result(angle)
@@ -119,24 +122,49 @@ contains
       angle = 0.0_wp
       do i = 1, size(tops)
          if (.not. has_bend(string%components(i))) cycle
-         piece = bent_piece(string, tops, i)
-         angle = angle + string%components(i)%bend*max(min(high, piece(2)) - max(low, piece(1)), 0.0_wp)/(piece(2) - piece(1))
+         piece = short_piece(string, tops, i, string%components(i)%bend_position)
+         angle = angle + string%components(i)%bend*share_within(piece, low, high)
       end do
    end function bend_within
 
-   !> Lower and upper end of the piece of a component that is bent, as distances above the bit [m].
-   pure function bent_piece(string, tops, part) result(piece)
+   !> Force of pads on the string between two distances above the bit [N], towards the high side and to the right of it.
+   pure function pad_within(string, tops, low, high) result(force)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      real(wp), intent(in) :: low, high  !< [m]
+      real(wp) :: force(2)
+      integer :: i
+      force = 0.0_wp
+      do i = 1, size(tops)
+         associate (part => string%components(i))
+            if (has_pad(part)) force = force + part%pad_force*[cos(part%pad_clock), sin(part%pad_clock)]* &
+                                       share_within(short_piece(string, tops, i, part%pad_position), low, high)
+         end associate
+      end do
+   end function pad_within
+
+   !> Part of a piece that lies between two distances above the bit [-].
+   pure function share_within(piece, low, high) result(share)
+      real(wp), intent(in) :: piece(2)   !< its ends, as distances above the bit [m]
+      real(wp), intent(in) :: low, high  !< [m]
+      real(wp) :: share
+      share = max(min(high, piece(2)) - max(low, piece(1)), 0.0_wp)/(piece(2) - piece(1))
+   end function share_within
+
+   !> Lower and upper end of the piece of a component that is bent or pressed, as distances above the bit [m].
+   pure function short_piece(string, tops, part, position) result(piece)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)
       integer, intent(in) :: part        !< number of the component
+      real(wp), intent(in) :: position   !< of the middle, above the lower end of the component [m]
       real(wp) :: piece(2)
       real(wp) :: bottom
       bottom = 0.0_wp
       if (part > 1) bottom = tops(part - 1)
-      piece(2) = max(string%components(part)%bend_position + 0.5_wp*bend_length, bend_length)
-      if (string%components(part)%length > bend_length) piece(2) = min(piece(2), string%components(part)%length)
-      piece = bottom + [piece(2) - bend_length, piece(2)]
-   end function bent_piece
+      piece(2) = max(position + 0.5_wp*piece_length, piece_length)
+      if (string%components(part)%length > piece_length) piece(2) = min(piece(2), string%components(part)%length)
+      piece = bottom + [piece(2) - piece_length, piece(2)]
+   end function short_piece
 
    !> Whether a place, by its distance above the lower end of its component [m], is at a tool joint.
    pure function at_joint(component, distance) result(at)

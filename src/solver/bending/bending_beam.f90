@@ -6,7 +6,7 @@
 !> n_2 of the frame of the hole (convention 3), and its slope y' by measured depth. The string is in equilibrium when for every
 !> small displacement v across the hole
 !>
-!>   integral of  EI (k + y'' - b).v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w).v + R n.v + m R (t x n).v + r a R n.v'  = 0.
+!>   integral of  EI (k + y'' - b).v'' - M_t t x (k + y'').v' + T y'.v' - (T k + w + q).v + R n.v + m R (t x n).v + r a R n.v'  = 0.
 !>
 !>   EI  bending stiffness [N.m2]                       R    contact force on the string per metre, where |y| > c [N/m]
 !>   k   curvature of the hole axis [1/m]               n    y/|y|: outwards
@@ -14,13 +14,14 @@
 !>   T   axial force, tension positive [N]              m    coefficient of friction around the hole (convention 13) [-]
 !>   M_t torque (convention 9) [N.m]                    a    coefficient of friction along the hole (convention 13) [-]
 !>   w   buoyed weight across the hole [N/m]            r    radius of contact [m]
+!>   q   force of pads across the hole [N/m]
 !>
 !> An end that is not held carries neither moment nor force across the hole. Slopes y', and |k| c, are small against one. The small
 !> force around the hole that belongs to the friction of a sliding string (F_tau of dg_gap_contact) is left out.
 !> Contact is that of Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the rest that of their Eqs. 9 to 12 without squares of y.
 module dg_bending_beam
    use dg_kinds, only: wp
-   use dg_bending_element, only: beam_element_type, contact_places, push_at, set_element, wall_push_type
+   use dg_bending_element, only: beam_element_type, contact_places, push_at, push_element, set_element, wall_push_type
    use dg_bending_pair, only: beam_pair_type, pair, pair_action, pair_push_type, put_element
    use dg_gap_state, only: gap_law_type
    implicit none
@@ -46,6 +47,7 @@ module dg_bending_beam
       integer, allocatable :: owner(:)          !< element of the analysis in which an element of the beam lies
       real(wp), allocatable :: curvature(:, :)  !< k of the hole, by element (2,e) [1/m]
       real(wp), allocatable :: bend(:, :)       !< b of the string, by element (2,e) [1/m]
+      real(wp), allocatable :: push(:, :)       !< q of pads, by element (2,e) [N/m]; not allocated where there are none
       real(wp), allocatable :: torque(:)        !< M_t by element [N.m]
       real(wp), allocatable :: weight(:)        !< buoyed weight per length, by element [N/m]
       real(wp), allocatable :: ei(:)            !< by element [N.m2]
@@ -85,6 +87,7 @@ contains
       do e = 1, size(beam%ei)
          call set_element(beam%md(e + 1) - beam%md(e), beam%ei(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
                           beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
+         if (allocated(beam%push)) call push_element(beam%push(:, e), beam%element(e))
       end do
    end subroutine set_elements
 

@@ -7,7 +7,7 @@ module dg_bending_element
    implicit none
    private
    public :: beam_element_type, wall_push_type, contact_places, contact_xi, contact_value, contact_slope
-   public :: set_element, push_at, add_action, add_stiffness, moments_of_shape
+   public :: set_element, push_element, push_at, add_action, add_stiffness, moments_of_shape
 
    !> Places of an element at which the wall is felt. A node has two unknowns in a plane, offset and slope; more places than two
    !> would leave a string that lies on the wall no freedom to bend along it.
@@ -88,6 +88,15 @@ contains
       element%load(5:6) = 0.15_wp*upper + 0.35_wp*lower - turning
       element%load(7:8) = -length*(upper/30.0_wp + lower/20.0_wp) - bending
    end subroutine set_element
+
+   !> Adds a load that is even along an element.
+   pure subroutine push_element(load, element)
+      real(wp), intent(in) :: load(2)     !< [N/m]
+      type(beam_element_type), intent(inout) :: element
+      associate (length => element%length)
+         element%load = element%load + [0.5_wp*length*load, length**2/12.0_wp*load, 0.5_wp*length*load, -length**2/12.0_wp*load]
+      end associate
+   end subroutine push_element
 
    !> How the wall presses where the string touches, by the law of dg_gap_state. A law for a metre of wall gives it per metre.
    pure subroutine push_at(law, moved, offset, square, push)

@@ -248,6 +248,7 @@ contains
                 beam%weight(n - 1), beam%ei(n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
+      if (allocated(mesh%push)) allocate (beam%push(2, n - 1))
       allocate (beam%viscous(n), source=0.0_wp)
       allocate (beam%point(0), beam%point_owner(0))
       o = 1
@@ -274,6 +275,7 @@ contains
          beam%ei(e) = mesh%ei(o)
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
+         if (allocated(mesh%push)) beam%push(:, e) = [dot_product(mesh%push(:, o), n_1), dot_product(mesh%push(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
          beam%element(e)%law%contact = gaps%law(o)%contact/mesh%length(o)
          beam%element(e)%law%maximum = gaps%law(o)%maximum/mesh%length(o)

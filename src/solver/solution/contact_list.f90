@@ -99,6 +99,7 @@ contains
             associate (xi => contact_xi(p))
                across = (1.0_wp - xi)*(beam%weight(e)*beam%down(:, e) + beam%axial(e)*beam%curvature(:, e)) &
                         + xi*(beam%weight(e)*beam%down(:, e + 1) + beam%axial(e + 1)*beam%curvature(:, e))
+               if (allocated(beam%push)) across = across + beam%push(:, e)
                if (scale(o) > 0.0_wp) then
                   call add(beam%md(e) + xi*length, length/contact_places, scale(o)*bent%pressed(p, e), length_of(across), &
                            o, .true., n, stretches)

@@ -198,16 +198,15 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> Depths at which a housing is bent [m]; none in most strings.
+   !> Depths at which a housing is bent, or pads press [m]; none in most strings.
    pure function bend_depths(mesh) result(depths)
       type(mesh_type), intent(in) :: mesh
       real(wp), allocatable :: depths(:)
-      integer :: e
-      if (allocated(mesh%bend)) then
-         allocate (depths, source=pack(mesh%md(:mesh%elements), [(any(abs(mesh%bend(:, e)) > 0.0_wp), e=1, mesh%elements)]))
-      else
-         allocate (depths(0))
-      end if
+      logical :: there(mesh%elements)
+      there = .false.
+      if (allocated(mesh%bend)) there = any(abs(mesh%bend) > 0.0_wp, dim=1)
+      if (allocated(mesh%push)) there = there .or. any(abs(mesh%push) > 0.0_wp, dim=1)
+      allocate (depths, source=pack(mesh%md(:mesh%elements), there))
    end function bend_depths
 
    !> Depths of the nodes with the elements that are marked, and those next to them, cut in four, but not below the shortest, and

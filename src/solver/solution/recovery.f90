@@ -108,13 +108,14 @@ contains
    end subroutine recover_bit
 
    !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
-   !> friction and its moments, bit loads, reactions, what holds a bend. Zero but for round-off and the residual's tolerance.
+   !> friction and its moments, pads, bit loads, reactions, what holds a bend. Zero but for round-off and the residual's tolerance.
    pure subroutine check_equilibrium(mesh, gaps, work, force, moment)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       real(wp), intent(out) :: force, moment
-      real(wp) :: forces(3), moments(3), lever(3), lower(3), chord(3), weight(4), drag(3, 2), start(3)
+      real(wp) :: forces(3), moments(3), lever(3), lower(3), chord(3), weight(4), drag(3, 2), start(3), pushed(3, 4)
+      real(wp) :: line(4)
       integer :: e
       forces = work%reaction
       start = 0.0_wp                          ! node on the axis, from the top
@@ -131,6 +132,13 @@ contains
             drag = 0.5_wp*mesh%drag(e)*mesh%frame(:, 1, e:e + 1)
             forces = forces + drag(:, 1) + drag(:, 2)
             moments = moments + cross(lever, drag(:, 1)) + cross(lower, drag(:, 2))
+         end if
+         if (allocated(mesh%push)) then
+            line = hermite_line_load(mesh%length(e))
+            pushed = spread(line, 1, 3)*spread(mesh%push(:, e), 2, 4)                                 ! likewise
+            forces = forces + pushed(:, 1) + pushed(:, 3)
+            moments = moments + cross(lever, pushed(:, 1)) + cross(work%d(:, e), pushed(:, 2)) &
+                      + cross(lower, pushed(:, 3)) + cross(work%d(:, e + 1), pushed(:, 4))
          end if
          if (allocated(mesh%bend)) then
             if (any(abs(mesh%bend(:, e)) > 0.0_wp)) then

@@ -24,8 +24,8 @@ module dg_bent_start
    !> places of its gaps do not depend on the way there. A compressed string is held near where it was laid, and is not settled.
    real(wp), parameter :: near = 1.0e-3_wp, settled = 1.0e-5_wp
 
-   !> A string with a bent housing that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole length [-]:
-   !> else it might stand anywhere in the hole.
+   !> A string with a bent housing or pads that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole
+   !> length [-]: else it might stand anywhere in the hole.
    real(wp), parameter :: loose = 1.0e-3_wp
 
 contains
@@ -49,6 +49,7 @@ contains
       allocate (beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
+      if (allocated(mesh%push)) allocate (beam%push(2, n - 1))
       allocate (beam%viscous(n), source=0.0_wp)
       allocate (beam%point(0), beam%point_owner(0), beam%point_law(0), beam%point_press(0), beam%point_moved(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
@@ -62,7 +63,8 @@ contains
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
       end do
-      if (allocated(mesh%bend)) beam%viscous = beam%viscous + loose*mesh%ei(n - 1)/(mesh%md(n) - mesh%md(1))**3
+      if (allocated(mesh%bend) .or. allocated(mesh%push)) &
+         beam%viscous = beam%viscous + loose*mesh%ei(n - 1)/(mesh%md(n) - mesh%md(1))**3
       arc = 1
       do e = 1, n
          arc = arc_at(model%trajectory, beam%place(e), near=arc)
@@ -75,6 +77,8 @@ contains
          turn = 0.5_wp*(t(:, 2) - t(:, 1))/mesh%length(e - 1)
          if (allocated(mesh%bend)) beam%bend(:, e - 1) = [dot_product(mesh%bend(:, e - 1), n_1(:, 1)), &
                                                           dot_product(mesh%bend(:, e - 1), n_2(:, 1))]/mesh%length(e - 1)
+         if (allocated(mesh%push)) beam%push(:, e - 1) = [dot_product(mesh%push(:, e - 1), n_1(:, 1)), &
+                                                          dot_product(mesh%push(:, e - 1), n_2(:, 1))]
          beam%curvature(:, e - 1) = [dot_product(turn, n_1(:, 1) + n_1(:, 2)), dot_product(turn, n_2(:, 1) + n_2(:, 2))]
       end do
       beam%centred(1) = model%boundary%top_centred
@@ -116,13 +120,15 @@ contains
       pressed = settling
    end subroutine bend_start
 
-   !> Largest contact load over its clearance that the bend of a housing is expected to have in a vertical hole [N/m2], where
-   !> nothing else that the soft string knows of presses; else 0. From the contact forces of the start, by element [N].
+   !> Largest contact load over its clearance that the bend of a housing, or pads, are expected to have in a vertical hole
+   !> [N/m2], where nothing else that the soft string knows of presses; else 0. From the contact forces of the start, by element
+   !> [N].
    pure function pressing_of_bend(mesh, force) result(pressing)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: force(:)
       real(wp) :: pressing
       pressing = 0.0_wp
-      if (allocated(mesh%bend) .and. is_straight_down(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))
+      if ((allocated(mesh%bend) .or. allocated(mesh%push)) .and. is_straight_down(mesh)) &
+         pressing = maxval(force/(mesh%length*mesh%clearance))
    end function pressing_of_bend
 end module dg_bent_start

@@ -3,7 +3,7 @@
 module dg_model_text
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_type, has_bend, opens
+   use dg_component, only: component_type, has_bend, has_pad, opens
    use dg_fluid, only: fluid_type
    use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_job, only: model_name
@@ -191,9 +191,15 @@ contains
       if (abs(part%scale_rotary - 1.0_wp) > 0.0_wp) &
          call add_line(lines, head//'friction_scale_rotary = '//to_text(part%scale_rotary))
       if (part%centralizer%present) call append_centralizer(lines, head//'centralizer ', part%centralizer)
-      if (.not. has_bend(part)) return
-      call add_line(lines, head//'bend = '//to_text(part%bend))
-      call add_line(lines, head//'bend_position = '//to_text(part%bend_position))
+      if (has_bend(part)) then
+         call add_line(lines, head//'bend = '//to_text(part%bend))
+         call add_line(lines, head//'bend_position = '//to_text(part%bend_position))
+      end if
+      if (has_pad(part)) then
+         call add_line(lines, head//'pad_force = '//to_text(part%pad_force))
+         call add_line(lines, head//'pad_clock = '//to_text(part%pad_clock))
+         call add_line(lines, head//'pad_position = '//to_text(part%pad_position))
+      end if
    end subroutine append_component
 
    subroutine append_centralizer(lines, head, centralizer)

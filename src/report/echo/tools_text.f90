@@ -1,0 +1,45 @@
+!> What a component has beside pipe, in words: a bent housing, pads, a survey sensor, a fatigue curve.
+module dg_tools_text
+   use dg_component, only: component_type, has_bend, has_pad
+   use dg_fatigue_curve, only: fatigue_curve_name, fatigue_none, fatigue_own
+   use dg_kinds, only: wp
+   use dg_missing, only: is_missing
+   use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_angle, unit_force, unit_length, unit_stress
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: tools_text
+
+   integer, parameter :: digits = 7
+
+contains
+
+   !> All of them, each behind a comma; '' for plain pipe.
+   pure function tools_text(units, part) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: part
+      character(:), allocatable :: text
+      text = ''
+      if (has_bend(part)) text = ', bent by '//shown(unit_angle, part%bend)//' at '//shown(unit_length, part%bend_position)
+      if (has_pad(part)) text = text//', pushed by pads with '//shown(unit_force, part%pad_force)//' to '// &
+         shown(unit_angle, part%pad_clock)//' at '//shown(unit_length, part%pad_position)
+      if (.not. is_missing(part%sensor)) text = text//', survey sensor at '//shown(unit_length, part%sensor)
+      associate (fatigue => part%fatigue)
+         if (fatigue%curve == fatigue_none) return
+         text = text//', fatigue '//trim(fatigue_curve_name(fatigue%curve))
+         if (fatigue%curve == fatigue_own) text = text//' '//shown(unit_stress, fatigue%limit)
+         if (fatigue%tensile > 0.0_wp) text = text//', tensile strength '//shown(unit_stress, fatigue%tensile)
+         if (fatigue%share < 1.0_wp) text = text//' times '//to_text(fatigue%share, digits)
+         if (fatigue%exponent > 0.0_wp) text = text//', exponent '//to_text(fatigue%exponent, digits)//' from '// &
+            to_text(fatigue%turns, digits)//' turns'
+      end associate
+   contains
+      pure function shown(quantity, value) result(words)
+         integer, intent(in) :: quantity
+         real(wp), intent(in) :: value
+         character(:), allocatable :: words
+         words = trim(in_units(units, quantity, value, digits))
+      end function shown
+   end function tools_text
+end module dg_tools_text
