@@ -32,7 +32,7 @@ TEXTS = {"case", "component", "section", "model", "operation", "status", "messag
 NO_NUMBER = re.compile(r"[-+]?(nan(\(.*\))?|inf(inity)?|\*+)", re.I)
 GRAVITY = 9.80665
 # Lines of standard error that tell how much there is to solve, and how long it takes.
-WORK = re.compile(r"^drillgap: [^\n]*(\bsolutions?\b|, \d+ %, [^\n]* left|: about [^\n]* left)[^\n]*(\n|$)", re.M)
+WORK = re.compile(r"^drillgap: [^\n]*(\bsolutions?\b|, \d+ %, [^\n]* left|: about [^\n]* left|: \d+ of \d+ solved in )[^\n]*(\n|$)", re.M)
 COMPONENT = re.compile(r"^  (?:.*) \(.*\): (to surface|\S+ (?:m|ft)), od \S+ (?:mm|in), .*?(\S+) (?:kg/m|lbm/ft), density (\S+) ")
 
 
