@@ -156,6 +156,7 @@ contains
       type(verdict_type), intent(inout) :: verdict
       real(wp) :: share, weight
       integer :: passed
+      logical :: takes_weight
       if (top_md(model%trajectory) > 0.0_wp) then
          verdict%not_checked(limit_string_weight) = .true.
          return
@@ -164,7 +165,8 @@ contains
          weight = own_weight(model, load_case, result)
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
          share = weight_share(model, load_case, result)
-         if (passed == limit_string_weight .or. is_most(share, verdict)) then
+         takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp
+         if (passed == limit_string_weight .or. (takes_weight .and. is_most(share, verdict))) then
             verdict%limit = limit_string_weight
             verdict%used = optional_real(weight > 0.0_wp, share)
             verdict%load = given(weight - result%hookload)
