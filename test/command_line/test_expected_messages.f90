@@ -79,7 +79,7 @@ contains
       call refuse('density = 1200.0', 'density = 1200.0, md_top = 100, above_bit = 100', &
                   'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
       call refuse(boundary, "&centralizer component = 'none', od = 200, spacing = 10 /", "string 'main' has no component 'none'")
-      call refuse('wob = 20.0', "length_reference = 'v'", "length_reference 'v' is no load case; did you mean")
+      call refuse('wob = 20.0', "length_reference = 'v'", "there is no load case 'v'; did you mean")
       call refuse('element_length = 10.0', 'eps_n0 = 0.9', 'eps_n0 must be smaller than eps_nmax')
    end subroutine test_well
 

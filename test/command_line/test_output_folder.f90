@@ -177,7 +177,7 @@ contains
       call assertEqual(1, run%status, message=run%diagnostics)
       run = run_program(deck_path//' --merge 2 --output '//results_path)
       call assertEqual(1, run%status, message=run%diagnostics)
-      call shell("timeout -s INT 0.5 '"//program_path()//"' "//deck_path//' --part 2/2 --output '//results_path//' > '// &
+      call shell("timeout -s INT 2 '"//program_path()//"' "//deck_path//' --part 2/2 --output '//results_path//' > '// &
                  scratch//'/part 2> '//scratch//'/told; grep -q "ended by SIGINT" '//scratch//'/told')
       call stop_run('TERM')
       call assertEqual(0, count_of('ls '//results_path//' | grep lock'), message='the lock')

@@ -32,7 +32,7 @@ module dg_imported_case
    end type imported_part_type
 
    type :: imported_case_type
-      character(:), allocatable :: well, source    !< source: files that it was read from
+      character(:), allocatable :: well, source    !< names of the well, and of the files that it was read from
       real(wp), allocatable :: md(:), inclination(:), azimuth(:)   !< stations [m, rad, rad]
       type(imported_hole_type), allocatable :: holes(:)
       type(imported_part_type), allocatable :: parts(:)            !< from the bit upwards
