@@ -174,7 +174,7 @@ def number(row, column):
 
 def other_column(column, system):
     """Name of a column of an SI file in the file of another system, and the value in SI columns of one of its unit."""
-    endings = ENDINGS[system] | ({"MPa": PRESSURES[system]} if column in ("pressure_MPa", "inside_pressure_MPa") else {})
+    endings = ENDINGS[system] | ({"MPa": PRESSURES[system]} if (column in ("pressure_MPa", "inside_pressure_MPa") or column.startswith("casing_")) else {})
     for ending in sorted(endings, key=len, reverse=True):
         if column.endswith(f"_{ending}"):
             return column.removesuffix(ending) + endings[ending][0], endings[ending][1]

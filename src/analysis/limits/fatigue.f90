@@ -63,6 +63,7 @@ contains
       type(fatigue_type), allocatable, intent(out) :: parts(:)
       type(fatigue_type) :: row
       real(wp), allocatable :: tops(:), used(:)
+      logical, allocatable :: known(:)     ! a copy: plain arrays pass without a temporary
       real(wp) :: bit, depths(size(result%profile%md))
       integer :: i, part
       allocate (parts(0))
@@ -88,7 +89,9 @@ contains
             end do
          end associate
       end associate
-      parts = pack(parts, parts%present)
+      allocate (known(size(parts)))
+      known = parts%present
+      parts = pack(parts, known)
       allocate (used(size(parts)))
       used(:) = -parts%used
       parts = parts(sorted_places(used))

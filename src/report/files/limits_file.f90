@@ -247,6 +247,6 @@ contains
       type(optional_real), intent(in) :: share
       type(optional_real) :: percent
       percent = share
-      percent%value = 100.0_wp*share%value
+      if (share%present) percent%value = 100.0_wp*share%value
    end function in_percent
 end module dg_limits_file
