@@ -216,7 +216,7 @@ def main(program):
         if run.status != status:
             faults.append(f"exit status {run.status}, expected {status}: {run.stderr[:300]}")
         for part in (text,) if isinstance(text, str) else text:
-            if part not in " ".join((run.stdout + run.stderr).split()):
+            if part not in run.stderr and part not in " ".join((run.stdout + run.stderr).split()):
                 faults.append(f"no '{part}' in: {run.stderr[:300]}")
         slowest, largest = max(slowest, (run.seconds, name)), max(largest, (run.memory, name))
         outcomes[run.status] = outcomes.get(run.status, 0) + 1
