@@ -321,6 +321,12 @@ contains
       load_case%operation = operation_ream
       call refuse_case(load_case, 'operation ream needs angular_speed > 0')
       call fill(parts)
+      parts%strings(1)%components(2)%fatigue%curve = 9
+      call new_model(model, parts, error)
+      call assertTrue(allocated(error), message='fatigue curve')
+      if (allocated(error)) call assertTrue(index(error%message, 'curve = 9 is no number of a fatigue curve') > 0, &
+                                            message=error%message)
+      call fill(parts)
       parts%strings(1)%components(2)%length = 1000.0_wp
       call new_model(model, parts, error)
       call assertFalse(allocated(error))

@@ -82,7 +82,7 @@ contains
       call refuse('outside', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>', '', 'has a document type')
       call refuse('cut', head//'<trajectory>', '', 'is no sound XML')
       call refuse('mismatch', head//'<a></b>', '', 'is no sound XML: mismatched tag (line 3)')
-      call refuse('deep', deep_document(), '', 'deeper than 100')
+      call refuse('deep', deep_document(), '', 'has elements in each other deeper than 100')
       call refuse('another document', '<wells><well/></wells>', '', 'no trajectoryStation is in it')
       call refuse('gons', head//'<trajectory><trajectoryStation><md uom="m">0</md>|<incl uom="gon">0</incl></trajectoryStation>'// &
                   '</trajectory>'//foot, '', "line 4: the unit of incl, uom = 'gon', is not known")
