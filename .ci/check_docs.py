@@ -44,8 +44,7 @@ COLUMNS = {
     "survey_columns": "/survey",
 }
 # Keys whose default the table of keys leaves to the code that makes use of them; '' where another key sets it.
-DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}, "element_length": {"10.0": ""},
-                      "in_plane": {".false.": ""}}
+DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}, "element_length": {"10.0": ""}}
 
 
 def source(name):

@@ -79,8 +79,7 @@ def untried_numbers(root):
 INNERMOST = "innermost loop over elements: a type would be filled and emptied for each"
 FOREIGN = "another library's"
 WIDER = {
-    **dict.fromkeys(("beam_tangent_parts", "assemble", "assemble_in_plane", "take_gap", "add_support", "gap_nodal_force",
-                     "plane_gap"), INNERMOST),
+    **dict.fromkeys(("beam_tangent_parts", "assemble", "gap_nodal_force"), INNERMOST),
     **dict.fromkeys(("dgbtrs", "dgels", "dgesvd", "ldl_numeric"), FOREIGN),
     "prove": "all that bend_again works on, for its last step",
     "coil": "arrays along a zone, each of its own meaning",

@@ -14,7 +14,6 @@ program bench
    use dg_bench_moments, only: print_moments
    use dg_bench_orders, only: print_orders
    use dg_bench_phases, only: print_phases
-   use dg_bench_plane, only: print_plane
    use dg_bench_program, only: print_program
    use dg_bench_sizes, only: print_sizes
    use dg_bench_solvers, only: print_solvers
@@ -43,8 +42,6 @@ program bench
    real(wp), parameter :: warm_up = 0.3_wp
    !> The case on which sizes are tried: it turns, so that hook load and torque are told.
    integer, parameter :: turning = 11
-   !> One that stays in the plane of the hole.
-   integer, parameter :: pulled = 9
    !> Element lengths: a thousand to a hundred thousand elements [m].
    real(wp), parameter :: lengths(5) = [3.2_wp, 1.0_wp, 0.32_wp, 0.1_wp, 0.032_wp]
    character(4096), allocatable :: arguments(:)
@@ -104,7 +101,6 @@ contains
       call print_moments(model)
       call print_sizes(model, turning, lengths, runs)
       call print_phases(model, turning, lengths, runs)
-      call print_plane(model, pulled, lengths(:3), runs)
       call print_solvers(model, turning, lengths, runs)
       call print_orders(model)
       call print_walls(model, turning)

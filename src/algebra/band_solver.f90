@@ -1,14 +1,13 @@
 !> Banded solution of a chain of nodes by LAPACK: LU with row exchange (dgbtrf, dgbtrs).
 module dg_band_solver
    use dg_kinds, only: wp
-   use dg_block_matrix, only: block_matrix_type, block_size
+   use dg_block_matrix, only: block_matrix_type, block => block_size
    use dg_lapack, only: dgbtrf, dgbtrs
    implicit none
    private
    public :: band_solver_type, new_band_solver, band_factor, band_solve
 
    type :: band_solver_type
-      integer :: block = block_size            !< unknowns of a node
       integer :: unknowns = 0
       integer :: half_width = 0                !< off-diagonals on each side: two neighbours couple all their unknowns
       real(wp), allocatable :: band(:, :)      !< (3 half_width + 1, unknowns), factors after band_factor
@@ -18,13 +17,11 @@ module dg_band_solver
 contains
 
    !> Room for a chain of so many nodes; the solver may be used again for any number of matrices.
-   pure function new_band_solver(nodes, unknowns) result(solver)
+   pure function new_band_solver(nodes) result(solver)
       integer, intent(in) :: nodes
-      integer, intent(in), optional :: unknowns   !< of a node; absent: block_size
       type(band_solver_type) :: solver
-      if (present(unknowns)) solver%block = unknowns
-      solver%unknowns = solver%block*nodes
-      solver%half_width = 2*solver%block - 1
+      solver%unknowns = block*nodes
+      solver%half_width = 2*block - 1
       allocate (solver%band(3*solver%half_width + 1, solver%unknowns), source=0.0_wp)   ! dgbtrf wants room for fill above
       allocate (solver%pivots(solver%unknowns), source=0)
    end function new_band_solver
@@ -34,8 +31,7 @@ contains
       type(band_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
       integer, intent(out) :: info
-      integer :: n, i, j, row, column, nodes, block
-      block = solver%block
+      integer :: n, i, j, row, column, nodes
       nodes = solver%unknowns/block
       solver%band = 0.0_wp
       do n = 1, nodes
@@ -61,7 +57,7 @@ contains
                   solver%pivots, info)
    end subroutine band_factor
 
-   !> Solves with the factors of band_factor; rhs(unknowns of a node,nodes) becomes the solution.
+   !> Solves with the factors of band_factor; rhs(6,nodes) becomes the solution.
    subroutine band_solve(solver, rhs)
       type(band_solver_type), intent(in) :: solver
       real(wp), intent(inout) :: rhs(:, :)

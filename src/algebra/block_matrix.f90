@@ -1,44 +1,36 @@
-!> Matrix of a chain of nodes: square blocks on the diagonal and beside it, 6 x 6 in space, 3 x 3 where a string is solved in a
-!> plane. The assembly writes it, the linear solvers read it.
+!> Matrix of a chain of nodes: square blocks on the diagonal and beside it. The assembly writes it, the linear solvers read it.
 module dg_block_matrix
    use dg_kinds, only: wp
    implicit none
    private
    public :: block_matrix_type, make_matrix_room, new_block_matrix, new_symmetric_matrix, keep_symmetric, copy_symmetric
    public :: add_symmetric, block_product
-   public :: block_size, plane_block_size
+   public :: block_size
 
-   integer, parameter :: block_size = 6         !< unknowns of a node in space
-   integer, parameter :: plane_block_size = 3   !< in a plane
+   integer, parameter :: block_size = 6         !< unknowns of a node
 
    type :: block_matrix_type
-      real(wp), allocatable :: diagonal(:, :, :) !< (b,b,nodes), b unknowns a node
-      real(wp), allocatable :: upper(:, :, :)    !< (b,b,nodes-1): row block n, column block n+1; of a matrix that is kept as
+      real(wp), allocatable :: diagonal(:, :, :) !< (6,6,nodes)
+      real(wp), allocatable :: upper(:, :, :)    !< (6,6,nodes-1): row block n, column block n+1; of a matrix that is kept as
                                                  !< symmetric, where lower = transpose(upper), there is none
-      real(wp), allocatable :: lower(:, :, :)    !< (b,b,nodes-1): row block n+1, column block n
+      real(wp), allocatable :: lower(:, :, :)    !< (6,6,nodes-1): row block n+1, column block n
    end type block_matrix_type
 
 contains
 
    !> Room for the matrix of so many nodes, for an assembly that puts in every number.
-   pure subroutine make_matrix_room(nodes, unknowns, matrix)
+   pure subroutine make_matrix_room(nodes, matrix)
       integer, intent(in) :: nodes
-      integer, intent(in) :: unknowns             !< of a node
       type(block_matrix_type), intent(out) :: matrix
-      integer :: b
-      b = unknowns
+      integer, parameter :: b = block_size
       allocate (matrix%diagonal(b, b, nodes), matrix%upper(b, b, nodes - 1), matrix%lower(b, b, nodes - 1))
    end subroutine make_matrix_room
 
    !> A zero matrix for so many nodes.
-   pure function new_block_matrix(nodes, unknowns) result(matrix)
+   pure function new_block_matrix(nodes) result(matrix)
       integer, intent(in) :: nodes
-      integer, intent(in), optional :: unknowns   !< of a node; absent: block_size
       type(block_matrix_type) :: matrix
-      integer :: b
-      b = block_size
-      if (present(unknowns)) b = unknowns
-      call make_matrix_room(nodes, b, matrix)
+      call make_matrix_room(nodes, matrix)
       call clear(size(matrix%diagonal), matrix%diagonal)
       call clear(size(matrix%upper), matrix%upper)
       call clear(size(matrix%lower), matrix%lower)
@@ -51,7 +43,7 @@ contains
       a = 0.0_wp
    end subroutine clear
 
-   !> Room for a symmetric matrix in space, for keep_symmetric.
+   !> Room for a symmetric matrix, for keep_symmetric.
    pure function new_symmetric_matrix(nodes) result(matrix)
       integer, intent(in) :: nodes
       type(block_matrix_type) :: matrix
@@ -66,7 +58,7 @@ contains
       call copy(size(matrix%lower), matrix%lower, kept%lower)
    end subroutine keep_symmetric
 
-   !> matrix <- kept, in space, its upper blocks as well.
+   !> matrix <- kept, its upper blocks as well.
    pure subroutine copy_symmetric(kept, matrix)
       type(block_matrix_type), intent(in) :: kept
       type(block_matrix_type), intent(inout) :: matrix
@@ -110,7 +102,7 @@ contains
       total = total + factor*other
    end subroutine add
 
-   !> Matrix times vector(b,nodes).
+   !> Matrix times vector(6,nodes).
    pure function block_product(matrix, vector) result(product)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: vector(:, :)

@@ -3,11 +3,10 @@
 module dg_linear_solver
    use dg_kinds, only: wp
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
-   use dg_block_matrix, only: block_matrix_type, block_product, block_size, plane_block_size
+   use dg_block_matrix, only: block_matrix_type, block_product, block_size
    use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_largest, only: largest_of
    use dg_linear_solver_name, only: solver_banded, solver_block, solver_count, solver_name, solver_sparse
-   use dg_small_block_solver, only: new_small_block_solver, small_block_remainder, small_block_solve, small_block_solver_type
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
@@ -21,9 +20,7 @@ module dg_linear_solver
 
    type :: linear_solver_type
       integer :: kind = solver_block
-      integer :: unknowns = block_size          !< of a node
       type(block_solver_type) :: block
-      type(small_block_solver_type) :: small    !< instead of `block` in a plane
       type(band_solver_type) :: band
       type(sparse_solver_type) :: sparse
       type(symmetric_solver_type) :: symmetric
@@ -36,22 +33,15 @@ module dg_linear_solver
 contains
 
    !> Room for a chain of so many nodes. The band solver's room is taken when first needed.
-   pure subroutine new_linear_solver(kind, nodes, solver, unknowns)
+   pure subroutine new_linear_solver(kind, nodes, solver)
       integer, intent(in) :: kind
       integer, intent(in) :: nodes
       type(linear_solver_type), intent(out) :: solver
-      integer, intent(in), optional :: unknowns   !< of a node; absent: block_size
       solver%kind = kind
-      if (present(unknowns)) solver%unknowns = unknowns
-      if (kind /= solver_block) return
-      if (solver%unknowns == plane_block_size) then
-         call new_small_block_solver(nodes, solver%small)
-      else
-         call new_block_solver(nodes, solver%block)
-      end if
+      if (kind == solver_block) call new_block_solver(nodes, solver%block)
    end subroutine new_linear_solver
 
-   !> Newton's step: solves matrix step = -residual(unknowns of a node,nodes). info = 0: done; > 0: singular.
+   !> Newton's step: solves matrix step = -residual(6,nodes). info = 0: done; > 0: singular.
    subroutine solve_linear(solver, matrix, residual, step, info)
       type(linear_solver_type), intent(inout) :: solver
       type(block_matrix_type), intent(in) :: matrix
@@ -61,9 +51,7 @@ contains
       logical :: good
       step = -residual
       if (solver%kind /= solver_banded) then
-         if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
-            call small_block_solve(solver%small, matrix, step, info)
-         else if (solver%kind == solver_block) then
+         if (solver%kind == solver_block) then
             call block_solve(solver%block, matrix, step, info)
          else
             call solve_symmetric(solver, matrix, residual, step, good)
@@ -84,7 +72,7 @@ contains
          solver%fallbacks = solver%fallbacks + 1
          step = -residual
       end if
-      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(step, 2), solver%unknowns)
+      if (.not. allocated(solver%band%band)) solver%band = new_band_solver(size(step, 2))
       call band_factor(solver%band, matrix, info)
       if (info == 0) call band_solve(solver%band, step)
    end subroutine solve_linear
@@ -125,9 +113,7 @@ contains
       integer :: info
       solver%refinements = solver%refinements + 1
       allocate (correction, source=-residual - block_product(matrix, step))
-      if (solver%kind == solver_block .and. solver%unknowns == plane_block_size) then
-         call small_block_solve(solver%small, matrix, correction, info)
-      else if (solver%kind == solver_block) then
+      if (solver%kind == solver_block) then
          call block_solve(solver%block, matrix, correction, info)
       else
          call sparse_solve(solver%sparse, correction)
@@ -143,15 +129,11 @@ contains
       real(wp), intent(in), contiguous :: step(:, :)
       logical, intent(out) :: good
       real(wp) :: largest
-      if (size(residual, 1) == plane_block_size) then
-         call small_block_remainder(matrix, residual, step, largest)
-      else
-         call remainder(size(step, 2), matrix, residual, step, largest)
-      end if
+      call remainder(size(step, 2), matrix, residual, step, largest)
       good = largest <= refine_above*largest_of(size(residual), residual)
    end subroutine check
 
-   !> Largest entry of residual + matrix step, six unknowns a node.
+   !> Largest entry of residual + matrix step.
    pure subroutine remainder(nodes, matrix, residual, step, largest)
       integer, intent(in) :: nodes
       type(block_matrix_type), intent(in) :: matrix

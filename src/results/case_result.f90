@@ -8,7 +8,6 @@ module dg_case_result
    public :: case_result_type, gap_row_type, iteration_type, unlike_contact_type
    public :: judged_start, judged_whole, judged_energy, judged_residual, judged_refused, judged_name
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
-   public :: way_not_asked, way_planar, way_turns, way_rotates, way_buckles, way_left, way_count, way_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
    public :: add_sentence, has_numbers, is_pushed, push_needed
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
@@ -34,12 +33,6 @@ module dg_case_result
    integer, parameter :: scale_count = 6
    character(*), parameter :: scale_name(scale_count) = [character(18) :: 'compression', 'bends', 'side load', 'tool joints', &
       'free ends', 'shorter neighbours']
-
-   !> Whether a string was solved in the plane of its hole, and why not; names in reports, without that of who did not ask.
-   integer, parameter :: way_not_asked = 0, way_planar = 1, way_turns = 2, way_rotates = 3, way_buckles = 4, way_left = 5
-   integer, parameter :: way_count = 5
-   character(*), parameter :: way_name(way_count) = [character(27) :: 'planar', 'the hole turns', 'the string turns', &
-      'compressed', 'no equilibrium in the plane']
 
    !> What presses the wall at one place, and names in files.
    integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5, &
@@ -106,7 +99,6 @@ module dg_case_result
       integer :: elements = 0
       real(wp) :: element_lengths(2) = 0.0_wp  !< shortest and longest element [m]; 0 where the model has none
       integer :: shortened(scale_count) = 0    !< intervals cut finer, by the local scale that asked; elements that grading added
-      integer :: way = way_not_asked           !< in the plane of the hole or in space
       real(wp) :: seconds = 0.0_wp             !< wall time of this case's solution alone
       type(profile_type) :: profile
       !> State table summary: gaps by state at the end (free, elastic, rigid), and flips and moves in all.

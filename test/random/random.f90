@@ -3,19 +3,18 @@
 !> other.
 !>
 !> Of every well: the case converges, locks up or is marked; every number is one; forces balance; a well turned about the
-!> vertical, and of a string that neither turns nor carries torque the mirror image, give the same; a well without its turns is
-!> solved in its plane as in space; a component in two parts and a station more on an arc change nothing beyond the mesh; the
-!> frictional resistance is no more than friction times contact force; up pulls more than hanging free, down less, and more friction
-!> makes both more so.
+!> vertical, and of a string that neither turns nor carries torque the mirror image, give the same; a component in
+!> two parts and a station more on an arc change nothing beyond the mesh; the frictional resistance is no more than friction times
+!> contact force; up pulls more than hanging free, down less, and more friction makes both more so.
 program random
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use dg_case_result, only: case_result_type, result_converged, result_locked_up, way_planar
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_component, only: bending_stiffness
    use dg_drilled_part, only: check_drilled_wells
    use dg_error, only: error_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_name, operation_rotate_off_bottom, operation_static, operation_trip_in, operation_trip_out, &
+   use dg_load_case, only: operation_name, operation_rotate_off_bottom, operation_trip_in, operation_trip_out, &
       moves_axially, rotates
    use dg_model, only: model_type
    use dg_random_well, only: draw_well, lay_path, split_component, stations_type
@@ -25,21 +24,20 @@ program random
    implicit none
 
    integer, parameter :: balance = 1, turned = 2, mirrored = 3, parted = 4, stationed = 5, bounded = 6, ordered = 7, &
-      steeper = 8, agreed = 9, turned_compressed = 10, coiled = 11, planar = 12, planar_elsewhere = 13, checks = 13
+      steeper = 8, agreed = 9, turned_compressed = 10, coiled = 11, checks = 11
    character(*), parameter :: name_of(checks) = [character(56) :: 'forces out of balance over the largest force', &
       'well turned about the vertical', 'mirror image of the well', 'component in two parts', 'one more station on an arc', &
       'friction beyond coefficient times contact force', 'up below free, free below down', &
       'more friction, less resistance', 'soft string in two parts, with a station more', &
-      'turned or mirrored, with compression or another way', 'a coil changed in any of these ways', &
-      'in the plane against space', 'in the plane against space, by another way']
+      'turned or mirrored, with compression or another way', 'a coil changed in any of these ways']
    !> Largest part of the largest force in the string [-]. Balance, and a turned or mirrored well, are round-off and what the
    !> iteration leaves (1e-9 of the weight at any of some hundred nodes), where the string is in tension; a compressed one has
    !> equilibria next to each other, with a gap more or less in contact, and round-off decides between them. What changes the mesh
    !> shows the mesh's error, of elements up to 30 m; the soft string is integrated finely. A coil, whose contact force is half as
    !> much again as the soft string's or more, rests wherever its friction holds it. Round-off also decides where gaps that move for
-   !> long come to rest: turned wells, the plane and space then take other ways, seen by their iterations and moves.
+   !> long come to rest: turned wells then take other ways, seen by their iterations and moves.
    real(wp), parameter :: tolerance(checks) = [1.0e-6_wp, 1.0e-5_wp, 1.0e-5_wp, 5.0e-3_wp, 5.0e-3_wp, 1.0e-3_wp, 1.0e-3_wp, &
-      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 1.0e-3_wp, 1.0e-6_wp, 1.0e-3_wp]
+      1.0e-3_wp, 1.0e-4_wp, 5.0e-4_wp, 1.0e-3_wp]
    integer, parameter :: default_first = 1, default_count = 20, default_drilled = 10
    !> Cases that may be marked as not converged: one in so many, and one.
    integer, parameter :: marked_one_in = 20
@@ -154,8 +152,6 @@ contains
       end if
       if (moves_axially(model%cases(1)%operation)) call note_friction(model, scale, result)
 
-      call check_plane(model, stations, scale)
-
       ! the same string off bottom, hanging free, up and down
       changed = model
       changed%cases(1)%wob = 0.0_wp
@@ -189,35 +185,6 @@ contains
                    abs(again%hookload - result%hookload)/scale)
       end if
    end subroutine note_turned
-
-   !> The well without its turns and its string without rotation, in the plane where the program takes it so, and in space.
-   subroutine check_plane(model, stations, scale)
-      type(model_type), intent(in) :: model
-      type(stations_type), intent(in) :: stations
-      real(wp), intent(in) :: scale
-      type(stations_type) :: straight
-      type(model_type) :: changed
-      type(case_result_type) :: space, plane
-      logical :: good_space, good_plane
-      integer :: i
-      straight = stations
-      straight%azimuth = stations%azimuth(1)
-      changed = model
-      call lay_path(straight, changed)
-      changed%cases(1)%tob = 0.0_wp
-      do i = 1, 3
-         if (i < 3) changed%cases(1)%operation = merge(operation_trip_out, operation_trip_in, i == 1)
-         if (i == 3) changed%cases(1)%operation = operation_static
-         changed%numerics%in_plane = .false.
-         call solve(changed, space, good_space)
-         changed%numerics%in_plane = .true.
-         call solve(changed, plane, good_plane)
-         if (good_space .neqv. good_plane) call fail('converged in the plane or in space, not in both')
-         if (good_space .and. good_plane .and. plane%way == way_planar .and. same_places(space, plane)) &
-            call note(merge(planar_elsewhere, planar, another_way(space, plane)), &
-                      abs(plane%hookload - space%hookload)/scale)
-      end do
-   end subroutine check_plane
 
    !> Frictional resistance against what the contact force allows. A stiff string that slides out of a bend gives back the energy
    !> of bending E I k^2/2 per length that it had there, at its ends and wherever its stiffness jumps: that is no friction, but

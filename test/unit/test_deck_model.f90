@@ -151,7 +151,7 @@ contains
       call append_text(lines, "  friction=0.3 friction_rotary=0 rpm=60 trip_speed=0.2 measured_torque=2 reference_hookload=3 /")
       call append_text(lines, "&solver element_length=5 gap_location='nodes' tolerance=1e-6 max_iterations=7 load_steps=3")
       call append_text(lines, "  gk_min=1e-5 gk_contact=2e6 eps_n0=1e-7 eps_nmax=0.1 r_n0=0.01 history=.true. relocation=0.1")
-      call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' in_plane='auto' /")
+      call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' /")
       call read_text(lines, model, job, notes)
       if (.not. allocated(model%cases)) return
       call assertEqual(3, size(notes), message='no fluid, a solid bar, string main is used by no case')
@@ -207,7 +207,6 @@ contains
          call assertEqual(1.0e-2_wp, numerics%gk_min, rounding)
          call assertEqual(10.0_wp, numerics%r_n0)
          call assertTrue(numerics%history)
-         call assertTrue(numerics%in_plane, message='asked for, though the fidelity does not')
       end associate
    end subroutine test_all_keys
 

@@ -6,7 +6,6 @@ module dg_test_gap_contact
    use dg_gap_contact, only: contact_action, couple_action, couple_tangents, moment_tangents, support_action, touch_tangent_type, &
                              touch_tangents, touch_type
    use dg_kinds, only: wp
-   use dg_lanes, only: lanes
    use dg_trajectory, only: closest_point, interpolation_minimum_curvature, new_trajectory, trajectory_type
    use dg_vector, only: cross
    implicit none
@@ -112,25 +111,25 @@ contains
          touch%pressing_stiffness = lag_stiffness*contact
          call touch_tangents(touch, by)
          call moment_tangents(touch, by)
-         df = by%force_by_point(lanes, :, :)
-         dm = by%moment_by_point(lanes, :, :)
+         df = by%force_by_point
+         dm = by%moment_by_point
          ! the normal force by itself, and what friction at its own adds
          call contact_action(gap, t, load, 0.0_wp, 0.0_wp, 0.0_wp, radius, f, mom)
          call contact_action(gap, t, pressing, 0.0_wp, 0.0_wp, 0.0_wp, radius, plain, mom)
          call contact_action(gap, t, pressing, 0.3_wp, 0.2_wp, 0.2_wp, radius, rubbing, mom)
          f = f + rubbing - plain
-         call assertEqual(mom, by%moment(lanes, :), 1.0e-9_wp, message='moment')
+         call assertEqual(mom, by%moment, 1.0e-9_wp, message='moment')
       end subroutine action_at
    end subroutine test_derivatives_on_a_bend
 
-   !> A gap in every lane.
+   !> A gap that rubs.
    pure function touch_of(gap, t, curvature, direction) result(touch)
       real(wp), intent(in) :: gap(3), t(3), curvature(3), direction(3)
       type(touch_type) :: touch
-      touch%gap = spread(gap, 1, lanes)
-      touch%tangent = spread(t, 1, lanes)
-      touch%curvature = spread(curvature, 1, lanes)
-      touch%direction = spread(direction, 1, lanes)
+      touch%gap = gap
+      touch%tangent = t
+      touch%curvature = curvature
+      touch%direction = direction
       touch%normal = 0.0_wp
       touch%normal_stiffness = 0.0_wp
       touch%pressing = 0.0_wp
@@ -212,13 +211,13 @@ contains
          touch = touch_of(gap, t, curvature, direction)
          touch%couple = couple_stiffness*(norm2(gap) - clearance)
          touch%couple_stiffness = couple_stiffness
-         call couple_action(gap, t, direction, touch%couple(1), force, bend)
+         call couple_action(gap, t, direction, touch%couple, force, bend)
          call touch_tangents(touch, by)      ! of no contact force
          call couple_tangents(touch, by)
-         columns(:, 1) = by%force_by_point(lanes, :, j)
-         columns(:, 2) = by%force_by_direction(lanes, :, j)
-         columns(:, 3) = by%bend_by_point(lanes, :, j)
-         columns(:, 4) = by%bend_by_direction(lanes, :, j)
+         columns(:, 1) = by%force_by_point(:, j)
+         columns(:, 2) = by%force_by_direction(:, j)
+         columns(:, 3) = by%bend_by_point(:, j)
+         columns(:, 4) = by%bend_by_direction(:, j)
          columns(:, 5:6) = 0.0_wp
       end subroutine couple_at
    end subroutine test_couple_derivatives

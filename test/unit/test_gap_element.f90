@@ -5,7 +5,6 @@ module dg_test_gap_element
    use dg_gap_element, only: gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_hermite, only: hermite_slope, hermite_value
    use dg_kinds, only: wp
-   use dg_lanes, only: lanes
    use dg_vector, only: cross
    implicit none
    private
@@ -71,7 +70,7 @@ contains
    subroutine test_derivatives()
       real(wp), parameter :: step = 1.0e-5_wp, tolerance = 1.0e-6_wp  !< of entries near 1e4
       real(wp) :: y(12), y_moved(12), plus(12), minus(12), twist_plus(2), twist_minus(2), by_force(3, 3), by_moment(3, 3)
-      real(wp) :: stiffness(12, 12), twist_stiffness(2, 12), point(3), direction(3), d(lanes, 3, 2), unit(3)
+      real(wp) :: stiffness(12, 12), twist_stiffness(2, 12), point(3), direction(3), d(3, 2), unit(3)
       real(wp) :: shape_there(4), slope_there(4)
       type(touch_type) :: touch
       type(touch_tangent_type) :: at_point
@@ -82,35 +81,33 @@ contains
       y = shape_of_string()
       do i = 1, size(xi)
          call axis_at(y, xi(i), point, direction)
-         d(:, :, 1) = spread(y(4:6), 1, lanes)
-         d(:, :, 2) = spread(y(10:12), 1, lanes)
+         d(:, 1) = y(4:6)
+         d(:, 2) = y(10:12)
          shape_there = hermite_value(xi(i), length)
          slope_there = hermite_slope(xi(i), length)
-         touch%direction = spread(direction, 1, lanes)
-         touch%share = spread([1.0_wp - xi(i), xi(i)], 1, lanes)
-         touch%shape = spread(shape_there, 1, lanes)
-         touch%slope = spread(slope_there, 1, lanes)
-         touch%rubs = .true.
-         touch%slides = .false.
-         at_point%moment = spread(moment, 1, lanes)
-         at_point%force_by_point = spread(by_force, 1, lanes)
-         at_point%moment_by_point = spread(by_moment, 1, lanes)
+         touch%direction = direction
+         touch%share = [1.0_wp - xi(i), xi(i)]
+         touch%shape = shape_there
+         touch%slope = slope_there
+         at_point%moment = moment
+         at_point%force_by_point = by_force
+         at_point%moment_by_point = by_moment
          call gap_derivatives(touch, d, at_point, by)
          do j = 1, 12
             a = (j + 2)/3
             k = j - 3*(a - 1)
-            stiffness(:, j) = shape_there(a)*reshape(by%point(lanes, :, k, :), [12]) &
-                              + slope_there(a)*reshape(by%direction(lanes, :, k, :), [12])
-            twist_stiffness(:, j) = shape_there(a)*by%twisting_by_point(lanes, k, :) &
-                                    + slope_there(a)*by%twisting_by_direction(lanes, k, :)
-            if (a == 2) twist_stiffness(1, j) = twist_stiffness(1, j) + (1.0_wp - xi(i))*by%twist(lanes, k)
-            if (a == 4) twist_stiffness(2, j) = twist_stiffness(2, j) + xi(i)*by%twist(lanes, k)
+            stiffness(:, j) = shape_there(a)*reshape(by%point(:, k, :), [12]) &
+                              + slope_there(a)*reshape(by%direction(:, k, :), [12])
+            twist_stiffness(:, j) = shape_there(a)*by%twisting_by_point(k, :) &
+                                    + slope_there(a)*by%twisting_by_direction(k, :)
+            if (a == 2) twist_stiffness(1, j) = twist_stiffness(1, j) + (1.0_wp - xi(i))*by%twist(k)
+            if (a == 4) twist_stiffness(2, j) = twist_stiffness(2, j) + xi(i)*by%twist(k)
          end do
          do k = 1, 3
             unit = 0.0_wp
             unit(k) = 1.0_wp
-            stiffness(4:6, 3 + k) = stiffness(4:6, 3 + k) + (1.0_wp - xi(i))*cross(by%twist(lanes, :), unit)
-            stiffness(10:12, 9 + k) = stiffness(10:12, 9 + k) + xi(i)*cross(by%twist(lanes, :), unit)
+            stiffness(4:6, 3 + k) = stiffness(4:6, 3 + k) + (1.0_wp - xi(i))*cross(by%twist, unit)
+            stiffness(10:12, 9 + k) = stiffness(10:12, 9 + k) + xi(i)*cross(by%twist, unit)
          end do
          do j = 1, 12
             y_moved = y

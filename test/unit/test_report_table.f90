@@ -1,6 +1,6 @@
 module dg_test_report_table
    use funit, only: assertFalse, assertLessThanOrEqual, assertTrue, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type, result_converged, way_planar, way_rotates, way_turns
+   use dg_case_result, only: case_result_type, result_converged
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
@@ -40,7 +40,6 @@ contains
       call suite%addTest(TestMethod('costs_and_states', test_costs_and_states))
       call suite%addTest(TestMethod('what_is_no_solution_is_marked', test_what_is_no_solution_is_marked))
       call suite%addTest(TestMethod('label_of_a_lone_case', test_label_of_a_lone_case))
-      call suite%addTest(TestMethod('plane_or_space', test_plane_or_space))
       call suite%addTest(TestMethod('one_page_wide', test_one_page_wide))
       call suite%addTest(TestMethod('field_units', test_field_units))
       call suite%addTest(TestMethod('with_a_rig', test_with_a_rig))
@@ -179,19 +178,6 @@ contains
       call assertTrue(has(lines, 'Inclined section up               i_up           0.0      733.4     880.0     0.39     -17.29'// &
                           '        -     883.4'), message='without reference')
    end subroutine test_with_a_rig
-
-   !> Which cases were solved in the plane, and why others were not; nothing where nobody asked.
-   subroutine test_plane_or_space()
-      type(case_result_type), allocatable :: results(:)
-      type(text_type), allocatable :: lines(:)
-      allocate (results(4), source=sample_results())
-      results%way = [way_planar, way_planar, way_rotates, way_turns]
-      allocate (lines, source=table_of(sample_job(), sample_model(), results))
-      call assertTrue(has(lines, 'solved in the plane of the hole: 2 of 4; in space: the hole turns (1), the string turns (1)'))
-      deallocate (lines)
-      allocate (lines, source=sample_table())
-      call assertFalse(contains_text(lines, 'in the plane'))
-   end subroutine test_plane_or_space
 
    subroutine test_a_table_each_model()
       type(text_type), allocatable :: lines(:)

@@ -37,10 +37,8 @@ contains
       use dg_test_soft_string, only: soft_string_suite
       use dg_test_beam_angle, only: beam_angle_suite
       use dg_test_beam_element, only: beam_element_suite
-      use dg_test_plane_beam, only: plane_beam_suite
       use dg_test_block_matrix, only: block_matrix_suite
       use dg_test_outside_hole, only: outside_hole_suite
-      use dg_test_plane_equations, only: plane_equations_suite
       use dg_test_symmetric_solver, only: symmetric_solver_suite
       use dg_test_director, only: director_suite
       use dg_test_fidelity_errors, only: fidelity_errors_suite
@@ -64,7 +62,6 @@ contains
       use dg_test_buckled_shape, only: buckled_shape_suite
       use dg_test_buckling_limits, only: buckling_limits_suite
       use dg_test_contact_edges, only: contact_edges_suite
-      use dg_test_plane_bending, only: plane_bending_suite
       use dg_test_string_limits, only: string_limits_suite
       use dg_test_joint_bending, only: joint_bending_suite
       use dg_test_paraview, only: paraview_suite
@@ -111,10 +108,8 @@ contains
       call suite%addTest(soft_string_suite())
       call suite%addTest(beam_angle_suite())
       call suite%addTest(beam_element_suite())
-      call suite%addTest(plane_beam_suite())
       call suite%addTest(block_matrix_suite())
       call suite%addTest(outside_hole_suite())
-      call suite%addTest(plane_equations_suite())
       call suite%addTest(symmetric_solver_suite())
       call suite%addTest(director_suite())
       call suite%addTest(gap_contact_suite())
@@ -136,7 +131,6 @@ contains
       call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
       call suite%addTest(contact_edges_suite())
-      call suite%addTest(plane_bending_suite())
       call suite%addTest(string_limits_suite())
       call suite%addTest(joint_bending_suite())
       call suite%addTest(paraview_suite())

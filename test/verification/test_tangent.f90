@@ -12,7 +12,6 @@ module dg_test_tangent
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_mesh, only: mesh_type
    use dg_trajectory, only: arc_at, frame_on_arc, interpolation_minimum_curvature, new_trajectory, point_on_arc, trajectory_type
-   use dg_equations, only: equations_type
    use dg_followed_gaps, only: add_place_stiffness, follower_type, measure_followers
    use dg_gap_action, only: find_contact_rows
    use dg_gap_survey, only: survey_between, survey_gaps
@@ -324,7 +323,6 @@ contains
       type(gap_table_type) :: gaps
       type(load_type) :: loads
       type(workspace_type) :: work
-      type(equations_type) :: equations
       type(block_matrix_type) :: matrix, ignored
       type(follower_type), allocatable :: followers(:)
       real(wp), allocatable :: state(:, :), residual(:, :), other(:, :), before(:, :), dense(:, :)
@@ -353,11 +351,11 @@ contains
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, matrix)
          dense = to_dense(matrix)
          plain = dense(first + 1:first + 12, first + 1:first + 12)
-         call measure_followers(equations, trajectory, mesh, loads, 0.0_wp, gaps, state, work, followers)
+         call measure_followers(trajectory, mesh, loads, 0.0_wp, gaps, work, followers)
          call assertEqual(1, size(followers))
          if (size(followers) /= 1) return
          call assertLessThan(abs(followers(1)%ahead), 1.0e-3_wp, message='at the extremum')
-         call add_place_stiffness(6, followers, .true., .true., matrix)
+         call add_place_stiffness(followers, .true., .true., matrix)
          dense = to_dense(matrix)
          associate (block => dense(first + 1:first + 12, first + 1:first + 12))
             worst = maxval(abs(block(:, 2:3) - plain(:, 2:3)))/maxval(abs(plain(2:3, 2:3)))

@@ -3,7 +3,7 @@ module dg_vector
    use dg_kinds, only: wp
    implicit none
    private
-   public :: cross, outer, skew, in_space
+   public :: cross, outer, skew
 
 contains
 
@@ -15,13 +15,6 @@ contains
       c(2) = a(3)*b(1) - a(1)*b(3)
       c(3) = a(1)*b(2) - a(2)*b(1)
    end function cross
-
-   !> The vector whose components along the columns of a frame are b.
-   pure function in_space(frame, b) result(a)
-      real(wp), intent(in) :: frame(3, 3), b(3)
-      real(wp) :: a(3)
-      a = b(1)*frame(:, 1) + b(2)*frame(:, 2) + b(3)*frame(:, 3)
-   end function in_space
 
    !> Matrix a b^T.
    pure function outer(a, b) result(c)

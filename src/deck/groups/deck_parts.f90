@@ -314,8 +314,6 @@ contains
       if (is_given(group, 'gap_location') .and. is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
       numerics%friction_range = logical_of(group, 'friction_range', numerics%friction_range)
-      if (is_given(group, 'in_plane') .and. is_sound(group, 'in_plane')) &
-         numerics%in_plane = text_of(group, 'in_plane', '') == 'auto'
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
       if (is_sound(group, 'linear_solver')) &
          numerics%linear_solver = findloc(solver_name == text_of(group, 'linear_solver', ''), .true., dim=1)

@@ -3,7 +3,7 @@ module dg_beam_angle
    use dg_kinds, only: wp
    implicit none
    private
-   public :: angle_ratios, angle_ratio_alone, angle_ratio_once, signed_angle
+   public :: angle_ratios, angle_ratio_alone, angle_ratio_once
 
    !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
    !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
@@ -90,22 +90,4 @@ contains
          call angle_ratio(cosine, g, dg, ddg)
       end if
    end subroutine angle_ratio_once
-
-   !> The angle alpha itself with its sign [rad], in a plane, from its cosine and sine; -pi to pi.
-   pure function signed_angle(cosine, sine) result(angle)
-      real(wp), intent(in) :: cosine, sine
-      real(wp) :: angle
-      real(wp) :: u
-      integer :: n
-      u = 1.0_wp - cosine
-      if (u < series_limit) then
-         angle = c(series_terms)
-         do n = series_terms - 1, 0, -1
-            angle = angle*u + c(n)
-         end do
-         angle = angle*sine
-      else
-         angle = atan2(sine, cosine)
-      end if
-   end function signed_angle
 end module dg_beam_angle

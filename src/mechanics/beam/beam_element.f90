@@ -24,8 +24,7 @@
 module dg_beam_element
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratio_alone, angle_ratio_once
-   use dg_beam_energy, only: energy_hessians, energy_slopes, gradients, measure, measure_forces, measure_type, sections_type
-   use dg_lanes, only: lanes
+   use dg_beam_energy, only: axial_force, beam_section_type, energy_hessian, energy_slopes, gradients, measure, measure_type
    use dg_vector, only: cross, outer, skew
    implicit none
    private
@@ -33,15 +32,6 @@ module dg_beam_element
    public :: torque_force, torque_tangent
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
-
-   !> What an element is made of.
-   type :: beam_section_type
-      real(wp) :: length = 0.0_wp           !< L, along the hole [m]
-      real(wp) :: membrane_length = 0.0_wp  !< L_m [m]
-      real(wp) :: axial_stiffness = 0.0_wp     !< EA [N]
-      real(wp) :: bending_stiffness = 0.0_wp   !< EI [N.m2]
-      real(wp) :: torsional_stiffness = 0.0_wp !< GJ [N.m2]
-   end type beam_section_type
 
 contains
 
@@ -103,29 +93,10 @@ contains
       real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j)
       real(wp), intent(out) :: axial         !< N, tension > 0 [N]
       type(measure_type) :: m
-      real(wp) :: first(lanes, 4), forces(lanes, 12), axials(lanes), chords(lanes, 3), d(lanes + 1, 3)
-      call spread_one(chord, d_i, d_j, chords, d)
-      call measure_forces(sections_of(section), chords, d, m, first, forces, axials)
-      force = forces(1, :)
-      axial = axials(1)
+      call measure(chord, d_i, d_j, m)
+      axial = axial_force(section, m)
+      force = gradients(m, d_i, d_j, energy_slopes(m, section, axial))
    end subroutine beam_force
-
-   !> One configuration in the first lane; what the others get is a chord and directors, too.
-   pure subroutine spread_one(chord, d_i, d_j, chords, d)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      real(wp), intent(out) :: chords(lanes, 3), d(lanes + 1, 3)
-      chords = spread(chord, 1, lanes)
-      d = spread(d_j, 1, lanes + 1)
-      d(1, :) = d_i
-   end subroutine spread_one
-
-   pure function sections_of(section) result(sections)
-      type(beam_section_type), intent(in) :: section
-      type(sections_type) :: sections
-      sections%membrane_length = section%membrane_length
-      sections%stretching = section%axial_stiffness/section%membrane_length
-      sections%bending = 2.0_wp*section%bending_stiffness/section%length
-   end function sections_of
 
    !> Internal force and its consistent tangent d2U/dy2(12,12), symmetric: K0 + KN + Ksigma of Eq. 10.
    pure subroutine beam_tangent(section, chord, d_i, d_j, force, axial, stiffness)
@@ -134,9 +105,10 @@ contains
       real(wp), intent(out) :: force(12)
       real(wp), intent(out) :: axial
       real(wp), intent(out) :: stiffness(12, 12)
-      real(wp) :: ignored(12)
-      call beam_force(section, chord, d_i, d_j, force, axial)
-      call tangent_of(sections_of(section), axial, chord, d_i, d_j, ignored, stiffness)
+      type(measure_type) :: m
+      call measure(chord, d_i, d_j, m)
+      axial = axial_force(section, m)
+      call tangent_of(m, section, axial, d_i, d_j, force, stiffness)
    end subroutine beam_tangent
 
    !> The tangent in the paper's three parts, for study and test (the solution uses their sum, beam_tangent):
@@ -159,7 +131,9 @@ contains
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
       real(wp), intent(in) :: axial                      !< tension > 0 [N]
       real(wp), intent(out) :: force(12), ksigma(12, 12)
-      call tangent_of(sections_type(1.0_wp, 0.0_wp, 0.0_wp), axial, chord, d_i, d_j, force, ksigma)
+      type(measure_type) :: m
+      call measure(chord, d_i, d_j, m)
+      call tangent_of(m, beam_section_type(1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp), axial, d_i, d_j, force, ksigma)
    end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.
@@ -167,52 +141,43 @@ contains
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(out) :: stiffness(12, 12)
+      type(measure_type) :: m
       real(wp) :: ignored(12)
-      call tangent_of(sections_of(section), 0.0_wp, chord, d_i, d_j, ignored, stiffness)
+      call measure(chord, d_i, d_j, m)
+      call tangent_of(m, section, 0.0_wp, d_i, d_j, ignored, stiffness)
    end subroutine beam_material_tangent
 
    !> Force and tangent of a section under an axial force that is given.
-   pure subroutine tangent_of(sections, axial, chord, d_i, d_j, force, stiffness)
-      type(sections_type), intent(in) :: sections        !< the same in all lanes
-      real(wp), intent(in) :: axial, chord(3), d_i(3), d_j(3)
+   pure subroutine tangent_of(m, section, axial, d_i, d_j, force, stiffness)
+      type(measure_type), intent(in) :: m
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: axial, d_i(3), d_j(3)
       real(wp), intent(out) :: force(12), stiffness(12, 12)
-      type(measure_type) :: m
-      real(wp) :: chords(lanes, 3), d(lanes + 1, 3), axials(lanes), first(lanes, 4), forces(lanes, 12), second(lanes, 4, 4)
-      real(wp) :: slopes(4), c(4, 4)
-      call spread_one(chord, d_i, d_j, chords, d)
-      axials = axial
-      call measure(chords, d, m)
-      call energy_slopes(m, axials, sections%bending, first)
-      call gradients(m, d, first, forces)
-      call energy_hessians(m, sections, axials, second)
-      force = forces(1, :)
-      slopes = first(1, :)
-      c = second(1, :, :)
-      c(1, 2:) = c(2:, 1)
-      c(2, 3:) = c(3:, 2)
-      c(3, 4) = c(4, 3)
-      call space_hessian(m, d_i, d_j, c, slopes, stiffness)
+      real(wp) :: first(4)
+      first = energy_slopes(m, section, axial)
+      force = gradients(m, d_i, d_j, first)
+      call space_hessian(m, d_i, d_j, energy_hessian(m, section, axial), first, stiffness)
    end subroutine tangent_of
 
    !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
    pure subroutine space_hessian(m, d_i, d_j, c, first, k)
-      type(measure_type), intent(in) :: m        !< its first lane is meant
+      type(measure_type), intent(in) :: m
       real(wp), intent(in) :: d_i(3), d_j(3)
       real(wp), intent(in) :: c(4, 4), first(4)
       real(wp), intent(out) :: k(12, 12)
       real(wp) :: e(3), v2(3), v3(3), reciprocal, along, across, q1(3), q2(3), q3(3), r(3), t(3)
       real(wp) :: chord(3, 3), chord_i(3, 3), chord_j(3, 3)
       integer :: i, j
-      reciprocal = 1.0_wp/m%length(1)
-      e = m%e(1, :)
-      v2 = m%a(1, :, 1)*reciprocal
-      v3 = m%a(1, :, 2)*reciprocal
+      reciprocal = 1.0_wp/m%length
+      e = m%e
+      v2 = m%a(:, 1)*reciprocal
+      v3 = m%a(:, 2)*reciprocal
       ! chord-chord: columns q multiply e, v2, v3
       q1 = c(1, 1)*e + c(1, 2)*v2 + c(1, 3)*v3
       q2 = c(2, 1)*e + c(2, 2)*v2 + c(2, 3)*v3 - first(2)*reciprocal*e
       q3 = c(3, 1)*e + c(3, 2)*v2 + c(3, 3)*v3 - first(3)*reciprocal*e
       q1 = q1 - (first(2)*v2 + first(3)*v3)*reciprocal
-      across = first(1)*reciprocal - (first(2)*m%c(1, 1) + first(3)*m%c(1, 2))*reciprocal**2
+      across = first(1)*reciprocal - (first(2)*m%c(1) + first(3)*m%c(2))*reciprocal**2
       along = -across
       do j = 1, 3
          do i = 1, 3

@@ -6,23 +6,18 @@
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
-   use dg_beam_blocks, only: add_torque, part_all, part_energy, part_rest, see_nodes
+   use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_director, only: director_gradient
-   use dg_element_row, only: add_blocks, find_blocks, find_forces, gather_row, put_blocks, row_type
+   use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
-   use dg_gap_action, only: contact_type, enter_touch, find_contact, load_type, no_touch
-   use dg_gap_contact, only: contact_action, couple_action, touch_type
-   use dg_gap_element, only: gap_nodal_force
+   use dg_gap_action, only: add_gap_force, add_gap_tangent, add_whirl, contact_type, find_contact, load_type
+   use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
-   use dg_lanes, only: lanes
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: clear_element, element_type, hold_top, scatter_more
-   use dg_touch_blocks, only: take_touch
+   use dg_scatter, only: clear_element, element_type, hold_top, part_all, part_energy, part_of, part_rest, scatter_element
    use dg_trajectory, only: trajectory_type
-   use dg_vector, only: cross
-   use dg_whirling, only: add_end_torque, add_turning, end_moment, turning_moment
+   use dg_whirling, only: add_end_torque, end_moment
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
@@ -47,69 +42,53 @@ contains
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: no
-      type(row_type) :: row
-      type(touch_type) :: touch
-      type(contact_type) :: contacts(lanes)
-      real(wp) :: force(12), twisting(2), above(6)     ! of an element; what the one before leaves at the common node
+      type(element_type) :: element
+      real(wp) :: above(6)                             ! what the element before leaves at the common node
       real(wp) :: ends(6, 2), top_force(3)             ! forces on the first and the last node
-      integer :: first, n, e, l
-      row%part = merge(part_energy, part_all, conservative)
-      row%tangent = .true.
-      if (present(forces_only)) row%tangent = .not. forces_only
+      integer :: n, e, i
+      element%part = merge(part_energy, part_all, conservative)
+      element%tangent = .true.
+      if (present(forces_only)) element%tangent = .not. forces_only
       if (allocated(work%contact_force)) then
          work%contact_force = 0.0_wp
          work%contact_moment = 0.0_wp
       end if
       above = 0.0_wp
       residual(dof_twist, 1) = 0.0_wp
-      if (row%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
-      do first = 1, mesh%elements, lanes
-         call gather_row(mesh, first, state, gaps, work, row)
-         call find_forces(row)
-         if (any(row%closed)) then
-            if (row%tangent) call no_touch(touch)
-            do l = 1, row%count
-               if (.not. row%closed(l)) cycle
-               e = first + l - 1
-               call find_contact(mesh, loads, gaps, e, work, contacts(l))
-               call take_gap_forces(mesh, l, contacts(l), work, row)
-               if (row%tangent) call enter_touch(mesh, e, work, contacts(l), row%part, l, touch)
-            end do
+      if (element%tangent) matrix%diagonal(:, :, 1) = 0.0_wp
+      do e = 1, mesh%elements
+         call find_element(mesh, loads, gaps, e, state, work, element)
+         if (element%tangent) then
+            matrix%upper(:, :, e) = 0.0_wp
+            matrix%lower(:, :, e) = 0.0_wp
+            matrix%diagonal(:, :, e + 1) = 0.0_wp
+            call scatter_element(mesh, e, work%d(:, e:e + 1), element, matrix)
          end if
-         if (row%tangent) then
-            call find_blocks(row)
-            if (any(row%closed)) call take_touch(row%frame, row%view, touch, row%blocks)
-            call put_blocks(row, matrix)
+         residual(dof_twist, e) = residual(dof_twist, e) + element%twisting(1)
+         residual(dof_twist, e + 1) = element%twisting(2)
+         above = above + element%force(1:6)
+         if (e > 1) then
+            call finish_node(mesh, e, above, element%tangent, work, residual, matrix)
+         else
+            ends(:, 1) = above
          end if
-         do l = 1, row%count
-            e = first + l - 1
-            call finish_element(mesh, loads, l, contacts(l), row, work, matrix, force, twisting)
-            residual(dof_twist, e) = residual(dof_twist, e) + twisting(1)
-            residual(dof_twist, e + 1) = twisting(2)
-            above = above + force(1:6)
-            if (e > 1) then
-               call finish_node(mesh, e, above, row%tangent, work, residual, matrix)
-            else
-               ends(:, 1) = above
-            end if
-            above = force(7:12)
-         end do
+         above = element%force(7:12)
       end do
       ends(:, 2) = above
       top_force = ends(1:3, 1)
       residual(dof_twist, mesh%nodes) = residual(dof_twist, mesh%nodes) + loads%tob
-      call add_supports(trajectory, mesh, loads, row%tangent, work, ends, matrix)
-      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), row%part, row%tangent, work, ends, matrix)
-      do l = 1, 2
-         n = merge(1, mesh%nodes, l == 1)
-         call finish_node(mesh, n, ends(:, l), row%tangent, work, residual, matrix)
+      call add_supports(trajectory, mesh, loads, element%tangent, work, ends, matrix)
+      call add_end_torques(mesh, loads%tob, residual(dof_twist, 1), element%part, element%tangent, work, ends, matrix)
+      do i = 1, 2
+         n = merge(1, mesh%nodes, i == 1)
+         call finish_node(mesh, n, ends(:, i), element%tangent, work, residual, matrix)
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
       work%reaction = top_force - ends(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
       residual([dof_axial, dof_twist], 1) = 0.0_wp
-      if (row%tangent) call hold_top(matrix)
+      if (element%tangent) call hold_top(matrix)
    end subroutine assemble
 
    !> Takes an element's weight, down, off its forces: hermite_line_load, here so that it is inlined.
@@ -135,149 +114,110 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: by_slopes(2, 2)
-      call take_to_frame(mesh%frame(:, :, n), work%d(:, n), force, residual(:, n), by_slopes)
-      if (wanted) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + by_slopes
+      associate (frame => mesh%frame(:, :, n), d => work%d(:, n))
+         residual(1:3, n) = matmul(force(1:3), frame)
+         residual(5:6, n) = matmul(force(4:6), director_gradient(frame, d))
+         if (wanted) matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(frame, d, force(4:6))
+      end associate
       if (allocated(work%node_force)) work%node_force(:, n) = force
    end subroutine finish_node
 
-   !> That residual: dd/dbeta_k = s (n_k - d d.n_k), s = d.t. by_slopes(2,2) is what the director's second derivative makes of the
-   !> force on it (director_curvature).
-   pure subroutine take_to_frame(frame, d, force, residual, by_slopes)
-      real(wp), intent(in) :: frame(3, 3), d(3), force(6)
-      real(wp), intent(inout) :: residual(6)
-      real(wp), intent(out) :: by_slopes(2, 2)
-      real(wp) :: s, along, d2, d3, m2, m3
-      integer :: k
-      do k = 1, 3
-         residual(k) = force(1)*frame(1, k) + force(2)*frame(2, k) + force(3)*frame(3, k)
-      end do
-      s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
-      d2 = d(1)*frame(1, 2) + d(2)*frame(2, 2) + d(3)*frame(3, 2)
-      d3 = d(1)*frame(1, 3) + d(2)*frame(2, 3) + d(3)*frame(3, 3)
-      m2 = force(4)*frame(1, 2) + force(5)*frame(2, 2) + force(6)*frame(3, 2)
-      m3 = force(4)*frame(1, 3) + force(5)*frame(2, 3) + force(6)*frame(3, 3)
-      along = force(4)*d(1) + force(5)*d(2) + force(6)*d(3)
-      residual(5) = s*(m2 - along*d2)
-      residual(6) = s*(m3 - along*d3)
-      by_slopes(1, 1) = -(2.0_wp*d2*m2 + along*(1.0_wp - 3.0_wp*d2*d2))*s*s
-      by_slopes(2, 2) = -(2.0_wp*d3*m3 + along*(1.0_wp - 3.0_wp*d3*d3))*s*s
-      by_slopes(1, 2) = -(d2*m3 + d3*m2 - 3.0_wp*along*d2*d3)*s*s
-      by_slopes(2, 1) = by_slopes(1, 2)
-   end subroutine take_to_frame
-
-   !> Completes an element of a row by what is its own: weight, drag, pads, a bend, friction of a string that whirls.
-   pure subroutine finish_element(mesh, loads, l, contact, row, work, matrix, force, twisting)
+   !> An element: beam, torque, weight, drag, bend, pads, gap.
+   pure subroutine find_element(mesh, loads, gaps, e, state, work, element)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
-      integer, intent(in) :: l                       !< its lane
-      type(contact_type), intent(in) :: contact      !< where its gap is closed
-      type(row_type), intent(in) :: row
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      type(block_matrix_type), intent(inout) :: matrix
-      real(wp), intent(out) :: force(12)             !< on (x_i, d_i, x_j, d_j)
-      real(wp), intent(out) :: twisting(2)           !< torque on both nodes
-      real(wp) :: drag, line(4)
-      integer :: e, i
-      e = row%first + l - 1
-      force = row%force(l, :)
-      twisting = row%twisting(l, :)
-      work%axial(e) = row%axial(l)
-      work%torque(e) = row%torque(l)
-      call take_weight(mesh%weight(e), mesh%length(e), force)
+      type(element_type), intent(inout) :: element      !< with part and tangent set
+      type(contact_type) :: contact
+      type(beam_section_type) :: section
+      real(wp) :: chord(3), drag, line(4)
+      integer :: i
+      call clear_element(element)
+      chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
+      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+      if (element%tangent) then
+         call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e), element%k)
+         element%twist_stiffness = mesh%gj(e)/mesh%length(e)
+      else
+         call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e))
+      end if
+      work%torque(e) = torque_of(mesh, e, state)
+      call add_torque(mesh, e, work, element)
+      call take_weight(mesh%weight(e), mesh%length(e), element%force)
       if (abs(mesh%drag(e)) > 0.0_wp) then
          drag = 0.5_wp*loads%friction_scale*mesh%drag(e)
-         force(1:3) = force(1:3) - drag*mesh%frame(:, 1, e)
-         force(7:9) = force(7:9) - drag*mesh%frame(:, 1, e + 1)
+         element%force(1:3) = element%force(1:3) - drag*mesh%frame(:, 1, e)
+         element%force(7:9) = element%force(7:9) - drag*mesh%frame(:, 1, e + 1)
+      end if
+      if (allocated(mesh%bend)) then
+         if (any(abs(mesh%bend(:, e)) > 0.0_wp)) &
+            call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
+                          work%d(:, e), work%d(:, e + 1), element%tangent, element%force, element%k)
       end if
       if (allocated(mesh%push)) then
          line = hermite_line_load(mesh%length(e))
          do i = 1, 4
-            force(3*i - 2:3*i) = force(3*i - 2:3*i) - line(i)*mesh%push(:, e)
+            element%force(3*i - 2:3*i) = element%force(3*i - 2:3*i) - line(i)*mesh%push(:, e)
          end do
       end if
-      if (.not. row%closed(l)) work%normal(e) = 0.0_wp
-      if (allocated(mesh%bend)) call add_own_bend(mesh, l, row, work, force, matrix)
-      if (row%closed(l)) call add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
+      if (gaps%state(e) /= state_free) then
+         call find_contact(mesh, loads, gaps, e, work, contact)
+         call add_gap_force(mesh, e, contact, work, element)
+         if (element%tangent) call add_gap_tangent(mesh, e, contact, work, element)
+         call add_whirl(e, contact, work, element)
+      else
+         work%normal(e) = 0.0_wp
+      end if
       if (allocated(work%end_force)) then
-         work%end_force(:, e) = force(1:6)
-         work%node_torque(e:e + 1) = [twisting(1), -twisting(2)]
+         work%end_force(:, e) = element%force(1:6)
+         work%node_torque(e:e + 1) = [element%twisting(1), -element%twisting(2)]
       end if
-   end subroutine finish_element
+   end subroutine find_element
 
-   !> Adds the bend of an element that has one.
-   pure subroutine add_own_bend(mesh, l, row, work, force, matrix)
+   !> Torque in an element [N.m].
+   pure function torque_of(mesh, e, state) result(torque)
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: l
-      type(row_type), intent(in) :: row
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(inout) :: force(12)
-      type(block_matrix_type), intent(inout) :: matrix
-      type(element_type) :: element
-      real(wp) :: chord(3)
-      integer :: e
-      e = row%first + l - 1
-      if (.not. any(abs(mesh%bend(:, e)) > 0.0_wp)) return
-      chord = row%chord(l, :)
-      call clear_element(element)
-      call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
-                    work%d(:, e), work%d(:, e + 1), row%tangent, force, element%k)
-      if (row%tangent) call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
-   end subroutine add_own_bend
+      integer, intent(in) :: e
+      real(wp), intent(in) :: state(:, :)
+      real(wp) :: torque
+      torque = mesh%gj(e)/mesh%length(e)*(state(dof_twist, e + 1) - state(dof_twist, e))
+   end function torque_of
 
-   !> Adds friction's torque where the string whirls.
-   pure subroutine add_whirl(mesh, l, contact, row, work, force, twisting, matrix)
+   !> Adds the torque of an element: on both nodes, and its end moments on both directors. Its tangent leaves twist by twist out.
+   pure subroutine add_torque(mesh, e, work, element)
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: l
-      type(contact_type), intent(in) :: contact
-      type(row_type), intent(in) :: row
-      type(workspace_type), intent(in) :: work
-      real(wp), intent(inout) :: force(12), twisting(2)
-      type(block_matrix_type), intent(inout) :: matrix
-      type(element_type) :: element
-      integer :: e
-      if (.not. contact%turning%lever > 0.0_wp) return
-      e = row%first + l - 1
-      call clear_element(element)
-      call add_turning(contact%turning, work%d(:, e:e + 1), row%part, row%tangent, twisting, force, element)
-      if (row%tangent) call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
-   end subroutine add_whirl
-
-   !> A closed gap's MCGE: takes its force off its element's (Eqs. 4 and 6).
-   pure subroutine take_gap_forces(mesh, l, contact, work, row)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: l                   !< its lane
-      type(contact_type), intent(in) :: contact
-      type(workspace_type), intent(inout) :: work
-      type(row_type), intent(inout) :: row
-      real(wp) :: force(3), moment(3), nodal(12), twisting(2), push(3), bend(3)
-      integer :: e, a
-      e = row%first + l - 1
-      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal, contact%axial, contact%rotary, &
-                          contact%climbing, contact%radius, force, moment)
-      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
-                           moment, nodal, twisting)
-      if (contact%sliding) then
-         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
-                            contact%axial*mesh%radius(e)*contact%normal, push, bend)
-         do a = 1, 4
-            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) + contact%shape(a)*push + contact%slope(a)*bend
+      integer, intent(in) :: e
+      type(workspace_type), intent(in) :: work       !< with the torque
+      type(element_type), intent(inout) :: element
+      integer, parameter :: directors(6) = [4, 5, 6, 10, 11, 12]
+      real(wp) :: by_i(3, 3), by_j(3, 3), by_torque(3), moment(3), by_directors(6, 6)
+      integer :: i, j
+      associate (torque => work%torque(e), d_i => work%d(:, e), d_j => work%d(:, e + 1))
+         if (.not. abs(torque) > 0.0_wp) return
+         element%twisting = element%twisting + [-torque, torque]
+         moment = torque_force(torque, d_i, d_j)
+         element%force(4:6) = element%force(4:6) + moment
+         element%force(10:12) = element%force(10:12) + moment
+         if (.not. element%tangent) return
+         call torque_tangent(torque, d_i, d_j, by_i, by_j, by_torque)
+         by_directors(1:3, 1:3) = by_i
+         by_directors(1:3, 4:6) = by_j
+         by_directors(4:6, :) = by_directors(1:3, :)
+         by_directors = part_of(by_directors, element%part)
+         do j = 1, 6
+            do i = 1, 6
+               element%k(directors(i), directors(j)) = element%k(directors(i), directors(j)) + by_directors(i, j)
+            end do
          end do
-      end if
-      row%force(l, :) = row%force(l, :) - nodal
-      row%twisting(l, :) = row%twisting(l, :) - twisting
-      if (.not. allocated(work%contact_force)) return
-      work%contact_force(:, e) = force
-      work%contact_moment(:, e) = moment
-      if (.not. contact%rotary > 0.0_wp) work%contact_moment(:, e) = moment - contact%direction &
-                                         *(dot_product(moment, contact%direction)/dot_product(contact%direction, contact%direction))
-      if (contact%sliding) then
-         work%contact_force(:, e) = force + push
-         work%contact_moment(:, e) = moment + cross(contact%direction, bend)
-      end if
-      if (contact%turning%lever > 0.0_wp) work%contact_moment(:, e) = work%contact_moment(:, e) &
-                                                                      + turning_moment(contact%turning, work%d(:, e:e + 1))
-   end subroutine take_gap_forces
+         if (element%part == part_energy) return
+         by_torque = mesh%gj(e)/mesh%length(e)*by_torque
+         element%twist_column(4:6) = element%twist_column(4:6) + by_torque
+         element%twist_column(10:12) = element%twist_column(10:12) + by_torque
+      end associate
+   end subroutine add_torque
 
    !> Adds to the symmetric tangent of the energy at `state` the unsymmetric part, which friction and torque make: the sum is the
    !> whole tangent. Elements without either are left out.
@@ -288,40 +228,25 @@ contains
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work    !< placed and surveyed at `state`
       type(block_matrix_type), intent(inout) :: matrix
-      type(row_type) :: row
-      type(touch_type) :: touch
-      type(contact_type) :: contacts(lanes)
-      real(wp) :: ignored(12), unused(2), ends(6, 2)
-      integer :: first, e, l
-      ignored = 0.0_wp
-      unused = 0.0_wp
+      type(element_type) :: element
+      type(contact_type) :: contact
+      real(wp) :: ends(6, 2)
+      integer :: e
+      logical :: rubs
       ends = 0.0_wp
-      row%part = part_rest
-      row%tangent = .true.
-      do first = 1, mesh%elements, lanes
-         call gather_row(mesh, first, state, gaps, work, row)
-         do l = 1, row%count
-            e = first + l - 1
-            row%closed(l) = row%closed(l) .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
-         end do
-         if (.not. (any(row%closed) .or. any(abs(row%torque) > 0.0_wp))) cycle
-         row%blocks = 0.0_wp
-         call see_nodes(row%frame, row%d, row%view)
-         if (any(abs(row%torque) > 0.0_wp)) &
-            call add_torque(row%torque, row%twist_stiffness, part_rest, row%view, row%blocks)
-         if (any(row%closed)) then
-            call no_touch(touch)
-            do l = 1, row%count
-               if (.not. row%closed(l)) cycle
-               call find_contact(mesh, loads, gaps, first + l - 1, work, contacts(l))
-               call enter_touch(mesh, first + l - 1, work, contacts(l), part_rest, l, touch)
-            end do
-            call take_touch(row%frame, row%view, touch, row%blocks)
+      element%part = part_rest
+      do e = 1, mesh%elements
+         work%torque(e) = torque_of(mesh, e, state)
+         rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
+         if (.not. (rubs .or. abs(work%torque(e)) > 0.0_wp)) cycle
+         call clear_element(element)
+         call add_torque(mesh, e, work, element)
+         if (rubs) then
+            call find_contact(mesh, loads, gaps, e, work, contact)
+            call add_gap_tangent(mesh, e, contact, work, element)
+            call add_whirl(e, contact, work, element)
          end if
-         call add_blocks(row, matrix)
-         do l = 1, row%count
-            if (row%closed(l)) call add_whirl(mesh, l, contacts(l), row, work, ignored, unused, matrix)
-         end do
+         call scatter_element(mesh, e, work%d(:, e:e + 1), element, matrix)
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), part_rest, .true., work, ends, matrix)
       call hold_top(matrix)

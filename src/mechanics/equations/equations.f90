@@ -1,19 +1,17 @@
-!> Room of one solution's equations, in space or in the plane of the hole, and what an iteration is told and tells.
+!> Room of one solution's equations, and what an iteration is told and tells.
 module dg_equations
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
-   use dg_block_matrix, only: block_matrix_type, block_size, make_matrix_room, plane_block_size
+   use dg_block_matrix, only: block_matrix_type, block_size, make_matrix_room
    use dg_case_result, only: iteration_type
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: linear_solver_type, new_linear_solver
    use dg_mesh, only: mesh_type
-   use dg_plane, only: plane_type, row_lateral, row_slope, unfold
-   use dg_plane_assembly, only: assemble_in_plane
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, make_room_for_recovery, workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, make_room_for_recovery, workspace_type
    implicit none
    private
-   public :: equations_type, choose_unknowns, lateral_of, make_room, find_tangent, step_in_space, end_iterations
+   public :: equations_type, release_room, make_room, find_tangent, end_iterations
    public :: add_gap_rigidity
    public :: forces_alone, whole_tangent, energy_tangent
    public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
@@ -22,19 +20,13 @@ module dg_equations
    !> lies outside the hole between its contact points.
    integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2, outcome_outside = 3
 
-   !> What is wanted of a tangent: nothing; all of it; or the energy's, `conservative` of `assemble`, which in a plane is all of it.
+   !> What is wanted of a tangent: nothing; all of it; or the energy's, `conservative` of `assemble`.
    integer, parameter :: forces_alone = 0, whole_tangent = 1, energy_tangent = 2
 
    type :: equations_type
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver
-      real(wp), allocatable :: step(:, :)         !< (6,nodes), or in a plane (3,nodes) [m, -]
-      logical :: planar = .false.                 !< only what moves the string in its plane is solved for
-      type(plane_type) :: plane
-      integer :: unknowns = block_size            !< of a node
-      integer :: forces = 3                       !< rows of a residual: forces come first, then moments
-      integer :: laterals(2) = [dof_lateral_1, dof_lateral_2]   !< from the one to the other
-      integer :: slopes(2) = [dof_slope_1, dof_slope_2]
+      real(wp), allocatable :: step(:, :)         !< (6,nodes) [m, -]
       real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< of all attempts so far
@@ -44,39 +36,26 @@ module dg_equations
 
 contains
 
-   !> Chooses the unknowns: in space, or in the plane that `equations` names. Room made before is given back.
-   pure subroutine choose_unknowns(equations, planar)
+   !> Gives back the room made before. The start of an iteration has no use for it, and needs half as much for itself.
+   pure subroutine release_room(equations)
       type(equations_type), intent(inout) :: equations
-      logical, intent(in) :: planar
-      equations%planar = planar
-      equations%unknowns = merge(plane_block_size, block_size, planar)
-      equations%forces = (equations%unknowns + 1)/2
-      equations%laterals = merge([row_lateral, row_lateral], [dof_lateral_1, dof_lateral_2], planar)
-      equations%slopes = merge([row_slope, row_slope], [dof_slope_1, dof_slope_2], planar)
       equations%matrix = block_matrix_type()
       equations%solver = linear_solver_type()
       if (allocated(equations%step)) deallocate (equations%step)
-   end subroutine choose_unknowns
+   end subroutine release_room
 
-   !> Direction across the hole, on n_1 and n_2 of any node, of the plane that the string stays in; 0 where it is solved in space.
-   pure function lateral_of(equations) result(lateral)
-      type(equations_type), intent(in) :: equations
-      real(wp) :: lateral(2)
-      lateral = merge(equations%plane%lateral, 0.0_wp, equations%planar)
-   end function lateral_of
-
-   !> Room for the equations of a mesh. The start of an iteration has no use for it, and needs half as much for itself.
+   !> Room for the equations of a mesh.
    pure subroutine make_room(equations, kind, nodes)
       type(equations_type), intent(inout) :: equations
       integer, intent(in) :: kind          !< of linear solver
       integer, intent(in) :: nodes
-      call make_matrix_room(nodes, equations%unknowns, equations%matrix)
-      call new_linear_solver(kind, nodes, equations%solver, equations%unknowns)
+      call make_matrix_room(nodes, equations%matrix)
+      call new_linear_solver(kind, nodes, equations%solver)
       if (allocated(equations%step)) deallocate (equations%step)
-      allocate (equations%step(equations%unknowns, nodes), source=0.0_wp)
+      allocate (equations%step(block_size, nodes), source=0.0_wp)
    end subroutine make_room
 
-   !> Residual(unknowns,nodes) and, unless forces alone are wanted, tangent.
+   !> Residual(6,nodes) and, unless forces alone are wanted, tangent.
    pure subroutine find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, residual)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -87,31 +66,14 @@ contains
       integer, intent(in) :: wanted        !< forces_alone, whole_tangent or energy_tangent
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
-      if (equations%planar) then
-         call assemble_in_plane(trajectory, mesh, equations%plane, loads, gaps, state, wanted == forces_alone, work, residual, &
-                                equations%matrix)
-      else
-         call assemble(trajectory, mesh, loads, gaps, state, wanted == energy_tangent, work, residual, equations%matrix, &
-                       wanted == forces_alone)
-      end if
+      call assemble(trajectory, mesh, loads, gaps, state, wanted == energy_tangent, work, residual, equations%matrix, &
+                    wanted == forces_alone)
    end subroutine find_tangent
 
-   !> A node's step in space, by all six unknowns.
-   pure subroutine step_in_space(equations, node, step)
-      type(equations_type), intent(in) :: equations
-      integer, intent(in) :: node
-      real(wp), intent(out) :: step(block_size)
-      if (equations%planar) then
-         call unfold(equations%plane, equations%step(:, node), step)
-      else
-         step = equations%step(:, node)
-      end if
-   end subroutine step_in_space
-
-   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside, in
-   !> space wherever the string was solved. Contact forces are the iteration's own: those of Eq. 4 at the depths in the wall, found
-   !> from places, would bring in the round-off of places times the wall's stiffness.
-   pure subroutine end_iterations(equations, trajectory, mesh, loads, gaps, state, work, largest_residual)
+   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside.
+   !> Contact forces are the iteration's own: those of Eq. 4 at the depths in the wall, found from places, would bring in the
+   !> round-off of places times the wall's stiffness.
+   pure subroutine end_iterations(equations, trajectory, mesh, loads, gaps, state, work)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -119,7 +81,6 @@ contains
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(out), optional :: largest_residual   !< force or moment out of balance [N, N.m]
       real(wp), allocatable :: residual(:, :)
       equations%matrix = block_matrix_type()
       equations%solver = linear_solver_type()
@@ -127,19 +88,17 @@ contains
       allocate (residual(block_size, mesh%nodes))
       call make_room_for_recovery(mesh, work)
       call assemble(trajectory, mesh, loads, gaps, state, .false., work, residual, equations%matrix, forces_only=.true.)
-      if (present(largest_residual)) largest_residual = maxval(abs(residual))
    end subroutine end_iterations
 
-   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns, from the first to the second of `rows`.
-   pure subroutine add_gap_rigidity(mesh, gk_min, rows, matrix)
+   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns.
+   pure subroutine add_gap_rigidity(mesh, gk_min, matrix)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: gk_min
-      integer, intent(in) :: rows(2)
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i, e
       do e = 1, mesh%elements
          do n = e, e + 1
-            do i = rows(1), rows(2)
+            do i = dof_lateral_1, dof_lateral_2
                matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + 0.5_wp*gk_min*mesh%length(e)
             end do
          end do

@@ -2,20 +2,20 @@
 !> contact forces are unknowns of their own.
 module dg_gap_action
    use dg_kinds, only: wp
-   use dg_beam_blocks, only: part_energy, part_rest
-   use dg_gap_contact, only: contact_action, couple_action, touch_type
-   use dg_gap_element, only: gap_nodal_force
+   use dg_gap_contact, only: contact_action, couple_action, couple_tangents, moment_tangents, touch_tangent_type, touch_tangents, &
+                             touch_type
+   use dg_gap_element, only: gap_derivative_type, gap_derivatives, gap_nodal_force
    use dg_gap_state, only: contact_force
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
-   use dg_lanes, only: lanes
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: element_type
-   use dg_whirling, only: add_turning, turning_type
+   use dg_scatter, only: element_type, part_energy, part_rest
+   use dg_vector, only: cross, skew
+   use dg_whirling, only: add_turning, turning_moment, turning_type
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, contact_type, find_contact, no_touch, enter_touch, find_contact_rows, near
+   public :: load_type, contact_type, find_contact, add_gap_force, add_gap_tangent, add_whirl, find_contact_rows, near
 
    !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
    real(wp), parameter :: near = 0.3_wp
@@ -83,68 +83,117 @@ contains
          work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
    end subroutine find_contact
 
-   !> Gaps side by side none of which touches: their derivatives are zero.
-   pure subroutine no_touch(touch)
-      type(touch_type), intent(out) :: touch
-      real(wp) :: any_axis(lanes, 3)
-      any_axis = 0.0_wp
-      any_axis(:, 1) = 1.0_wp
-      touch%gap = any_axis
-      touch%tangent = any_axis
-      touch%direction = any_axis
-      touch%curvature = 0.0_wp
-      touch%normal = 0.0_wp
-      touch%normal_stiffness = 0.0_wp
-      touch%pressing = 0.0_wp
-      touch%pressing_stiffness = 0.0_wp
-      touch%couple = 0.0_wp
-      touch%couple_stiffness = 0.0_wp
-      touch%axial = 0.0_wp
-      touch%rotary = 0.0_wp
-      touch%climbing = 0.0_wp
-      touch%radius = 0.0_wp
-      touch%share = 0.0_wp
-      touch%shape = 0.0_wp
-      touch%slope = 0.0_wp
-      touch%rubs = .false.
-      touch%slides = .false.
-   end subroutine no_touch
+   !> A closed gap's MCGE: takes its force off its element's (Eqs. 4 and 6).
+   pure subroutine add_gap_force(mesh, e, contact, work, element)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      type(contact_type), intent(in) :: contact
+      type(workspace_type), intent(inout) :: work
+      type(element_type), intent(inout) :: element
+      real(wp) :: force(3), moment(3), nodal(12), twisting(2), push(3), bend(3)
+      integer :: a
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal, contact%axial, contact%rotary, &
+                          contact%climbing, contact%radius, force, moment)
+      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
+                           moment, nodal, twisting)
+      if (contact%sliding) then
+         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
+                            contact%axial*mesh%radius(e)*contact%normal, push, bend)
+         do a = 1, 4
+            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) + contact%shape(a)*push + contact%slope(a)*bend
+         end do
+      end if
+      element%force = element%force - nodal
+      element%twisting = element%twisting - twisting
+      if (.not. allocated(work%contact_force)) return
+      work%contact_force(:, e) = force
+      work%contact_moment(:, e) = moment
+      if (.not. contact%rotary > 0.0_wp) work%contact_moment(:, e) = moment - contact%direction &
+                                         *(dot_product(moment, contact%direction)/dot_product(contact%direction, contact%direction))
+      if (contact%sliding) then
+         work%contact_force(:, e) = force + push
+         work%contact_moment(:, e) = moment + cross(contact%direction, bend)
+      end if
+      if (contact%turning%lever > 0.0_wp) work%contact_moment(:, e) = work%contact_moment(:, e) &
+                                                                      + turning_moment(contact%turning, work%d(:, e:e + 1))
+   end subroutine add_gap_force
 
-   !> Enters the contact of element e in a lane: what a part of the tangent takes of it.
-   pure subroutine enter_touch(mesh, e, work, contact, part, l, touch)
+   !> Takes the part that the element asks for of the derivatives of that force off its tangent (Eq. 11).
+   pure subroutine add_gap_tangent(mesh, e, contact, work, element)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      type(contact_type), intent(in) :: contact
+      type(workspace_type), intent(in) :: work
+      type(element_type), intent(inout) :: element
+      type(touch_type) :: touch
+      type(touch_tangent_type) :: at_point
+      type(gap_derivative_type) :: by
+      integer :: a, b, n, p
+      touch = touch_of(mesh, e, work, contact, element%part)
+      call touch_tangents(touch, at_point)
+      if (contact%sliding) call couple_tangents(touch, at_point)
+      call moment_tangents(touch, at_point)
+      call gap_derivatives(touch, work%d(:, e:e + 1), at_point, by)
+      do b = 1, 4
+         associate (k => element%k(:, 3*b - 2:3*b), row => element%twist_row(:, 3*b - 2:3*b))
+            do a = 1, 4
+               k(3*a - 2:3*a, :) = k(3*a - 2:3*a, :) - (touch%shape(b)*by%point(:, :, a) + touch%slope(b)*by%direction(:, :, a))
+            end do
+            do p = 1, 2
+               if (.not. touch%share(p) > 0.0_wp) cycle
+               row(p, :) = row(p, :) - (touch%shape(b)*by%twisting_by_point(:, p) + touch%slope(b)*by%twisting_by_direction(:, p))
+            end do
+         end associate
+      end do
+      do p = 1, 2
+         if (.not. touch%share(p) > 0.0_wp) cycle
+         n = 6*p - 2
+         element%k(n:n + 2, n:n + 2) = element%k(n:n + 2, n:n + 2) - skew(touch%share(p)*by%twist)
+         element%twist_row(p, n:n + 2) = element%twist_row(p, n:n + 2) - touch%share(p)*by%twist
+      end do
+   end subroutine add_gap_tangent
+
+   !> The contact of element e: what a part of the tangent takes of it.
+   pure function touch_of(mesh, e, work, contact, part) result(touch)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
       type(workspace_type), intent(in) :: work
       type(contact_type), intent(in) :: contact
-      integer, intent(in) :: part, l
-      type(touch_type), intent(inout) :: touch
+      integer, intent(in) :: part
+      type(touch_type) :: touch
       real(wp) :: lever
-      touch%gap(l, :) = work%gap(:, e)
-      touch%tangent(l, :) = work%axis_tangent(:, e)
-      touch%curvature(l, :) = work%axis_curvature(:, e)
-      touch%direction(l, :) = contact%direction
-      touch%axial(l) = contact%axial
-      touch%rotary(l) = contact%rotary
-      touch%climbing(l) = contact%climbing
-      touch%radius(l) = contact%radius
-      touch%share(l, :) = contact%share
-      touch%shape(l, :) = contact%shape
-      touch%slope(l, :) = contact%slope
+      touch%gap = work%gap(:, e)
+      touch%tangent = work%axis_tangent(:, e)
+      touch%curvature = work%axis_curvature(:, e)
+      touch%direction = contact%direction
+      touch%axial = contact%axial
+      touch%rotary = contact%rotary
+      touch%climbing = contact%climbing
+      touch%radius = contact%radius
+      touch%share = contact%share
+      touch%shape = contact%shape
+      touch%slope = contact%slope
+      lever = merge(contact%axial*mesh%radius(e), 0.0_wp, contact%sliding)
       if (part /= part_rest) then
-         touch%normal(l) = contact%normal
-         touch%normal_stiffness(l) = contact%stiffness
+         touch%normal = contact%normal
+         touch%normal_stiffness = contact%stiffness
+         touch%couple = lever*contact%normal
       end if
       if (part /= part_energy) then
-         touch%pressing(l) = contact%normal
-         touch%pressing_stiffness(l) = contact%stiffness
-         if (contact%radius > 0.0_wp .and. (contact%rotary > 0.0_wp .or. abs(contact%axial) > 0.0_wp)) touch%rubs = .true.
+         touch%pressing = contact%normal
+         touch%pressing_stiffness = contact%stiffness
+         touch%couple_stiffness = lever*contact%stiffness
       end if
-      if (.not. contact%sliding) return
-      touch%slides = .true.
-      lever = contact%axial*mesh%radius(e)
-      if (part /= part_rest) touch%couple(l) = lever*contact%normal
-      if (part /= part_energy) touch%couple_stiffness(l) = lever*contact%stiffness
-   end subroutine enter_touch
+   end function touch_of
+
+   !> Adds friction's torque where the string whirls.
+   pure subroutine add_whirl(e, contact, work, element)
+      integer, intent(in) :: e
+      type(contact_type), intent(in) :: contact
+      type(workspace_type), intent(in) :: work
+      type(element_type), intent(inout) :: element
+      if (contact%turning%lever > 0.0_wp) call add_turning(contact%turning, work%d(:, e:e + 1), element)
+   end subroutine add_whirl
 
    !> Of every gap near the wall, elements first to last: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m],
    !> and `on`(12,e), what a newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change
@@ -214,7 +263,7 @@ contains
       type(workspace_type), intent(in) :: work
       type(contact_type), intent(inout) :: contact
       real(wp), intent(out) :: nodal(12), twisting(2)
-      type(element_type) :: ignored
+      type(element_type) :: element
       real(wp) :: action(3), moment(3), push(3), bend(3)
       integer :: a
       call contact_action(work%gap(:, e), work%axis_tangent(:, e), 1.0_wp, contact%axial, contact%rotary, contact%climbing, &
@@ -231,6 +280,11 @@ contains
       end if
       if (.not. contact%turning%lever > 0.0_wp) return
       contact%turning%force = 1.0_wp
-      call add_turning(contact%turning, work%d(:, e:e + 1), part_energy, .false., twisting, nodal, ignored)
+      element%tangent = .false.
+      element%force = nodal
+      element%twisting = twisting
+      call add_turning(contact%turning, work%d(:, e:e + 1), element)
+      nodal = element%force
+      twisting = element%twisting
    end subroutine unit_force
 end module dg_gap_action

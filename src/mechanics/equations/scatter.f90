@@ -1,4 +1,4 @@
-!> From the tangents of elements in space axes to the matrix of the chain's unknowns.
+!> An element in space axes, and the way of its tangent to the matrix of the chain's unknowns.
 module dg_scatter
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type
@@ -7,39 +7,53 @@ module dg_scatter
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
-   public :: element_type, clear_element, scatter_more, hold_top, clear_top
+   public :: element_type, clear_element, scatter_element, part_of, hold_top, clear_top
+   public :: part_all, part_energy, part_rest
 
    !> Unknowns of the top that are held.
    integer, parameter :: held(2) = [dof_axial, dof_twist]
 
-   !> Tangent of one element in space axes, and its coupling with the twist.
+   !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
+   integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
+
+   !> What an element, its gap and its loads do, internal less external, and the part of its tangent that is asked for.
    type :: element_type
-      real(wp) :: k(12, 12)           !< by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_row(2, 12)    !< torque residuals of both nodes by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_column(12)    !< forces by phi_j; by phi_i the opposite
+      integer :: part = part_all
+      logical :: tangent = .true.     !< is wanted
+      real(wp) :: force(12)           !< on (x_i, d_i, x_j, d_j) [N, N.m]
+      real(wp) :: twisting(2)         !< torque on both nodes [N.m]
+      real(wp) :: k(12, 12)           !< force by (x_i, d_i, x_j, d_j)
+      real(wp) :: twist_row(2, 12)    !< twisting by (x_i, d_i, x_j, d_j)
+      real(wp) :: twist_column(12)    !< force by phi_j; by phi_i the opposite
       real(wp) :: twist_stiffness     !< GJ/L
    end type element_type
 
 contains
 
-   !> No tangent.
+   !> Sets forces, and where it is wanted the tangent, to zero.
    pure subroutine clear_element(element)
-      type(element_type), intent(out) :: element
+      type(element_type), intent(inout) :: element
+      element%force = 0.0_wp
+      element%twisting = 0.0_wp
+      if (.not. element%tangent) return
       element%k = 0.0_wp
       element%twist_row = 0.0_wp
       element%twist_column = 0.0_wp
       element%twist_stiffness = 0.0_wp
    end subroutine clear_element
 
-   !> A block's numbers one after the other, which go two at a time.
-   pure subroutine add_numbers(from, to)
-      real(wp), intent(in) :: from(36)
-      real(wp), intent(inout) :: to(36)
-      to = to + from
-   end subroutine add_numbers
+   !> A part of a square matrix: all, what is symmetric, or the rest.
+   pure function part_of(matrix, part) result(taken)
+      real(wp), intent(in) :: matrix(:, :)
+      integer, intent(in) :: part
+      real(wp) :: taken(size(matrix, 1), size(matrix, 1))
+      taken = matrix
+      if (part == part_energy) taken = 0.5_wp*(matrix + transpose(matrix))
+      if (part == part_rest) taken = 0.5_wp*(matrix - transpose(matrix))
+   end function part_of
 
    !> Adds an element's matrix to a chain.
-   pure subroutine scatter_more(mesh, e, d, element, matrix)
+   pure subroutine scatter_element(mesh, e, d, element, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
       real(wp), intent(in) :: d(3, 2)          !< directors of both nodes
@@ -50,15 +64,15 @@ contains
       gradient_j = director_gradient(mesh%frame(:, :, e + 1), d(:, 2))
       associate (frame_i => mesh%frame(:, :, e), frame_j => mesh%frame(:, :, e + 1))
          call project(element, 1, 1, frame_i, gradient_i, frame_i, gradient_i, block)
-         call add_numbers(block, matrix%diagonal(:, :, e))
+         matrix%diagonal(:, :, e) = matrix%diagonal(:, :, e) + block
          call project(element, 2, 2, frame_j, gradient_j, frame_j, gradient_j, block)
-         call add_numbers(block, matrix%diagonal(:, :, e + 1))
+         matrix%diagonal(:, :, e + 1) = matrix%diagonal(:, :, e + 1) + block
          call project(element, 1, 2, frame_i, gradient_i, frame_j, gradient_j, block)
-         call add_numbers(block, matrix%upper(:, :, e))
+         matrix%upper(:, :, e) = matrix%upper(:, :, e) + block
          call project(element, 2, 1, frame_j, gradient_j, frame_i, gradient_i, block)
-         call add_numbers(block, matrix%lower(:, :, e))
+         matrix%lower(:, :, e) = matrix%lower(:, :, e) + block
       end associate
-   end subroutine scatter_more
+   end subroutine scatter_element
 
    !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
    pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)

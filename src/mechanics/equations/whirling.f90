@@ -19,13 +19,12 @@
 !> axis.
 module dg_whirling
    use dg_kinds, only: wp
-   use dg_beam_blocks, only: part_energy, part_rest
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_coiling, only: coiling_load
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
-   use dg_scatter, only: element_type
+   use dg_scatter, only: element_type, part_energy, part_of, part_rest
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_vector, only: outer
    use dg_workspace, only: dof_twist
@@ -101,27 +100,23 @@ contains
       end do
    end subroutine free_vertical_stretches
 
-   !> Friction's torque on both nodes of an element: takes it off their torque residuals, adds its moments on the directors d to
-   !> `force` and, where it is wanted, a part of its tangent to the element's.
-   pure subroutine add_turning(turning, d, part, wanted, residual, force, element)
+   !> Friction's torque on both nodes of an element: takes it off their torque residuals, adds its moments on the directors d to the
+   !> element's force and, where it is wanted, a part of its tangent.
+   pure subroutine add_turning(turning, d, element)
       type(turning_type), intent(in) :: turning
       real(wp), intent(in) :: d(:, :)             !< directors of both nodes (3,2)
-      integer, intent(in) :: part                 !< of the tangent
-      logical, intent(in) :: wanted               !< the tangent is
-      real(wp), intent(inout) :: residual(2)      !< torque at both nodes [N.m]
-      real(wp), intent(inout) :: force(12)
       type(element_type), intent(inout) :: element
       real(wp) :: torque, by_d(3, 3), by_t(3, 3), by_torque(3), by_point(3, 3), turn(3)
       integer :: a, b, first
       do a = 1, 2
          first = 6*a - 2
          torque = -turning%lever*turning%force*turning%share(a)
-         residual(a) = residual(a) - torque
-         force(first:first + 2) = force(first:first + 2) + torque_force(torque, d(:, a), turning%tangent)
-         if (.not. wanted) cycle
+         element%twisting(a) = element%twisting(a) - torque
+         element%force(first:first + 2) = element%force(first:first + 2) + torque_force(torque, d(:, a), turning%tangent)
+         if (.not. element%tangent) cycle
          call torque_tangent(torque, d(:, a), turning%tangent, by_d, by_t, by_torque)
-         element%k(first:first + 2, first:first + 2) = element%k(first:first + 2, first:first + 2) + part_of(by_d, part)
-         if (part == part_energy) cycle
+         element%k(first:first + 2, first:first + 2) = element%k(first:first + 2, first:first + 2) + part_of(by_d, element%part)
+         if (element%part == part_energy) cycle
          turn = (turning%lever*turning%stiffness*turning%share(a))*turning%outward       ! - torque by the point
          by_point = outer(matmul(by_t, turning%bend), turning%tangent) - outer(by_torque, turn)
          do b = 1, 4
@@ -181,14 +176,4 @@ contains
          matrix%upper(slopes(i), :, 1) = matrix%upper(slopes(i), :, 1) + turn(i)*row
       end do
    end subroutine add_end_torque
-
-   !> A part of a matrix: all, what is symmetric, or the rest.
-   pure function part_of(matrix, part) result(taken)
-      real(wp), intent(in) :: matrix(3, 3)
-      integer, intent(in) :: part
-      real(wp) :: taken(3, 3)
-      taken = matrix
-      if (part == part_energy) taken = 0.5_wp*(matrix + transpose(matrix))
-      if (part == part_rest) taken = 0.5_wp*(matrix - transpose(matrix))
-   end function part_of
 end module dg_whirling

@@ -16,36 +16,33 @@
 !> F_tau, some percent of R, is the least that takes it. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
-   use dg_lanes, only: lanes
    implicit none
    private
    public :: touch_type, touch_tangent_type, contact_action, touch_tangents, moment_tangents, couple_action, couple_tangents
    public :: support_action
 
-   !> Gaps that touch, side by side, as their derivatives ask for them. Friction may be asked for at another normal force Q than
-   !> R, with another derivative, and the couple at another product r R a: parts of a tangent have some of them at zero. A gap that
-   !> is free has none of the three.
+   !> A gap that touches, as its derivatives ask for it. Friction may be asked for at another normal force Q than R, with another
+   !> derivative, and the couple at another product r R a: parts of a tangent have some of them at zero.
    type :: touch_type
-      real(wp), dimension(lanes, 3) :: gap         !< f [m], not zero, across tangent
-      real(wp), dimension(lanes, 3) :: tangent     !< t of the hole axis at the foot
-      real(wp), dimension(lanes, 3) :: curvature   !< k = dt/ds there [1/m]
-      real(wp), dimension(lanes, 3) :: direction   !< r' of the string, not normalised
-      real(wp), dimension(lanes) :: normal, normal_stiffness       !< R and its derivative by |f| [N, N/m]
-      real(wp), dimension(lanes) :: pressing, pressing_stiffness   !< Q and its derivative [N, N/m]
-      real(wp), dimension(lanes) :: couple, couple_stiffness       !< r R a of a sliding string and its derivative [N.m, N]
-      real(wp), dimension(lanes) :: axial, rotary, climbing, radius   !< as of contact_action
-      real(wp), dimension(lanes, 2) :: share       !< 1 - xi and xi, the part of either node in a moment along the string
-      real(wp), dimension(lanes, 4) :: shape, slope   !< N and dN/dx at xi
-      logical :: rubs                              !< some have a moment
-      logical :: slides                            !< some have a couple
+      real(wp) :: gap(3)         !< f [m], not zero, across tangent
+      real(wp) :: tangent(3)     !< t of the hole axis at the foot
+      real(wp) :: curvature(3)   !< k = dt/ds there [1/m]
+      real(wp) :: direction(3)   !< r' of the string, not normalised
+      real(wp) :: normal = 0.0_wp, normal_stiffness = 0.0_wp       !< R and its derivative by |f| [N, N/m]
+      real(wp) :: pressing = 0.0_wp, pressing_stiffness = 0.0_wp   !< Q and its derivative [N, N/m]
+      real(wp) :: couple = 0.0_wp, couple_stiffness = 0.0_wp       !< r R a of a sliding string and its derivative [N.m, N]
+      real(wp) :: axial, rotary, climbing, radius                  !< as of contact_action
+      real(wp) :: share(2)            !< 1 - xi and xi, the part of either node in a moment along the string
+      real(wp) :: shape(4), slope(4)  !< N and dN/dx at xi
    end type touch_type
 
-   !> Derivatives of F, M and of the couple's P, at gaps side by side.
+   !> Derivatives of F, M and of the couple's P.
    type :: touch_tangent_type
-      real(wp), dimension(lanes, 3) :: n, tau, moment
-      real(wp), dimension(lanes) :: reciprocal, chi             !< 1/|f|, and of the header
-      real(wp), dimension(lanes, 3, 3) :: force_by_point, moment_by_point
-      real(wp), dimension(lanes, 3, 3) :: force_by_direction, bend_by_point, bend_by_direction   !< of the couple, by r and r'
+      real(wp), dimension(3) :: n, tau, moment
+      real(wp) :: reciprocal, chi             !< 1/|f|, and of the header
+      real(wp), dimension(3, 3) :: force_by_point, moment_by_point
+      !> Of the couple, by r and r'; zero where there is none.
+      real(wp), dimension(3, 3) :: force_by_direction = 0.0_wp, bend_by_point = 0.0_wp, bend_by_direction = 0.0_wp
    end type touch_tangent_type
 
 contains
@@ -72,78 +69,39 @@ contains
    pure subroutine touch_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
-      real(wp) :: n1, n2, n3, tau1, tau2, tau3, t1, t2, t3, reciprocal, chi, k_tau, of_n, of_tau, of_t, along
-      real(wp) :: x1, x2, x3, y1, y2, y3, z1, z2, z3
-      integer :: l, j
-      do l = 1, lanes
-         t1 = touch%tangent(l, 1)
-         t2 = touch%tangent(l, 2)
-         t3 = touch%tangent(l, 3)
-         reciprocal = 1.0_wp/sqrt(touch%gap(l, 1)**2 + touch%gap(l, 2)**2 + touch%gap(l, 3)**2)
-         n1 = touch%gap(l, 1)*reciprocal
-         n2 = touch%gap(l, 2)*reciprocal
-         n3 = touch%gap(l, 3)*reciprocal
-         tau1 = t2*n3 - t3*n2
-         tau2 = t3*n1 - t1*n3
-         tau3 = t1*n2 - t2*n1
-         chi = 1.0_wp/(1.0_wp - (touch%curvature(l, 1)*touch%gap(l, 1) + touch%curvature(l, 2)*touch%gap(l, 2) &
-                                 + touch%curvature(l, 3)*touch%gap(l, 3)))
-         k_tau = touch%curvature(l, 1)*tau1 + touch%curvature(l, 2)*tau2 + touch%curvature(l, 3)*tau3
-         by%n(l, 1) = n1
-         by%n(l, 2) = n2
-         by%n(l, 3) = n3
-         by%tau(l, 1) = tau1
-         by%tau(l, 2) = tau2
-         by%tau(l, 3) = tau3
-         by%reciprocal(l) = reciprocal
-         by%chi(l) = chi
-         ! dyads with n, tau and t on the right: x, y and z on the left
-         of_n = -touch%normal_stiffness(l)
-         of_tau = -touch%pressing_stiffness(l)*touch%climbing(l)
-         of_t = touch%pressing_stiffness(l)*touch%axial(l)
-         x1 = of_n*n1 + of_tau*tau1 + of_t*t1
-         x2 = of_n*n2 + of_tau*tau2 + of_t*t2
-         x3 = of_n*n3 + of_tau*tau3 + of_t*t3
-         of_n = reciprocal*touch%pressing(l)*touch%climbing(l)
-         of_tau = -reciprocal*touch%normal(l)
-         y1 = of_n*n1 + of_tau*tau1
-         y2 = of_n*n2 + of_tau*tau2
-         y3 = of_n*n3 + of_tau*tau3
-         along = touch%pressing(l)*chi*touch%axial(l)
-         of_t = touch%pressing(l)*chi*touch%climbing(l)*k_tau - touch%normal(l)*(1.0_wp - chi)*reciprocal
-         z1 = along*touch%curvature(l, 1) + of_t*t1
-         z2 = along*touch%curvature(l, 2) + of_t*t2
-         z3 = along*touch%curvature(l, 3) + of_t*t3
+      real(wp), dimension(3) :: x, y, z      ! on the left of dyads with n, tau and t
+      integer :: j
+      associate (t => touch%tangent, k => touch%curvature)
+         by%reciprocal = 1.0_wp/sqrt(dot_product(touch%gap, touch%gap))
+         by%n = touch%gap*by%reciprocal
+         by%tau = product_of(t, by%n)
+         by%chi = 1.0_wp/(1.0_wp - dot_product(k, touch%gap))
+         x = touch%pressing_stiffness*(touch%axial*t - touch%climbing*by%tau) - touch%normal_stiffness*by%n
+         y = by%reciprocal*(touch%pressing*touch%climbing*by%n - touch%normal*by%tau)
+         z = touch%pressing*by%chi*(touch%axial*k + touch%climbing*dot_product(k, by%tau)*t) &
+             - touch%normal*(1.0_wp - by%chi)*by%reciprocal*t
          do j = 1, 3
-            by%force_by_point(l, 1, j) = x1*by%n(l, j) + y1*by%tau(l, j) + z1*touch%tangent(l, j)
-            by%force_by_point(l, 2, j) = x2*by%n(l, j) + y2*by%tau(l, j) + z2*touch%tangent(l, j)
-            by%force_by_point(l, 3, j) = x3*by%n(l, j) + y3*by%tau(l, j) + z3*touch%tangent(l, j)
+            by%force_by_point(:, j) = x*by%n(j) + y*by%tau(j) + z*t(j)
          end do
-      end do
+      end associate
    end subroutine touch_tangents
 
    !> M by Q, and its derivatives by the point's position [N.m, N]; after touch_tangents.
    pure subroutine moment_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
-      real(wp) :: lever(3), x, y, z, of_n, of_k, of_t, k_tau
-      integer :: l, i
-      do l = 1, lanes
-         k_tau = touch%curvature(l, 1)*by%tau(l, 1) + touch%curvature(l, 2)*by%tau(l, 2) + touch%curvature(l, 3)*by%tau(l, 3)
-         of_n = touch%pressing(l)*touch%radius(l)*touch%axial(l)*by%reciprocal(l)
-         of_t = touch%pressing(l)*touch%radius(l)*by%chi(l)*touch%axial(l)*k_tau
-         of_k = -touch%pressing(l)*touch%radius(l)*by%chi(l)*touch%rotary(l)
-         do i = 1, 3
-            lever(i) = -touch%radius(l)*(touch%axial(l)*by%tau(l, i) + touch%rotary(l)*touch%tangent(l, i))
-            by%moment(l, i) = touch%pressing(l)*lever(i)
-            x = touch%pressing_stiffness(l)*lever(i)
-            y = of_n*by%n(l, i)
-            z = of_t*touch%tangent(l, i) + of_k*touch%curvature(l, i)
-            by%moment_by_point(l, i, 1) = x*by%n(l, 1) + y*by%tau(l, 1) + z*touch%tangent(l, 1)
-            by%moment_by_point(l, i, 2) = x*by%n(l, 2) + y*by%tau(l, 2) + z*touch%tangent(l, 2)
-            by%moment_by_point(l, i, 3) = x*by%n(l, 3) + y*by%tau(l, 3) + z*touch%tangent(l, 3)
+      real(wp), dimension(3) :: lever, x, y, z      ! as in touch_tangents
+      integer :: j
+      associate (t => touch%tangent, k => touch%curvature)
+         lever = -touch%radius*(touch%axial*by%tau + touch%rotary*t)
+         by%moment = touch%pressing*lever
+         x = touch%pressing_stiffness*lever
+         y = touch%pressing*touch%radius*touch%axial*by%reciprocal*by%n
+         z = touch%pressing*touch%radius*by%chi*(touch%axial*dot_product(k, by%tau)*t - touch%rotary*k)
+         do j = 1, 3
+            by%moment_by_point(:, j) = x*by%n(j) + y*by%tau(j) + z*t(j)
          end do
-      end do
+      end associate
    end subroutine moment_tangents
 
    !> The couple of axial friction on a string that is near a helix and does not rotate: F_tau on the point and P on r'.
@@ -168,49 +126,32 @@ contains
    pure subroutine couple_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
-      real(wp) :: d(3), across(3), along_t(3), by_t(3), stretch, d_n, d_tau, d_t, turned, of_n, of_tau, swing, k_n(3)
-      integer :: l, i, j
-      do l = 1, lanes
-         stretch = 1.0_wp/sqrt(touch%direction(l, 1)**2 + touch%direction(l, 2)**2 + touch%direction(l, 3)**2)
-         d(1) = touch%direction(l, 1)*stretch
-         d(2) = touch%direction(l, 2)*stretch
-         d(3) = touch%direction(l, 3)*stretch
-         d_n = d(1)*by%n(l, 1) + d(2)*by%n(l, 2) + d(3)*by%n(l, 3)
-         d_tau = d(1)*by%tau(l, 1) + d(2)*by%tau(l, 2) + d(3)*by%tau(l, 3)
-         ! from dtau along t
-         k_n(1) = touch%curvature(l, 2)*by%n(l, 3) - touch%curvature(l, 3)*by%n(l, 2)
-         k_n(2) = touch%curvature(l, 3)*by%n(l, 1) - touch%curvature(l, 1)*by%n(l, 3)
-         k_n(3) = touch%curvature(l, 1)*by%n(l, 2) - touch%curvature(l, 2)*by%n(l, 1)
-         turned = d(1)*k_n(1) + d(2)*k_n(2) + d(3)*k_n(3)
-         swing = touch%couple(l)*by%reciprocal(l)
-         of_n = -by%reciprocal(l)*d_tau*(touch%couple_stiffness(l) - swing)
-         of_tau = swing*by%reciprocal(l)
-         do i = 1, 3
-            by_t(i) = -swing*by%chi(l)*(turned*by%tau(l, i) + d_tau*k_n(i))
-            do j = 1, 3
-               by%force_by_point(l, i, j) = by%force_by_point(l, i, j) + by_t(i)*touch%tangent(l, j) &
-                                            + of_n*by%tau(l, i)*by%n(l, j) &
-                                            + of_tau*(d_n*by%tau(l, i) + d_tau*by%n(l, i))*by%tau(l, j)
-               by%force_by_direction(l, i, j) = -swing*stretch*by%tau(l, i)*(by%tau(l, j) - d_tau*d(j))
-            end do
-         end do
-         d_t = d(1)*touch%tangent(l, 1) + d(2)*touch%tangent(l, 2) + d(3)*touch%tangent(l, 3)
-         swing = touch%couple(l)*stretch*by%reciprocal(l)
-         do i = 1, 3
-            across(i) = by%n(l, i) - d(i)*d_n
-            along_t(i) = (1.0_wp - by%chi(l))*(touch%tangent(l, i) - d(i)*d_t)
-         end do
-         of_n = -touch%couple_stiffness(l)*stretch
-         of_tau = touch%couple(l)*stretch*stretch
+      real(wp), dimension(3) :: d, across, along_t, by_t, k_n
+      real(wp) :: stretch, d_n, d_tau, swing
+      integer :: j
+      associate (t => touch%tangent, n => by%n, tau => by%tau)
+         stretch = 1.0_wp/sqrt(dot_product(touch%direction, touch%direction))
+         d = touch%direction*stretch
+         d_n = dot_product(d, n)
+         d_tau = dot_product(d, tau)
+         k_n = product_of(touch%curvature, n)
+         swing = touch%couple*by%reciprocal
+         by_t = -swing*by%chi*(dot_product(d, k_n)*tau + d_tau*k_n)      ! from dtau along t
          do j = 1, 3
-            do i = 1, 3
-               by%bend_by_point(l, i, j) = of_n*across(i)*by%n(l, j) &
-                                       - swing*((by%tau(l, i) - d(i)*d_tau)*by%tau(l, j) + along_t(i)*touch%tangent(l, j))
-               by%bend_by_direction(l, i, j) = of_tau*(across(i)*d(j) + d(i)*across(j) - d_n*d(i)*d(j))
-            end do
-            by%bend_by_direction(l, j, j) = by%bend_by_direction(l, j, j) + of_tau*d_n
+            by%force_by_point(:, j) = by%force_by_point(:, j) + by_t*t(j) &
+                                      - by%reciprocal*d_tau*(touch%couple_stiffness - swing)*tau*n(j) &
+                                      + swing*by%reciprocal*(d_n*tau + d_tau*n)*tau(j)
+            by%force_by_direction(:, j) = -swing*stretch*tau*(tau(j) - d_tau*d(j))
          end do
-      end do
+         across = n - d*d_n
+         along_t = (1.0_wp - by%chi)*(t - d*dot_product(d, t))
+         do j = 1, 3
+            by%bend_by_point(:, j) = -touch%couple_stiffness*stretch*across*n(j) &
+                                     - swing*stretch*((tau - d*d_tau)*tau(j) + along_t*t(j))
+            by%bend_by_direction(:, j) = touch%couple*stretch**2*(across*d(j) + d*across(j) - d_n*d*d(j))
+            by%bend_by_direction(j, j) = by%bend_by_direction(j, j) + touch%couple*stretch**2*d_n
+         end do
+      end associate
    end subroutine couple_tangents
 
    !> A support that holds a node on the hole axis with a stiff spring [N/m], sliding freely along it:

@@ -2,8 +2,7 @@
 !> Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name, &
-                             way_count, way_name, way_not_asked, way_planar
+   use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
@@ -113,23 +112,7 @@ contains
          unit_label(units, unit_moment)
       call append_text(lines, line)
       if (any(results%element_lengths(2) > 0.0_wp)) call append_text(lines, mesh_line(results, units))
-      if (any(results%way /= way_not_asked)) call append_text(lines, plane_line(results))
    end subroutine append_costs
-
-   !> How many cases were solved in the plane of their hole, and why the others were not.
-   pure function plane_line(results) result(line)
-      type(case_result_type), intent(in) :: results(:)
-      character(:), allocatable :: line
-      integer :: i, number
-      line = 'solved in the plane of the hole: '//to_text(count(results%way == way_planar))//' of '//to_text(size(results))
-      number = 0
-      do i = 1, way_count
-         if (i == way_planar .or. .not. any(results%way == i)) cycle
-         line = line//trim(merge('; in space:', ',          ', number == 0))//' '//trim(way_name(i))//' ('// &
-            to_text(count(results%way == i))//')'
-         number = number + 1
-      end do
-   end function plane_line
 
    !> What the meshes are like, and which local scales asked for shorter elements than the deck, in all cases together.
    pure function mesh_line(results, units) result(line)

@@ -19,8 +19,8 @@ module dg_numerics
    character(*), parameter :: gap_location_name(gap_location_count) = [character(8) :: 'extremum', 'nodes']
 
    integer, parameter :: fidelity_count = 4
-   !> Names in decks. auto lets elements be as long as the local scale bears and solves in their plane strings that stay in one;
-   !> fast the same with fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere, and for space.
+   !> Names in decks. auto lets elements be as long as the local scale bears; fast the same with
+   !> fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere.
    !> All but fast find moments on elements short enough for them; reference proves these by halving the elements.
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
@@ -46,7 +46,6 @@ module dg_numerics
       logical :: moments = .false.             !< moments along the string are found on elements short enough for them
       logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
       logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
-      logical :: in_plane = .false.            !< strings that stay in the plane of their hole are solved in it
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 1300         !< of all attempts at a case together: those of dg_tuning
       integer :: load_steps = 1                !< increments of friction and bit loads
@@ -104,7 +103,6 @@ contains
          numerics%element_length = fidelity_length(i)
          numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity_name(i) == 'fast')
          numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity_name(i) == 'fast')
-         numerics%in_plane = any(fidelity_name(i) == ['auto', 'fast'])
          numerics%moments = fidelity_name(i) /= 'fast'
          numerics%halve_moments = fidelity_name(i) == 'reference'
       end do

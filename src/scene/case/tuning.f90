@@ -44,11 +44,8 @@ module dg_tuning
       integer :: most_meshes = 4
       !> Times that elements are cut where the string stands outside its hole.
       integer :: most_cuts = 3
-      !> Iterations in the plane of the hole before the string is solved in space.
-      integer :: longest_in_plane = 30
       !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
-      !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long. No more than 0.4: a string that may buckle
-      !> is not solved in a plane.
+      !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long.
       real(wp) :: watch_share = 0.25_wp
 
       ! ---- the start (dg_predictor, dg_buckled_start, dg_bent_start, dg_walls)

@@ -336,14 +336,12 @@ module dg_deck_keys
          meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
 
    ! Defaults of the solver stand in dg_numerics and are not repeated here.
-   type(key_rule_type), parameter :: solver_keys(22) = [ &
+   type(key_rule_type), parameter :: solver_keys(21) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
-         meaning='longest element 30, 60, 10, 1 m; auto and fast: in_plane; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
+         meaning='longest element 30, 60, 10, 1 m; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
-      key_rule_type('solver', 'in_plane', kind_text, choices='auto never', &
-         meaning='auto: a string that stays in the plane of its hole is solved in it; default that of fidelity'), &
       key_rule_type('solver', 'friction_range', kind_logical, default='.true.', &
          meaning='a sliding string that coils is solved from the low side, too, and the range of hook loads told'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &

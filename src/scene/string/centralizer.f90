@@ -8,7 +8,7 @@ module dg_centralizer
    public :: centralizer_type, contact_length, bow_stiffness, bow_opening, at_centralizer, centralizer_ends
 
    !> Length of string at which a centraliser touches [m]. It acts at the middle, as at a point. On elements of 0.2 m, round-off in
-   !> the places of nodes left lateral forces of a millinewton, too many for the string to be solved in the plane of its hole.
+   !> the places of nodes leaves lateral forces of a millinewton.
    real(wp), parameter :: contact_length = 0.5_wp
    !> Part of the clearance by which a body is off the axis at a standoff of 67 % (API 10D), at which a restoring force is told [-].
    real(wp), parameter :: rated_offset = 0.33_wp

@@ -27,7 +27,7 @@ module dg_bending_beam
    implicit none
    private
    public :: bending_beam_type, bent_type, node_unknowns
-   public :: set_elements, is_planar, press_points, find_forces, length_of
+   public :: set_elements, press_points, find_forces, length_of
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
@@ -39,9 +39,6 @@ module dg_bending_beam
       real(wp), allocatable :: axial(:)         !< T at the nodes [N]
       real(wp), allocatable :: down(:, :)       !< part of the unit vector downwards that is across the hole, at the nodes (2,n) [-]
       real(wp), allocatable :: viscous(:)       !< stiffness that holds a compressed string during the iteration, at the nodes [N/m]
-      !> Direction across the hole, on n_1 and n_2, out of which nothing pushes the beam: it stays in that plane, without torque and
-      !> friction around the hole. 0: it may bend to any side.
-      real(wp) :: lateral(2) = 0.0_wp
       logical, allocatable :: held(:)           !< nodes whose offset and slope stay as they are
       logical, allocatable :: centred(:)        !< nodes whose offset stays as it is
       integer, allocatable :: owner(:)          !< element of the analysis in which an element of the beam lies
@@ -79,34 +76,12 @@ contains
    pure subroutine set_elements(beam)
       type(bending_beam_type), intent(inout) :: beam
       integer :: e
-      if (is_planar(beam)) then      ! what points out of the plane is round-off
-         call lay_in_plane(beam%lateral, beam%down)
-         call lay_in_plane(beam%lateral, beam%curvature)
-         call lay_in_plane(beam%lateral, beam%bend)
-      end if
       do e = 1, size(beam%ei)
          call set_element(beam%md(e + 1) - beam%md(e), beam%ei(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
                           beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
          if (allocated(beam%push)) call push_element(beam%push(:, e), beam%element(e))
       end do
    end subroutine set_elements
-
-   !> Whether the beam stays in a plane.
-   pure function is_planar(beam) result(planar)
-      type(bending_beam_type), intent(in) :: beam
-      logical :: planar
-      planar = any(abs(beam%lateral) > 0.0_wp)
-   end function is_planar
-
-   !> Leaves of vectors across the hole what lies along a direction.
-   pure subroutine lay_in_plane(lateral, vectors)
-      real(wp), intent(in) :: lateral(2)
-      real(wp), intent(inout) :: vectors(:, :)
-      integer :: i
-      do i = 1, size(vectors, 2)
-         vectors(:, i) = (lateral(1)*vectors(1, i) + lateral(2)*vectors(2, i))*lateral
-      end do
-   end subroutine lay_in_plane
 
    !> How the wall presses on tool joints at a shape.
    pure subroutine press_points(beam, offset, push)

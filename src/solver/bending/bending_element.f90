@@ -9,8 +9,8 @@ module dg_bending_element
    public :: beam_element_type, wall_push_type, contact_places, contact_xi, contact_value, contact_slope
    public :: set_element, push_element, push_at, add_action, add_stiffness, moments_of_shape
 
-   !> Places of an element at which the wall is felt. A node has two unknowns in a plane, offset and slope; more places than two
-   !> would leave a string that lies on the wall no freedom to bend along it.
+   !> Places of an element at which the wall is felt. A node has an offset and a slope to each side; more places
+   !> than two would leave a string that lies on the wall no freedom to bend along it.
    integer, parameter :: contact_places = 2
    real(wp), parameter :: third = 1.0_wp/sqrt(3.0_wp)
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]

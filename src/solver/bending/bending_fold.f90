@@ -1,22 +1,20 @@
 !> A bending beam folded in the middle, for dg_bending_pair. Of n nodes number n/2 + 1 is the middle one. The first dimension of
 !> arrays over nodes is of upper and lower half. The last one counts from the ends to the middle, where it is n/2 + 1: the middle
 !> node stands in both halves. In a beam of an even number of nodes the lower half begins with a node that is none, and an element
-!> that is none. A beam that stays in a plane is turned into it: its nodes have offset and slope in the plane alone.
+!> that is none.
 module dg_bending_fold
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, is_planar, node_unknowns
+   use dg_bending_beam, only: bending_beam_type, node_unknowns
    use dg_bending_pair, only: beam_pair_type, pair, pair_push_type, put_element
-   use dg_plane_bending, only: plane_unknowns, turn_into_plane
    implicit none
    private
-   public :: folded_beam_type, fold_beam, fold_shape, unfold_shape, unfold_forces, half_of, unknowns_of, keep, mirror
+   public :: folded_beam_type, fold_beam, fold_shape, unfold_shape, unfold_forces, half_of, keep, mirror
 
    !> What offsets and slopes in the upper half are multiplied by where they are seen from the lower one [-].
    real(wp), parameter :: mirror(node_unknowns) = [1.0_wp, 1.0_wp, -1.0_wp, -1.0_wp]
 
    type :: folded_beam_type
       integer :: middle = 0                          !< number of the middle node
-      integer :: unknowns = node_unknowns            !< of a node; plane_unknowns in a plane
       type(beam_pair_type), allocatable :: pairs(:)  !< (middle-1)
       real(wp), allocatable :: viscous(:, :)         !< of the beam; of the middle node in the upper half alone (2,middle) [N/m]
       integer, allocatable :: fixed(:, :)            !< how many of a node's unknowns, from the first on, stay (2,middle)
@@ -34,20 +32,18 @@ contains
       nodes = size(beam%md)
       middle = nodes/2 + 1
       folded%middle = middle
-      folded%unknowns = unknowns_of(beam)
       allocate (folded%pairs(middle - 1), folded%viscous(pair, middle), folded%fixed(pair, middle), folded%plain(middle))
       allocate (folded%point(pair, middle), source=0)
       do n = 1, middle
          do half = 1, pair
             node = merge(n, 2*middle - n, half == 1)
-            folded%fixed(half, n) = folded%unknowns
+            folded%fixed(half, n) = node_unknowns
             folded%viscous(half, n) = 0.0_wp
             if (node > nodes) cycle
-            folded%fixed(half, n) = merge(folded%unknowns, merge(folded%unknowns/2, 0, beam%centred(node)), beam%held(node))
+            folded%fixed(half, n) = merge(node_unknowns, merge(node_unknowns/2, 0, beam%centred(node)), beam%held(node))
             if (half == 1 .or. n < middle) folded%viscous(half, n) = beam%viscous(node)
             if (n < middle) call put_element(beam%element(merge(node, node - 1, half == 1)), half, folded%pairs(n))
          end do
-         if (folded%unknowns == plane_unknowns .and. n < middle) call turn_into_plane(beam%lateral, folded%pairs(n))
       end do
       do p = 1, size(beam%point)
          call half_of(middle, beam%point(p), half, n)
@@ -66,55 +62,29 @@ contains
       n = merge(node, 2*middle - node, node <= middle)
    end subroutine half_of
 
-   !> Unknowns of a node of a beam's folded equations.
-   pure function unknowns_of(beam) result(unknowns)
-      type(bending_beam_type), intent(in) :: beam
-      integer :: unknowns
-      unknowns = merge(plane_unknowns, node_unknowns, is_planar(beam))
-   end function unknowns_of
-
    !> Folds offsets and slopes.
-   pure subroutine fold_shape(lateral, shape, folded)
-      real(wp), intent(in) :: lateral(2)                      !< direction of the plane, where the folded beam is in one
+   pure subroutine fold_shape(shape, folded)
       real(wp), contiguous, intent(in) :: shape(:, :)         !< (4,n) [m, -]
-      real(wp), contiguous, intent(out) :: folded(:, :, :)    !< (2,unknowns,n/2+1)
+      real(wp), contiguous, intent(out) :: folded(:, :, :)    !< (2,4,n/2+1)
       integer :: n, middle
       middle = size(folded, 3)
       folded(2, :, 1) = 0.0_wp
-      if (size(folded, 2) == plane_unknowns) then
-         do n = 1, middle
-            folded(1, 1, n) = lateral(1)*shape(1, n) + lateral(2)*shape(2, n)
-            folded(1, 2, n) = lateral(1)*shape(3, n) + lateral(2)*shape(4, n)
-            if (2*middle - n > size(shape, 2)) cycle
-            folded(2, 1, n) = lateral(1)*shape(1, 2*middle - n) + lateral(2)*shape(2, 2*middle - n)
-            folded(2, 2, n) = -(lateral(1)*shape(3, 2*middle - n) + lateral(2)*shape(4, 2*middle - n))
-         end do
-      else
-         do n = 1, middle
-            folded(1, :, n) = shape(:, n)
-            if (2*middle - n <= size(shape, 2)) folded(2, :, n) = mirror*shape(:, 2*middle - n)
-         end do
-      end if
+      do n = 1, middle
+         folded(1, :, n) = shape(:, n)
+         if (2*middle - n <= size(shape, 2)) folded(2, :, n) = mirror*shape(:, 2*middle - n)
+      end do
    end subroutine fold_shape
 
    !> And back.
-   pure subroutine unfold_shape(lateral, folded, shape)
-      real(wp), intent(in) :: lateral(2)
+   pure subroutine unfold_shape(folded, shape)
       real(wp), contiguous, intent(in) :: folded(:, :, :)
       real(wp), contiguous, intent(out) :: shape(:, :)
       integer :: n, middle
       middle = size(folded, 3)
-      if (size(folded, 2) == plane_unknowns) then
-         do n = 1, middle
-            if (2*middle - n <= size(shape, 2)) shape(:, 2*middle - n) = [folded(2, 1, n)*lateral, -folded(2, 2, n)*lateral]
-            shape(:, n) = [folded(1, 1, n)*lateral, folded(1, 2, n)*lateral]
-         end do
-      else
-         do n = 1, middle
-            if (2*middle - n <= size(shape, 2)) shape(:, 2*middle - n) = mirror*folded(2, :, n)
-            shape(:, n) = folded(1, :, n)
-         end do
-      end if
+      do n = 1, middle
+         if (2*middle - n <= size(shape, 2)) shape(:, 2*middle - n) = mirror*folded(2, :, n)
+         shape(:, n) = folded(1, :, n)
+      end do
    end subroutine unfold_shape
 
    !> Contact forces at the places of the elements.

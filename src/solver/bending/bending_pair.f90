@@ -13,7 +13,6 @@ module dg_bending_pair
    private
    public :: pair, beam_pair_type, pair_push_type, put_element, pair_action, pair_stiffness, raise_moments
    public :: mean_slope, skew_slope
-   public :: a1, a2, a3, a4, b1, b2, b3, b4, sa1, sa2, sa3, sa4, sb1, sb2, sb3, sb4
 
    integer, parameter :: pair = 2
 

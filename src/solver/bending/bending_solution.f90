@@ -8,14 +8,12 @@
 !> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, is_planar, node_unknowns, press_points
+   use dg_bending_beam, only: bending_beam_type, node_unknowns, press_points
    use dg_bending_element, only: add_action, contact_places, wall_push_type
    use dg_bending_elimination, only: newton_step
-   use dg_bending_fold, only: fold_beam, fold_shape, folded_beam_type, half_of, unfold_forces, unfold_shape, unknowns_of
+   use dg_bending_fold, only: fold_beam, fold_shape, folded_beam_type, half_of, mirror, unfold_forces, unfold_shape
    use dg_bending_pair, only: pair, pair_action, pair_push_type, raise_moments
    use dg_largest, only: largest_of
-   use dg_plane_bending, only: plane_action, plane_unknowns, raise_plane_moments
-   use dg_plane_elimination, only: plane_newton_step
    implicit none
    private
    public :: solve_bending, least_moment
@@ -43,21 +41,21 @@ contains
       type(folded_beam_type) :: folded
       type(pair_push_type) :: push(contact_places, size(y, 2)/2)
       type(wall_push_type) :: points(size(beam%point))
-      real(wp), dimension(pair, unknowns_of(beam), size(y, 2)/2 + 1) :: shape, residual, step, trial
+      real(wp), dimension(pair, node_unknowns, size(y, 2)/2 + 1) :: shape, residual, step, trial
       real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
       real(wp), allocatable :: springs(:, :, :)      ! the anchor, or nothing
       integer :: iteration, try
       call fold_beam(beam, folded)
-      call fold_shape(beam%lateral, y, shape)
+      call fold_shape(y, shape)
       scale = largest_load(beam)
       least = least_moment(beam)
       found = .false.
       if (present(anchor)) then
          allocate (springs, mold=shape)
-         call fold_shape(beam%lateral, anchor, springs)
+         call fold_shape(anchor, springs)
       else
-         allocate (springs(pair, folded%unknowns, 0))
+         allocate (springs(pair, node_unknowns, 0))
       end if
       call find_residual(beam, folded, shape, springs, push, points, residual)
       do iteration = 0, most_iterations
@@ -90,7 +88,7 @@ contains
          if (share >= 1.0_wp) found = is_small(folded, shape, step, settled, least)
          if (found) exit
       end do
-      call unfold_shape(beam%lateral, shape, y)
+      call unfold_shape(shape, y)
       if (present(pressed)) call unfold_forces(push, pressed)
    end subroutine solve_bending
 
@@ -107,11 +105,7 @@ contains
       integer :: viscous, more
       viscous = merge(1, 0, anchored)
       do more = 0, 1
-         if (folded%unknowns == plane_unknowns) then
-            call plane_newton_step(beam, folded, push, points, viscous + more, more > 0, residual, step, solved)
-         else
-            call newton_step(beam, folded, push, points, viscous + more, more > 0, residual, step, solved)
-         end if
+         call newton_step(beam, folded, push, points, viscous + more, more > 0, residual, step, solved)
          if (solved) return
       end do
    end subroutine find_step
@@ -126,28 +120,19 @@ contains
       type(wall_push_type), intent(inout) :: points(:)       !< of tool joints
       !> Of the middle node in the upper half; zero there in the lower one [N, N.m].
       real(wp), contiguous, intent(out) :: residual(:, :, :)
-      integer :: n, i, half       ! of a node's unknowns: offsets, then slopes
+      integer :: n, i
       residual(:, :, 1) = 0.0_wp
-      if (folded%unknowns == plane_unknowns) then
-         do n = 1, folded%middle - 1
-            call plane_action(folded%pairs(n), shape(:, :, n), shape(:, :, n + 1), push(:, n), residual(:, :, n), &
-                              residual(:, :, n + 1))
-         end do
-      else
-         do n = 1, folded%middle - 1
-            call pair_action(folded%pairs(n), shape(:, :, n), shape(:, :, n + 1), push(:, n), residual(:, :, n), &
-                             residual(:, :, n + 1))
-         end do
-      end if
+      do n = 1, folded%middle - 1
+         call pair_action(folded%pairs(n), shape(:, :, n), shape(:, :, n + 1), push(:, n), residual(:, :, n), &
+                          residual(:, :, n + 1))
+      end do
       n = folded%middle
-      half = folded%unknowns/2
-      residual(1, :half, n) = residual(1, :half, n) + residual(2, :half, n)
-      residual(1, half + 1:, n) = residual(1, half + 1:, n) - residual(2, half + 1:, n)
+      residual(1, :, n) = residual(1, :, n) + mirror*residual(2, :, n)
       residual(2, :, n) = 0.0_wp
       if (size(points) > 0) call add_points(beam, folded, shape, points, residual)
       if (size(anchor, 3) > 0) then
          do n = 1, folded%middle
-            do i = 1, half
+            do i = 1, node_unknowns/2       ! offsets
                residual(:, i, n) = residual(:, i, n) + folded%viscous(:, n)*(shape(:, i, n) - anchor(:, i, n))
             end do
          end do
@@ -167,12 +152,10 @@ contains
       type(wall_push_type), intent(inout) :: points(:)
       real(wp), contiguous, intent(inout) :: residual(:, :, :)
       real(wp) :: offset(2, size(points)), action(node_unknowns)
-      integer :: p, e, every, half(size(points)), n(size(points))
+      integer :: p, e, half(size(points)), n(size(points))
       call half_of(folded%middle, beam%point, half, n)
-      every = node_unknowns/folded%unknowns        ! the plane's direction is the first one
-      offset = 0.0_wp
       do p = 1, size(points)
-         offset(:3 - every, p) = shape(half(p), :3 - every, n(p))
+         offset(:, p) = shape(half(p), :2, n(p))
       end do
       call press_points(beam, offset, points)
       do p = 1, size(points)
@@ -180,7 +163,7 @@ contains
          e = min(beam%point(p), size(beam%element))
          action = 0.0_wp
          call add_action(points(p), merge(1, -1, half(p) == 1)*beam%element(e)%lever, beam%element(e)%around, action)
-         residual(half(p), :, n(p)) = residual(half(p), :, n(p)) + action(::every)
+         residual(half(p), :, n(p)) = residual(half(p), :, n(p)) + action
       end do
    end subroutine add_points
 
@@ -206,8 +189,6 @@ contains
          above = beam%element(e)%load(5:6)
       end do
       load = max(load, maxval(abs(above)))
-      ! in a plane the residual is along it, and so is the load
-      if (is_planar(beam)) load = load/maxval(abs(beam%lateral))
    end function largest_load
 
    !> The shape that a part of a step leads to.
@@ -244,11 +225,7 @@ contains
       most = 0.0_wp
       changed = 0.0_wp
       do n = 1, size(folded%pairs)
-         if (folded%unknowns == plane_unknowns) then
-            call raise_plane_moments(folded%pairs(n), y(:, :, n), y(:, :, n + 1), step(:, :, n), step(:, :, n + 1), most, changed)
-         else
-            call raise_moments(folded%pairs(n), y(:, :, n), y(:, :, n + 1), step(:, :, n), step(:, :, n + 1), most, changed)
-         end if
+         call raise_moments(folded%pairs(n), y(:, :, n), y(:, :, n + 1), step(:, :, n), step(:, :, n + 1), most, changed)
       end do
       small = maxval(changed) <= part**2*max(maxval(most), least**2)
    end function is_small

@@ -23,7 +23,6 @@ module dg_contact_problem
    use dg_gap_table, only: gap_table_type
    use dg_linear_solver, only: solve_linear
    use dg_mesh, only: mesh_type
-   use dg_plane_assembly, only: find_rows_in_plane
    use dg_positive_definite, only: block_positive_definite
    use dg_tuning, only: tuning_type
    use dg_viscosity, only: viscosity_most
@@ -34,8 +33,7 @@ module dg_contact_problem
    public :: solve_problem, in_series
 
    type :: contact_problem_type
-      integer :: unknowns = block_size         !< of a node
-      real(wp), allocatable :: by(:, :)        !< change of |f| by the unknowns of the element's nodes (2*unknowns,e)
+      real(wp), allocatable :: by(:, :)        !< change of |f| by the unknowns of the element's nodes (12,e)
       real(wp), allocatable :: on(:, :)        !< residual by the contact force, the same
       real(wp), allocatable :: penalty(:)      !< rho (e) [N/m]
       real(wp), allocatable :: deep(:)         !< h (e) [m]
@@ -43,7 +41,7 @@ module dg_contact_problem
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
       real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included; then the residual that a step leads to
-                                               !< (unknowns,nodes)
+                                               !< (6,nodes)
       type(follower_type), allocatable :: followers(:)   !< gaps whose places are unknowns, too
       integer :: unsettled = 0                 !< gaps that would still open or close when its rounds were over
    end type contact_problem_type
@@ -51,35 +49,27 @@ module dg_contact_problem
 contains
 
    !> Room for a mesh.
-   pure subroutine new_contact_problem(mesh, unknowns, problem)
+   pure subroutine new_contact_problem(mesh, problem)
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: unknowns          !< of a node
       type(contact_problem_type), intent(out) :: problem
-      problem%unknowns = unknowns
-      allocate (problem%by(2*unknowns, mesh%elements), problem%on(2*unknowns, mesh%elements), problem%penalty(mesh%elements), &
+      allocate (problem%by(2*block_size, mesh%elements), problem%on(2*block_size, mesh%elements), problem%penalty(mesh%elements), &
                 problem%deep(mesh%elements), problem%moved(mesh%elements), problem%wanted(mesh%elements), &
-                problem%load(unknowns, mesh%nodes), source=0.0_wp)
+                problem%load(block_size, mesh%nodes), source=0.0_wp)
       allocate (problem%closed(mesh%elements), source=.false.)
       allocate (problem%followers(0))
    end subroutine new_contact_problem
 
-   !> Rows, penalties and depths at `state`, at which `work` has been placed and surveyed.
-   pure subroutine measure_contacts(equations, mesh, loads, gaps, state, soft, work, problem)
-      type(equations_type), intent(in) :: equations
+   !> Rows, penalties and depths at the state at which `work` has been placed and surveyed.
+   pure subroutine measure_contacts(mesh, loads, gaps, soft, work, problem)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
       real(wp), intent(in) :: soft                 !< stiffness in series with the wall's [N/m2]
       type(workspace_type), intent(inout) :: work  !< with the contact forces
       type(contact_problem_type), intent(inout) :: problem
       real(wp) :: wall
       integer :: e
-      if (equations%planar) then
-         call find_rows_in_plane(mesh, equations%plane, loads, gaps, state, work, problem%by, problem%on)
-      else
-         call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, problem%by, problem%on)
-      end if
+      call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, problem%by, problem%on)
       do e = 1, mesh%elements
          wall = merge(gaps%law(e)%maximum, gaps%law(e)%contact, gaps%state(e) == state_rigid)
          problem%penalty(e) = in_series(wall, soft*mesh%length(e))
@@ -88,7 +78,7 @@ contains
       call see_from_extrema(problem%followers, problem%by, problem%on, problem%deep)
    end subroutine measure_contacts
 
-   !> problem%load = residual(unknowns,nodes) + rho h on, of the gaps that are closed: the residual were contact forces those that
+   !> problem%load = residual(6,nodes) + rho h on, of the gaps that are closed: the residual were contact forces those that
    !> belong to the depths, with rho for the wall.
    pure subroutine add_pushes(gaps, residual, problem)
       type(gap_table_type), intent(in) :: gaps
@@ -97,7 +87,7 @@ contains
       real(wp) :: push(size(gaps%state))
       problem%load = residual
       push = merge(problem%penalty*problem%deep, 0.0_wp, gaps%state /= state_free)
-      call add_rows(problem%unknowns, size(push), push, problem%on, problem%load)
+      call add_rows(size(push), push, problem%on, problem%load)
    end subroutine add_pushes
 
    !> Stiffness of two springs in series [N/m].
@@ -153,9 +143,9 @@ contains
          problem%load = residual
          change = merge(problem%penalty*problem%deep, -force, problem%closed)
          if (live) then
-            call add_rows(problem%unknowns, size(force), change, problem%on, problem%load)
+            call add_rows(size(force), change, problem%on, problem%load)
          else
-            call add_rows(problem%unknowns, size(force), change, problem%by, problem%load)
+            call add_rows(size(force), change, problem%by, problem%load)
          end if
          do e = 1, size(force)
             if (problem%closed(e) .eqv. entered(e)) cycle
@@ -185,7 +175,7 @@ contains
       real(wp) :: deep
       integer :: e
       changes = 0
-      call multiply_rows(problem%unknowns, size(force), problem%by, step, problem%moved)
+      call multiply_rows(size(force), problem%by, step, problem%moved)
       do e = 1, size(force)
          deep = problem%deep(e) + problem%moved(e)
          problem%wanted(e) = 0.0_wp

@@ -69,7 +69,7 @@ contains
          if (it%viscosity > viscosity_most .or. .not. it%before < huge(it%before)) exit
       end do
       call enter_row(it, equations, gaps, work)
-      associate (load => it%problem%load(:equations%forces, :))
+      associate (load => it%problem%load(:3, :))
          equations%unbalanced_md = mesh%md(maxloc(maxval(abs(load), dim=1), dim=1))
       end associate
    end subroutine find_equilibrium
@@ -264,7 +264,7 @@ contains
          else
             it%growth = it%old_growth
             call go_back(it, trajectory, mesh, gaps, state, work)
-            call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+            call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
             it%row%flips = 0
             it%row%judged = judged_refused
             it%viscosity = max(it%viscosity, tuning%viscosity_start)*it%raised

@@ -12,13 +12,11 @@ module dg_followed_gaps
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
    use dg_element_rows, only: add_dyad
-   use dg_equations, only: equations_type
    use dg_gap_action, only: find_contact_rows, load_type
    use dg_gap_state, only: is_round, state_free
    use dg_gap_survey, only: survey_between
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
-   use dg_plane_assembly, only: find_row_in_plane
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -43,25 +41,22 @@ module dg_followed_gaps
 contains
 
    !> Finds what the gaps that follow add to the linear problem. One at an end of its element that wants to go beyond stays there.
-   pure subroutine measure_followers(equations, trajectory, mesh, loads, relocation, gaps, state, work, followers)
-      type(equations_type), intent(in) :: equations
+   pure subroutine measure_followers(trajectory, mesh, loads, relocation, gaps, work, followers)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       real(wp), intent(in) :: relocation      !< as of is_round
       type(gap_table_type), intent(inout) :: gaps
-      real(wp), intent(in) :: state(:, :)
       type(workspace_type), intent(inout) :: work    !< placed and surveyed
       type(follower_type), allocatable, intent(inout) :: followers(:)
       type(follower_type) :: one
       real(wp) :: by(2*block_size, 2), on(2*block_size, 2), f(2), slope, bend, place
-      integer :: e, s, n, found
+      integer :: e, s, found
       if (allocated(followers)) deallocate (followers)
       allocate (followers(count(gaps%followed)))
       found = 0
       do e = 1, mesh%elements
          if (.not. gaps%followed(e) .or. gaps%state(e) == state_free .or. .not. work%normal(e) > 0.0_wp) cycle
-         n = 2*equations%unknowns
          place = gaps%xi(e)
          by = 0.0_wp
          on = 0.0_wp
@@ -69,11 +64,7 @@ contains
             gaps%xi(e) = place + merge(-beside, beside, s == 1)
             call survey_between(trajectory, mesh, gaps, e, e, work)
             f(s) = work%displacement(e)
-            if (equations%planar) then
-               call find_row_in_plane(mesh, equations%plane, loads, gaps, e, state, work, by(:n, s), on(:n, s))
-            else
-               call find_contact_rows(mesh, loads, gaps, e, e, work, by(:, s:s), on(:, s:s))
-            end if
+            call find_contact_rows(mesh, loads, gaps, e, e, work, by(:, s:s), on(:, s:s))
          end do
          gaps%xi(e) = place
          call survey_between(trajectory, mesh, gaps, e, e, work)
@@ -95,33 +86,31 @@ contains
       followers = followers(:found)
    end subroutine measure_followers
 
-   !> Adds to a residual (unknowns,nodes) what contact forces do at the extrema and not at the gaps.
+   !> Adds to a residual (6,nodes) what contact forces do at the extrema and not at the gaps.
    pure subroutine add_place_forces(followers, residual)
       type(follower_type), intent(in) :: followers(:)
       real(wp), intent(inout) :: residual(:, :)
-      integer :: i, n
-      n = size(residual, 1)
+      integer :: i
       do i = 1, size(followers)
          associate (a => followers(i))
-            residual(:, a%e) = residual(:, a%e) + (a%force*a%ahead)*a%on(:n)
-            residual(:, a%e + 1) = residual(:, a%e + 1) + (a%force*a%ahead)*a%on(n + 1:2*n)
+            residual(:, a%e) = residual(:, a%e) + (a%force*a%ahead)*a%on(:block_size)
+            residual(:, a%e + 1) = residual(:, a%e + 1) + (a%force*a%ahead)*a%on(block_size + 1:)
          end associate
       end do
    end subroutine add_place_forces
 
    !> Adds to a tangent what gaps do by following: the energy's part, the rest, which is friction's, or both.
-   pure subroutine add_place_stiffness(unknowns, followers, energy, rest, matrix)
-      integer, intent(in) :: unknowns            !< of a node
+   pure subroutine add_place_stiffness(followers, energy, rest, matrix)
       type(follower_type), intent(in) :: followers(:)
       logical, intent(in) :: energy, rest
       type(block_matrix_type), intent(inout) :: matrix
-      real(wp) :: on(2*unknowns), by(2*unknowns)
+      real(wp) :: on(2*block_size), by(2*block_size)
       integer :: i
       do i = 1, size(followers)
-         by = followers(i)%by(:2*unknowns)
+         by = followers(i)%by
          on = 0.0_wp
          if (energy) on = by
-         if (rest) on = on + (followers(i)%on(:2*unknowns) - by)
+         if (rest) on = on + (followers(i)%on - by)
          call add_dyad(followers(i)%force/followers(i)%bend, on, by, followers(i)%e, matrix)
       end do
    end subroutine add_place_stiffness
@@ -130,12 +119,11 @@ contains
    pure subroutine see_from_extrema(followers, by, on, deep)
       type(follower_type), intent(in) :: followers(:)
       real(wp), intent(inout) :: by(:, :), on(:, :), deep(:)   !< of all gaps
-      integer :: i, n
-      n = size(by, 1)
+      integer :: i
       do i = 1, size(followers)
          associate (a => followers(i))
-            by(:, a%e) = by(:, a%e) + a%ahead*a%by(:n)
-            on(:, a%e) = on(:, a%e) + a%ahead*a%on(:n)
+            by(:, a%e) = by(:, a%e) + a%ahead*a%by
+            on(:, a%e) = on(:, a%e) + a%ahead*a%on
             deep(a%e) = deep(a%e) + 0.5_wp*a%bend*a%ahead**2
          end associate
       end do
@@ -144,16 +132,15 @@ contains
    !> Moves the gaps that follow to where a share of the linear problem's step has them.
    pure subroutine follow_extrema(followers, step, share, places, xi)
       type(follower_type), intent(in) :: followers(:)
-      real(wp), intent(in) :: step(:, :)       !< that share of it (unknowns,nodes)
+      real(wp), intent(in) :: step(:, :)       !< that share of it (6,nodes)
       real(wp), intent(in) :: share
       real(wp), intent(in) :: places(:)        !< of all gaps before the step
       real(wp), intent(inout) :: xi(:)         !< after it
-      integer :: i, n
+      integer :: i
       real(wp) :: turn
-      n = size(step, 1)
       do i = 1, size(followers)
          associate (a => followers(i))
-            turn = dot_product(a%by(:n), step(:, a%e)) + dot_product(a%by(n + 1:2*n), step(:, a%e + 1))
+            turn = dot_product(a%by(:block_size), step(:, a%e)) + dot_product(a%by(block_size + 1:), step(:, a%e + 1))
             xi(a%e) = max(0.0_wp, min(1.0_wp, places(a%e) + share*a%ahead + turn/a%bend))
          end associate
       end do

@@ -16,7 +16,7 @@ module dg_iteration_state
    use dg_round_wall, only: smooth_room
    use dg_stopping, only: stop_type
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, place_nodes, workspace_type
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_2, dof_twist, place_nodes, workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, place_and_survey, go_back
@@ -59,7 +59,7 @@ module dg_iteration_state
       real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
       integer :: rounds = 0, round_start = 0
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
-      real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (unknowns,nodes)
+      real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (6,nodes)
       real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
       real(wp), allocatable :: room(:)        !< smoothed clearance, where the string is watched (nodes) [m]
       real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
@@ -74,14 +74,13 @@ module dg_iteration_state
 contains
 
    !> A run on a mesh.
-   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, watched, unknowns, it)
+   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, watched, it)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: tolerance(2)
       real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
       logical, intent(in) :: watched
-      integer, intent(in) :: unknowns        !< of a node
       type(equilibrium_type), intent(out) :: it
       real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
       it%numerics = numerics
@@ -91,8 +90,8 @@ contains
       it%raised = numerics%tuning%until_definite
       it%growth = numerics%tuning%growth
       it%watched = watched
-      call new_contact_problem(mesh, unknowns, it%problem)
-      allocate (it%residual(unknowns, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+      call new_contact_problem(mesh, it%problem)
+      allocate (it%residual(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
                 it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%room(0))
@@ -130,17 +129,16 @@ contains
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
       if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
          call hold_turn(state, it%held, equations%matrix, it%residual)
-      if (it%rounds > 0) call measure_followers(equations, trajectory, mesh, it%loads, it%numerics%relocation, gaps, state, work, &
+      if (it%rounds > 0) call measure_followers(trajectory, mesh, it%loads, it%numerics%relocation, gaps, work, &
                                                 it%problem%followers)
-      if (.not. forces_only) call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .not. it%watched, &
-                                                      equations%matrix)
-      call find_largest(it%residual, equations%forces, force, moment)
+      if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%watched, equations%matrix)
+      call find_largest(it%residual, force, moment)
       it%unbalanced = max(force, moment)
       if (stepped .and. .not. it%watched) call stiffen_walls(it, equations, gaps, it%unbalanced)
-      call measure_contacts(equations, mesh, it%loads, gaps, state, it%soft*it%growth, work, it%problem)
+      call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
       call add_place_forces(it%problem%followers, it%residual)
       call add_pushes(gaps, it%residual, it%problem)
-      call find_largest(it%problem%load, equations%forces, it%row%residual_force, it%row%residual_moment)
+      call find_largest(it%problem%load, it%row%residual_force, it%row%residual_moment)
       it%before = max(it%row%residual_force, it%row%residual_moment)
    end subroutine measure
 
@@ -158,14 +156,13 @@ contains
    end subroutine stiffen_walls
 
    !> Largest force and moment of a right-hand side.
-   pure subroutine find_largest(load, forces, force, moment)
+   pure subroutine find_largest(load, force, moment)
       real(wp), contiguous, intent(in) :: load(:, :)
-      integer, intent(in) :: forces            !< rows of forces, before those of moments
       real(wp), intent(out) :: force, moment
-      real(wp) :: largest(size(load, 1))
-      call largest_of_rows(size(load, 1), size(load, 2), load, largest)
-      force = maxval(largest(:forces))
-      moment = maxval(largest(forces + 1:))
+      real(wp) :: largest(6)
+      call largest_of_rows(6, size(load, 2), load, largest)
+      force = maxval(largest(:3))
+      moment = maxval(largest(4:))
    end subroutine find_largest
 
    !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
@@ -209,14 +206,12 @@ contains
       real(wp) :: slope
       integer :: n, i
       slope = 0.0_wp
-      associate (v => equations%laterals, b => equations%slopes)
-         do i = v(1), b(2)
-            if (i > v(2) .and. i < b(1)) cycle
-            do n = 1, size(load, 2)
-               slope = slope + equations%step(i, n)*load(i, n)
-            end do
+      do i = dof_lateral_1, dof_slope_2
+         if (i == dof_twist) cycle
+         do n = 1, size(load, 2)
+            slope = slope + equations%step(i, n)*load(i, n)
          end do
-      end associate
+      end do
    end function energy_slope
 
    !> Places the nodes and measures the gaps.

@@ -3,7 +3,7 @@ module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
    use dg_contact_problem, only: in_series
-   use dg_equations, only: equations_type, find_tangent, forces_alone, step_in_space
+   use dg_equations, only: equations_type, find_tangent, forces_alone
    use dg_followed_gaps, only: follow_extrema
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
@@ -136,7 +136,7 @@ contains
       call move_across(it%watched, it%room, it%offset, it%share, it%across, state)
       slide = 0.0_wp
       do n = 1, mesh%nodes
-         if (.not. equations%planar) state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
+         state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
          call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
          if (.not. it%numerics%tuning%keep_lengths) cycle
          call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
@@ -156,12 +156,11 @@ contains
       type(workspace_type), intent(in) :: work       !< placed at `state`
       real(wp), contiguous, intent(in) :: state(:, :)
       real(wp), intent(out) :: length(:), longer(:)
-      real(wp) :: chord(3), step(6), moved(6), before(6)
+      real(wp) :: chord(3), moved(6), before(6)
       integer :: e, n
       before = 0.0_wp
       do n = 1, mesh%nodes
-         call step_in_space(equations, n, step)
-         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), step, moved)
+         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), equations%step(:, n), moved)
          if (n > 1) then
             e = n - 1
             chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))

@@ -10,7 +10,7 @@ module dg_stability
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_positive_definite, only: block_positive_definite
-   use dg_scatter, only: element_type, clear_top, scatter_more
+   use dg_scatter, only: clear_element, clear_top, element_type, scatter_element
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -73,14 +73,12 @@ contains
       real(wp) :: chord(3), force(12)
       integer :: e, n
       matrix = new_block_matrix(mesh%nodes)
-      element%twist_row = 0.0_wp
-      element%twist_column = 0.0_wp
-      element%twist_stiffness = 0.0_wp
+      call clear_element(element)
       do e = 1, mesh%elements
          if (.not. work%axial(e) < 0.0_wp) cycle
          chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
          call beam_stress_tangent(chord, work%d(:, e), work%d(:, e + 1), work%axial(e), force, element%k)
-         call scatter_more(mesh, e, work%d(:, e:e + 1), element, matrix)
+         call scatter_element(mesh, e, work%d(:, e:e + 1), element, matrix)
          do n = e, e + 1
             matrix%diagonal(5:6, 5:6, n) = matrix%diagonal(5:6, 5:6, n) + director_curvature(mesh%frame(:, :, n), work%d(:, n), &
                                                                                               force(6*(n - e) + 4:6*(n - e) + 6))

@@ -5,8 +5,7 @@ module dg_step
    use dg_block_matrix, only: copy_symmetric, keep_symmetric
    use dg_case_result, only: judged_start
    use dg_contact_problem, only: hold_by_viscosity, solve_problem
-   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular, &
-                           step_in_space
+   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
@@ -39,7 +38,7 @@ contains
       integer :: fault
       it%problem%closed = gaps%state /= state_free
       if (.not. it%watched) then
-         call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
+         call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
          call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, fault)
          if (fault /= 0) then
             it%outcome = outcome_singular
@@ -48,11 +47,11 @@ contains
          call find_reach(it, equations, trajectory, mesh, work, reach)
          uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
                   (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
-         if ((reach > it%numerics%step_limit .or. uphill) .and. .not. equations%planar) then
+         if (reach > it%numerics%step_limit .or. uphill) then
             call make_room_to_watch(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
             call add_place_forces(it%problem%followers, it%residual)
-            call add_place_stiffness(it%problem%unknowns, it%problem%followers, .true., .false., equations%matrix)
+            call add_place_stiffness(it%problem%followers, .true., .false., equations%matrix)
             call keep_symmetric(equations%matrix, it%energy)
          end if
       end if
@@ -93,10 +92,10 @@ contains
                call copy_symmetric(it%energy, equations%matrix)
                if (live) then
                   call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
-                  call add_place_stiffness(it%problem%unknowns, it%problem%followers, .false., .true., equations%matrix)
+                  call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
                end if
                call add_viscosity(it%viscosity, it%lump, equations%matrix)
-               call add_gap_rigidity(mesh, it%numerics%gk_min, equations%laterals, equations%matrix)
+               call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
                call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
                if (fault /= 0) then
                   it%outcome = outcome_singular
@@ -123,12 +122,10 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed where the step begins
       real(wp), intent(out) :: reach
-      real(wp) :: step(6)
       integer :: n
       reach = 0.0_wp
       do n = 1, mesh%nodes
-         call step_in_space(equations, n, step)
-         call split_step(trajectory, mesh, work, n, step, it%offset(:, n), it%slide(n), it%across(:, n))
+         call split_step(trajectory, mesh, work, n, equations%step(:, n), it%offset(:, n), it%slide(n), it%across(:, n))
          reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
       end do
    end subroutine find_reach

@@ -42,7 +42,6 @@ module dg_bending_layout
       real(wp), allocatable :: axial(:)      !< tension positive (n) [N]
       real(wp), allocatable :: load(:)       !< contact force per metre of an element and its neighbours (e) [N/m]
       logical, allocatable :: bends(:)       !< whether an element is bent again (e)
-      real(wp) :: lateral(2) = 0.0_wp        !< direction across the hole of the plane that the string stays in; 0: none
       real(wp) :: firm = firm                !< stiffness of its walls at one place of contact during Newton's steps [N/m]
       logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
    end type lying_type
@@ -243,7 +242,6 @@ contains
       integer :: n, e, o, arc
       n = size(nodes)
       beam%md = nodes
-      beam%lateral = lying%lateral
       allocate (beam%place(n), beam%axial(n), beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
                 beam%weight(n - 1), beam%ei(n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)

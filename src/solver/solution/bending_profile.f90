@@ -66,12 +66,11 @@ contains
 
    !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
    !> be off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
-   subroutine bend_profile(model, mesh, gaps, work, lateral, result, steep)
+   subroutine bend_profile(model, mesh, gaps, work, result, steep)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work          !< assembled at the solution
-      real(wp), intent(in) :: lateral(2)                !< direction across the hole of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam; equal: none [m]
       type(lying_type) :: lying
@@ -84,7 +83,6 @@ contains
       steep = 0.0_wp
       if (.not. all(lying%bends)) steep = [mesh%md(findloc(lying%bends, .false., dim=1)), &
                                            mesh%md(findloc(lying%bends, .false., dim=1, back=.true.) + 1)]
-      lying%lateral = lateral
       if (.not. any(lying%bends)) return
       call find_breaks(model, mesh, gaps, lying, .true., breaks, longest)
       allocate (nodes, source=graded_nodes(breaks, longest))

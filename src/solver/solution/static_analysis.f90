@@ -4,7 +4,7 @@
 !>   1. A mesh whose elements know the local scale (dg_mesh_for_case); a soft string that locks up is the answer.
 !>   2. A start: the soft string bent into the hole (dg_predictor), against walls that its load presses in visibly.
 !>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
-!>      friction's forces frozen, or the largest residual. In the plane of the hole where the string stays there, else in space.
+!>      friction's forces frozen, or the largest residual.
 !>   4. An equilibrium must be stable, and within the hole.
 !>   5. Where there is none: the attempts of dg_tuning, and the first of them once more with shorter elements.
 module dg_static_analysis
@@ -13,12 +13,11 @@ module dg_static_analysis
    use dg_assembly, only: load_type
    use dg_bending_profile, only: bend_profile
    use dg_bent_start, only: pressing_of_bend
-   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count, way_left, &
-                             way_planar
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_clock, only: seconds_between
    use dg_end_supports, only: force_scale, set_loads
-   use dg_equations, only: choose_unknowns, end_iterations, equations_type, lateral_of, make_room, outcome_converged, &
-                           outcome_exhausted, outcome_outside
+   use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside, &
+                           release_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
@@ -30,7 +29,6 @@ module dg_static_analysis
    use dg_numerics, only: numerics_type, other_location, patience
    use dg_no_equilibrium, only: list_tried, tell_tried
    use dg_outside_hole, only: measure_rows, outside_type
-   use dg_plane, only: choose_way, flatten
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
    use dg_recovery, only: recover_profile
@@ -78,7 +76,6 @@ module dg_static_analysis
       real(wp) :: compressed = 0.0_wp            !< largest compression over the coiling load [-]
       real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
       integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
-      integer :: way = 0                         !< of solution, in the plane or in space, and why
       type(stop_type) :: stop
    end type string_type
 
@@ -182,8 +179,7 @@ contains
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
-      logical :: found
-      integer :: i, last, outcome, in_plane, most, tried    ! the last: iterations at most, attempts made before
+      integer :: i, last, outcome, most, tried    ! the last: iterations at most, attempts made before
       associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -197,22 +193,8 @@ contains
          equations%iterations = size(history)
          equations%history(:size(history)) = history
          tried = maxval([0, history%attempt])
-         numerics = model%numerics
-         found = .false.
-         in_plane = 0
-         if (equations%planar) then
-            numerics%max_iterations = min(most, equations%iterations + numerics%tuning%longest_in_plane)
-            call try_in_plane(model, case_index, numerics, tried + 1, string, found)
-            outcome = outcome_converged
-            if (.not. found) then     ! whatever the reason, space decides, as if nothing had been tried before
-               string%way = way_left
-               in_plane = equations%iterations - size(history)
-               tried = tried + 1
-               call choose_unknowns(equations, planar=.false.)
-            end if
-         end if
          last = attempts(1) - 1
-         do i = attempts(1), merge(0, min(attempts(2), model%numerics%tuning%most_attempts), found)
+         do i = attempts(1), min(attempts(2), model%numerics%tuning%most_attempts)
             last = i
             numerics = model%numerics
             numerics%max_iterations = min(most, equations%iterations + &
@@ -228,14 +210,12 @@ contains
          if (outcome == outcome_converged .and. string%compressed > buckling_share) &
             call find_stability_margin(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work, &
                                        margin)
-         if (.not. equations%planar) &
-            call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
+         call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
          call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
          if (profile .and. result%status == result_converged) &
             call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
          result%stability_margin = margin
          result%coiled = string%compressed > coiled
-         result%way = string%way
          result%shortened = string%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
@@ -243,22 +223,21 @@ contains
          if (.not. (result%status == result_converged .and. moments)) return
          deallocate (string%state)
          call keep_for_moments(string%work)
-         call find_moments(model, mesh, string%gaps, string%work, lateral_of(equations), result)
+         call find_moments(model, mesh, string%gaps, string%work, result)
       end associate
    end subroutine solve_on_mesh
 
    !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
    !> where no equilibrium was found on such elements.
-   subroutine find_moments(model, mesh, gaps, work, lateral, result)
+   subroutine find_moments(model, mesh, gaps, work, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      real(wp), intent(in) :: lateral(2)         !< direction of the plane that the string stays in; 0: none
       type(case_result_type), intent(inout) :: result
       type(outside_type) :: outside
       real(wp) :: steep(2)
-      call bend_profile(model, mesh, gaps, work, lateral, result, steep)
+      call bend_profile(model, mesh, gaps, work, result, steep)
       call measure_rows(mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
@@ -275,26 +254,6 @@ contains
       call tell_unlike_contact(model%units, result)
    end subroutine find_moments
 
-   !> Solves the case in the plane of its hole. The string stays there when it finds equilibrium within the hole, and when that is
-   !> equilibrium in space too: with every force out of the plane within the tolerance.
-   subroutine try_in_plane(model, case_index, numerics, number, string, stays)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(numerics_type), intent(in) :: numerics
-      integer, intent(in) :: number        !< of the attempt
-      type(string_type), intent(inout) :: string
-      logical, intent(out) :: stays
-      real(wp) :: residual, limit(2)
-      integer :: outcome
-      call make_attempt(model, case_index, numerics, numerics%tuning%attempt(1), number, string, outcome)
-      call end_iterations(string%equations, model%trajectory, string%mesh, string%loads, string%gaps, string%state, string%work, &
-                          residual)
-      stays = outcome == outcome_converged
-      limit = tolerance_at(numerics, string%mesh, string%gaps, string%loads, string%equations%force_scale) &
-              *string%equations%force_scale
-      if (stays) stays = residual <= limit(2)
-   end subroutine try_in_plane
-
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
    !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
    subroutine make_attempt(model, case_index, numerics, attempt, number, string, outcome)
@@ -310,12 +269,11 @@ contains
       real(wp) :: fraction, worst
       integer :: increment, place, cut
       call lay_out_gaps(numerics, string%mesh, string%gaps)
-      call choose_unknowns(string%equations, string%equations%planar)       ! of the attempt before no room is left
+      call release_room(string%equations)       ! of the attempt before
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
          call set_loads(model, model%cases(case_index), fraction, string%loads)
-         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread, &
-                            lateral_of(string%equations))
+         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
          if (increment == 1) then
             call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
             string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
@@ -346,10 +304,9 @@ contains
       type(string_type), intent(inout) :: string
       type(equilibrium_type), intent(out) :: it
       associate (equations => string%equations)
-         if (equations%planar) call flatten(equations%plane, string%state)
          call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
                               string%loads, equations%force_scale), string%pressing, &
-                              string%compressed > numerics%tuning%watch_share .and. .not. equations%planar, equations%unknowns, it)
+                              string%compressed > numerics%tuning%watch_share, it)
          it%stop = string%stop
       end associate
    end subroutine new_iteration
@@ -378,7 +335,7 @@ contains
       call make_room(string%equations, numerics%linear_solver, fine%nodes)
    end subroutine refine
 
-   !> The way of solution, in the plane of the hole or in space, and the iteration's scales.
+   !> Room for the start, and the iteration's scales.
    subroutine prepare(model, case_index, string)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -388,9 +345,6 @@ contains
          call new_start_room(mesh, string%work)
          call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
          allocate (string%state(6, mesh%nodes))
-         call choose_way(numerics%in_plane, mesh, load_case%tob, string%compressed > numerics%tuning%watch_share, equations%plane, &
-                          string%way)
-         call choose_unknowns(equations, planar=string%way == way_planar)
          allocate (equations%history(numerics%max_iterations + 1))
          equations%force_scale = force_scale(model, load_case, mesh)
       end associate

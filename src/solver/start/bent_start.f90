@@ -31,18 +31,16 @@ module dg_bent_start
 contains
 
    !> The beam on the nodes of the mesh under the soft string's forces, but for its walls.
-   pure subroutine new_start_beam(model, mesh, axial, torque, rotary, lateral, beam)
+   pure subroutine new_start_beam(model, mesh, axial, torque, rotary, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
       real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
-      real(wp), intent(in) :: lateral(2)            !< direction of the plane that the string stays in; 0: none
       type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       real(wp) :: t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
       integer :: e, n, arc
       n = mesh%nodes
-      beam%lateral = lateral
       beam%md = mesh%md
       beam%place = mesh%md
       beam%axial = axial

@@ -35,7 +35,6 @@ module dg_predictor
       !> Contact forces are spread as the soft wall does. The wall itself gathers them where the string touches, and with that the
       !> places of the gaps are right.
       logical :: spread = .false.
-      real(wp) :: lateral(2) = 0.0_wp  !< direction across the hole of the plane that the string stays in; 0: none
    end type start_type
 
    !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
@@ -102,7 +101,7 @@ contains
       y(3:4, :) = slope
       found = .false.
       if (model%numerics%tuning%start_bent) then
-         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, start%lateral, beam)
+         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, beam)
          call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
