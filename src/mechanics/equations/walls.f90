@@ -42,7 +42,7 @@ contains
    !> Tolerances of the residual over the force scale [-]: with what presses gaps to the depths of their forces, and without.
    !> Neither is less than what round-off leaves at short elements, and the first no less than what it leaves at stiff walls.
    !> Contact forces are unknowns of their own, and known to the round-off of offsets, not of places. Those of the ends' supports
-   !> follow from places.
+   !> follow from places, and stand in both residuals: against soft walls they decide.
    pure function tolerance_at(numerics, mesh, gaps, loads, force_scale) result(tolerance)
       type(numerics_type), intent(in) :: numerics
       type(mesh_type), intent(in) :: mesh
@@ -56,8 +56,9 @@ contains
       tolerance = max(min(numerics%tolerance, loosest), &
                       slide*round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
       places = max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places
+      tolerance = max(tolerance, places*max(loads%top_support, loads%bit_support)/force_scale)
       tolerance(1) = max(tolerance(1), places*walls)
-      tolerance(2) = max(tolerance(2), round_off_of_offsets*walls, places*max(loads%top_support, loads%bit_support)/force_scale)
+      tolerance(2) = max(tolerance(2), round_off_of_offsets*walls)
    end function tolerance_at
 
    !> A table of free gaps with their laws, at their first places.
