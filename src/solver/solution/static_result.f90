@@ -231,7 +231,8 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'Contact force: allow '//to_text(100.0_wp*share, shown_clearances)//' %, mostly between '// &
+         call add_message(result, 'Contact force: allow '//to_text(rounded_up(100.0_wp*share), shown_clearances)// &
+                          ' %, mostly between '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
                           trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
                           trim(in_units(units, unit_force, found%by_analysis, shown))//' by the elements of hook load and '// &
@@ -239,6 +240,14 @@ contains
                           'moments and side forces. Which is nearer is not known')
       end associate
    end subroutine tell_unlike_contact
+
+   !> A positive number, rounded to two digits but never down: an error must not be told smaller than it is.
+   elemental function rounded_up(number) result(rounded)
+      real(wp), intent(in) :: number
+      real(wp) :: rounded, digit
+      digit = 10.0_wp**(floor(log10(number)) - 1)
+      rounded = digit*real(ceiling(number/digit), wp)
+   end function rounded_up
 
    !> What a result tells of how it was found.
    subroutine add_remarks(units, mesh, asked, numerics, result)
