@@ -92,7 +92,8 @@ contains
       end subroutine take_pair
    end subroutine test_walls
 
-   !> A sharp bend, with extremes of the other axes.
+   !> A sharp bend, with extremes of the other axes. Where the wall is soft it yields by 8 mm: with the clearance that is 0.16 % of
+   !> the radius. The independent beam leaves that out, and has 0.1 % less contact than ever shorter elements lead to.
    subroutine test_doglegs()
       type(row_type) :: row
       type(extreme_case_type) :: extreme
@@ -102,7 +103,7 @@ contains
       do k = 1, 2
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, soft wall')
          extreme%wall = soft
-         call take_bent(extreme, row)
+         call take_short(extreme, row)
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, hard wall')
          extreme%wall = hard
          call take_bent(extreme, row)
