@@ -349,7 +349,7 @@ ODD_LENGTHS = {"km": 1000.0, "kft": 304.8, "cm": 0.01, "mm": 0.001, "in": 0.0254
 ANGLES = {"deg": 1.0, "rad": 180.0 / math.pi}
 ODD_ANGLES = {"gon": 0.9, "grad": 0.9, "mrad": 0.18 / math.pi, "mil": 0.05625, "rev": 360.0, "min": 1.0 / 60.0, "degrees": 1.0, "\xc2\xb0": 1.0,
               "\xb0": 1.0, "dega": 1.0, "radian": 180.0 / math.pi, "g": 0.9, "turns": 360.0, "cdeg": 0.01, "deg/10": 10.0, "arcsec": 1.0 / 3600.0,
-              "rads": 180.0 / math.pi, "centesimal": 0.9, "hr": 15.0}
+              "rads": 180.0 / math.pi, "radz": 180.0 / math.pi, "centesimal": 0.9, "hr": 15.0}
 COMMENTED = "a row behind #"
 NULLS = ["-999.25", "-9999", "-999", "1e30", "NaN", "", "-", "n/a", "***", "9999999"]
 
