@@ -286,6 +286,7 @@ contains
       run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
       call one_message(replaced(good_deck(), "name = 's'", "name = 's"), 'is not closed on its line')
+      call one_message(replaced(good_deck(), "wob = 20.0", "wob = 20.0, hours = 5, rpm = nan"), 'rpm = nan is no number')
       call one_message(replaced(replaced(good_deck(), "name = 'u'", "name = '=u'"), '  wob = 20.0 /', &
                                 "  wob = 20.0, length_reference = 'u' /"), 'begins with =')
    end subroutine test_all_faults
