@@ -180,7 +180,7 @@ contains
          if (passed == 0 .and. (rotates(load_case%operation) .or. .not. moves_axially(load_case%operation))) return
          ! The soft string may lock up where beams do not: the limit is reached then, not passed.
          share = 0.0_wp
-         if (load_case%wob > 0.0_wp) share = min(load_case%wob/max(wob_lockup%value, tiny(share)), 1.0_wp)
+         if (load_case%wob > 0.0_wp) share = load_case%wob/max(wob_lockup%value, load_case%wob)
          if (passed == 0 .and. .not. is_most(share, verdict)) return
          verdict%limit = limit_lock_up
          verdict%used = optional_real(load_case%wob > 0.0_wp .and. wob_lockup%value > 0.0_wp, share)

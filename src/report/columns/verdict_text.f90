@@ -75,8 +75,8 @@ contains
       else if (verdict%answer == answer_yes) then
          text = nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
-             .and. verdict%limit /= limit_lock_up) text = text//'. WOB is possible up to '// &
-            force_text(units, max(verdict%most_wob%value, load_case%wob))
+             .and. verdict%limit /= limit_lock_up) text = text//'. Slack-off brings at most '// &
+            force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
             trim(merge(' by formula', '           ', verdict%buckled_by_formula))
@@ -127,11 +127,16 @@ contains
       if (verdict%reach%present) text = '. Possible down to about '// &
          trim(in_units(units, unit_length, verdict%reach%value, shown))
       if (verdict%turning_hookload%present) then
-         text = text//'. Rotate the string: its weight is then enough, hook load about '// &
-                force_text(units, verdict%turning_hookload%value)//'. For its torque add a case operation = '''// &
+         text = text//'. Rotate the string: its weight is enough then, hook load about '// &
+                force_text(units, verdict%turning_hookload%value)//'. The torque is NOT CHECKED: add a case operation = '''// &
                 trim(merge('rotary ', 'reaming', load_case%wob > 0.0_wp))//''''
          if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
             ' of buoyed weight where the hole is steep'
+      end if
+      ! Less overpull takes as much off the load at least: drag falls with it.
+      if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
+         if (-load_case%wob > verdict%load%value - verdict%allowed%value) text = text//'. Possible with '// &
+            force_text(units, -load_case%wob - (verdict%load%value - verdict%allowed%value))//' of overpull'
       end if
       if (.not. verdict%possible_friction%present) return
       text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)

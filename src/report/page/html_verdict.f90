@@ -46,7 +46,7 @@ contains
       end do
       call add_line(lines, '</tbody></table></div>')
       other = unchecked_line(job, model, results, wholes)
-      if (other /= '') call add_line(lines, '<p class="note">'//html_safe(other)//'</p>')
+      if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
