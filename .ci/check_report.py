@@ -60,10 +60,12 @@ def faults_of_answers(folder, page):
         answer = {"no": "NO"}.get(case["can_be_done"], case["can_be_done"])
         wanted = [f" {case['case']} ", f" {answer} "]
         if case["can_be_done"] == "yes":
-            wanted += [f"{float(case['used_pct']):.3g} % "] + (["Not checked, no rating given: "] if case["not_checked"] else [])
+            wanted += [f"{float(case['used_pct']):.3g} % "]
         else:
             wanted += [case["reason"]]
         faults += [f"the answer for {case['case']} does not tell '{text}': {told}" for text in wanted if text not in told]
+    if any(case["not_checked"] for case in cases) and "NOT CHECKED, as the deck gives no limit: " not in first.group(2):
+        faults += ["the page does not tell which limits were not checked"]
     return faults
 
 

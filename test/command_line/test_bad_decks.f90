@@ -270,7 +270,7 @@ contains
       call refuse("diameter = 220.0", "diameter = 220.0, wear_factor = 10", 6, 'wear_factor needs casing_od')
       call refuse("diameter = 220.0", "diameter = 220.0, casing_od = 200", 6, &
                   'casing_od = 200 mm is not greater than diameter = 220 mm')
-      call refuse("wob = 20.0", "wob = 20.0, hours = 5", 19, 'hours needs rpm > 0')
+      call refuse("wob = 20.0", "wob = 20.0, hours = 5", 18, 'hours needs rpm > 0')
       call refuse("od = 171.45", "od = 171.45, fatigue_curve = 'own'", 12, "fatigue_curve = 'own' needs fatigue_limit")
       call refuse("od = 171.45", "od = 171.45, fatigue_limit = 100", 12, "fatigue_limit needs fatigue_curve = 'own'")
    end subroutine test_wear
@@ -286,6 +286,7 @@ contains
       run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
       call one_message(replaced(good_deck(), "name = 's'", "name = 's"), 'is not closed on its line')
+      call one_message(replaced(good_deck(), "wob = 20.0", "wob = 20.0, hours = 5, rpm = nan"), 'rpm = nan is no number')
       call one_message(replaced(replaced(good_deck(), "name = 'u'", "name = '=u'"), '  wob = 20.0 /', &
                                 "  wob = 20.0, length_reference = 'u' /"), 'begins with =')
    end subroutine test_all_faults

@@ -1,6 +1,7 @@
 !> The answer to 'can it be done?' as a run prints and writes it: terminal, summary.csv, sweep, page, exit status.
 module dg_test_can_be_done
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type
    use dg_result_rows, only: field, lines_of
    use dg_text, only: text_type
@@ -18,6 +19,7 @@ contains
       suite = TestSuite('can_be_done')
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
+      call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
@@ -68,10 +70,33 @@ contains
       type(run_type) :: run
       run = run_deck_text(deck("operation = 'sliding', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Rotate the string') > 0, message=run%output)
+      call assertTrue(index(run%output, ' Rotate the') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.3", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
    end subroutine test_advice
+
+   !> 'Possible down to about' a depth: yes 1 % above it, NO 1 % below it.
+   subroutine test_reach()
+      type(run_type) :: run
+      character(:), allocatable :: slide
+      character(16) :: depth
+      real(wp) :: reach
+      integer :: begins, status
+      character(*), parameter :: says = 'Possible down to about '
+      slide = deck("operation = 'sliding', wob = 30, friction = 0.4", .false.)
+      run = run_deck_text(slide)
+      begins = index(run%output, says)
+      call assertTrue(begins > 0, message=run%output)
+      if (anyExceptions()) return
+      read (run%output(begins + len(says):), *, iostat=status) reach
+      call assertEqual(0, status, message=run%output)
+      write (depth, '(f0.1)') 0.99_wp*reach
+      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//trim(depth)))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      write (depth, '(f0.1)') 1.01_wp*reach
+      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//trim(depth)))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+   end subroutine test_reach
 
    !> By beams 20,000 klbf lock the string up: no hook load, no torque.
    subroutine test_locked_up()

@@ -218,7 +218,8 @@ contains
       type(run_type) :: run
       character(:), allocatable :: deck, limit
       run = run_deck_text(good_deck())
-      call assertTrue(index(run%output, 'Not checked, no rating given: pipe strength (no yield)') > 0, message=run%output)
+      call assertTrue(index(run%output, 'NOT CHECKED, as the deck gives no limit: pipe strength (no yield)') > 0, &
+                      message=run%output)
       call last_limit(limit)
       call assertEqual('', limit, message='nothing is known')
       deck = replaced(good_deck(), 'id = 108.6', "id = 108.6104, yield = 930.792, wear_class = 'premium', connection = 'nc50', "// &
@@ -232,7 +233,7 @@ contains
       call assertTrue(index(run%output, ', make-up 51.58') > 0, message=run%output)
       run = run_deck_text(deck)
       call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%output, 'tension 12.7 % used at 0 m') > 0, message=run%output)
+      call assertTrue(index(run%output, 'tension of the pipe at 0 m, 317 of 2490 kN, 12.7 % used') > 0, message=run%output)
       ! it is used most at surface, where the string neither turns nor bends
       call last_limit(limit)
       call assertEqual('tension', limit)

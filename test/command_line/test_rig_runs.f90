@@ -181,7 +181,7 @@ contains
          call assertEqual(along - wob, number(lines(3 + k)%text, 5), at_rest, message='rotary')
          call assertEqual(4.5_wp - tob - 0.0635_wp*drag, number(lines(3 + k)%text, 15), at_rest, message='torque margin')
       end do
-      call assertEqual(0, index(run%output, '(string weight)'), message=run%output)
+      call assertEqual(0, index(run%output, 'friction .1/.35 (string weight)'), message=run%output)
       ! 150 kN at the bit are more than the weight along the hole: the string does not go down by itself.
       run = run_deck_text(replaced(text, 'wob = 0, 20', 'wob = 0, 150'))
       call assertTrue(index(run%output, 'Cannot be done from 1000 m: rotary drilling, friction .1/.35 (string weight)') > 0, &

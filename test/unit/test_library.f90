@@ -287,6 +287,7 @@ contains
       call refuse(parts, 'fluids(1): collar = 17')
       call fill(parts)
       parts%numerics = settings_of('auto')
+      parts%numerics%gk_contact = 500.0_wp
       parts%numerics%gk_min = 2.0_wp*parts%numerics%gk_contact
       call refuse(parts, 'numerics: gk_min must be smaller')
       parts%numerics = settings_of('auto')

@@ -118,6 +118,7 @@ contains
       call refuse('a length for an angle', 'MD (m),Inc (m),Azi|0,0,90|500,10,90', "inc in 'm'")
       call refuse('kilometres', 'MD [km],Inc,Azi|0,0,90|0.5,10,90', "md in 'km'")
       call refuse('gons in the row of units', 'MD,Inc,Azi|m,gon,gon|0,0,100|500,11.1,100', "inc in 'gon'")
+      call refuse('an unknown unit between blanks', 'MD  Inc  Azi|ftRT  radz  radz|0  0  1|500  0.2  1', "inc in 'radz'")
       call refuse('gons in a row above', 'metres,g,m,g|md,Incl,tvd,Azimuth|0,0,0,100|500,11.1,499,100', "inc in 'g'")
       call refuse('UTF-16', char(255)//char(254)//'m'//char(0)//'d'//char(0), 'UTF-16')
    end subroutine test_faults

@@ -15,11 +15,13 @@ module dg_test_uncertainty
    use dg_model, only: model_type
    use dg_sample_statistics, only: distribution_type, find_distribution, find_point_statistics, p10, p50, p90, &
       point_statistics_type, quantile
-   use dg_sampled_model, only: draw_model, draw_of, quantity_friction, quantity_hookload
+   use dg_sampled_model, only: draw_model, draw_of, quantity_density, quantity_friction, quantity_hookload, &
+      quantity_inclination
    use dg_soft_string_loads, only: soft_string_at
    use dg_sweep_result, only: sweep_result_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_uncertainty, only: correlation_of, friction_factor_of, piece_count, piece_number, uncertainty_type
+   use dg_variance_shares, only: variance_shares
    implicit none
    private
    public :: uncertainty_suite
@@ -40,6 +42,7 @@ contains
       call suite%addTest(TestMethod('one_hole_in_ten_sections', test_sections))
       call suite%addTest(TestMethod('survey_angles', test_survey))
       call suite%addTest(TestMethod('points_and_gauge', test_points))
+      call suite%addTest(TestMethod('shares_of_the_variance', test_shares))
    end function uncertainty_suite
 
    !> Known answers for philox4x32-10 that come with Random123 (kat_vectors): nothing, all ones, digits of pi.
@@ -195,6 +198,28 @@ contains
       call draw_model(model, uncertainty, 7, drawn, error)
       call assertEqual([0.15_wp, 0.15_wp], drawn%holes%friction_rotary, round_off)
    end subroutine test_draws
+
+   !> A result 3 f + 2 d + s^2 with a gauge of 1: f, d, s standard normal, the variance of s^2 is 2. In all 9 + 4 + 2 + 1 = 16.
+   !> Of stations each on their own, what is left is the survey's; of 20,000 samples a share has a standard error of 0.5 %.
+   subroutine test_shares()
+      integer, parameter :: many = 20000
+      type(uncertainty_type) :: uncertainty
+      real(wp) :: values(many)
+      integer :: samples(many), i
+      uncertainty%samples = many
+      uncertainty%friction_factor = reshape([0.05_wp], [1, 1])
+      uncertainty%density_deviation = 10.0_wp
+      uncertainty%inclination_deviation = 0.01_wp
+      samples = [(i, i=1, many)]
+      values = 3.0_wp*draw_of(uncertainty, samples, quantity_friction, 1) + &
+               2.0_wp*draw_of(uncertainty, samples, quantity_density, 0) + draw_of(uncertainty, samples, quantity_inclination, 7)**2
+      call assertEqual([9.0_wp, 4.0_wp, 2.0_wp, 1.0_wp, 0.0_wp]/16.0_wp, variance_shares(uncertainty, samples, values, 1.0_wp), &
+                       0.02_wp)
+      uncertainty%inclination_deviation = 0.0_wp
+      call assertEqual([9.0_wp, 4.0_wp, 0.0_wp, 1.0_wp, 2.0_wp]/16.0_wp, variance_shares(uncertainty, samples, values, 1.0_wp), &
+                       0.02_wp)
+      call assertTrue(all(is_missing(variance_shares(uncertainty, samples(:20), values(:20), 1.0_wp))), message='few samples')
+   end subroutine test_shares
 
    !> Factors times their transpose are the covariance; one section goes by its own number; three correlations that no numbers can
    !> have are told.

@@ -22,7 +22,7 @@ module dg_find_verdict
                              utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_lock_up, limit_string_weight, verdict_type
-   use dg_weight_on_bit, only: locks_up, most_weight_on_bit
+   use dg_weight_on_bit, only: find_reach, locks_up, most_weight_on_bit
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -63,8 +63,10 @@ contains
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
          end if
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
-             .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) &
+             .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) then
             call find_turning_hookload(model, result%case_index, verdict%turning_hookload)
+            if (verdict%friction /= friction_upper_end_alone) call find_reach(model, result%case_index, verdict%reach)
+         end if
       end associate
    end subroutine find_verdict
 
@@ -178,7 +180,7 @@ contains
          if (passed == 0 .and. (rotates(load_case%operation) .or. .not. moves_axially(load_case%operation))) return
          ! The soft string may lock up where beams do not: the limit is reached then, not passed.
          share = 0.0_wp
-         if (load_case%wob > 0.0_wp) share = min(load_case%wob/max(wob_lockup%value, tiny(share)), 1.0_wp)
+         if (load_case%wob > 0.0_wp) share = load_case%wob/max(wob_lockup%value, load_case%wob)
          if (passed == 0 .and. .not. is_most(share, verdict)) return
          verdict%limit = limit_lock_up
          verdict%used = optional_real(load_case%wob > 0.0_wp .and. wob_lockup%value > 0.0_wp, share)

@@ -40,6 +40,7 @@ module dg_verdict
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
+      type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight [m]
       type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]
    end type verdict_type
 

@@ -2,13 +2,13 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_load_case, only: block_way, given
+   use dg_load_case, only: block_way, given, optional_real
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: most_weight_on_bit, locks_up
+   public :: most_weight_on_bit, locks_up, find_reach
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -16,6 +16,8 @@ module dg_weight_on_bit
    !> to more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
+   !> Depths that are tried from the bit up, and halvings between two of them.
+   integer, parameter :: depths = 50, halvings = 10
 
 contains
 
@@ -58,6 +60,38 @@ contains
       locks = block_way(model%cases(case_index)%operation) < 0
       if (locks) locks = left_of(model, case_index, model%cases(case_index)%wob, coiled=.true., pushed=.false.) < 0.0_wp
    end function locks_up
+
+   !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction of a coiled string
+   !> counts. Absent where that is the depth of the load case, where no depth that is tried is possible, and for a string that is
+   !> pulled.
+   pure subroutine find_reach(model, case_index, reach)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(optional_real), intent(out) :: reach
+      type(model_type) :: probe
+      real(wp) :: low, high
+      integer :: i
+      if (.not. locks_up(model, case_index)) return
+      probe = model
+      associate (asked => model%cases(case_index)%bit_depth, depth => probe%cases(case_index)%bit_depth)
+         do i = depths - 1, 1, -1
+            depth = asked*real(i, wp)/real(depths, wp)
+            if (.not. locks_up(probe, case_index)) exit
+         end do
+         if (i < 1) return
+         low = depth
+         high = asked*real(i + 1, wp)/real(depths, wp)
+         do i = 1, halvings
+            depth = 0.5_wp*(low + high)
+            if (locks_up(probe, case_index)) then
+               high = depth
+            else
+               low = depth
+            end if
+         end do
+      end associate
+      reach = given(low)
+   end subroutine find_reach
 
    !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` only the sign counts.
    pure function left_of(model, case_index, wob, coiled, pushed) result(left)

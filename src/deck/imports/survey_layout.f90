@@ -245,7 +245,7 @@ contains
    end function is_rule
 
    !> Whether a line holds the units of the columns: (m), deg, ... What looks like a unit stands in two of the columns wanted; or
-   !> in one, while the others are empty or told apart from words by their separator.
+   !> in one, while the others are empty, told apart from words by their separator, or as many as the headings.
    pure function is_unit_row(line, layout) result(is)
       character(*), intent(in) :: line
       type(layout_type), intent(in) :: layout
@@ -267,7 +267,8 @@ contains
             if (resembles_unit(cell, column /= column_md)) alike = alike + 1
          end associate
       end do
-      is = alike >= 2 .or. (alike == 1 .and. (filled == 1 .or. layout%separator /= ' ') .and. row%count > 1)
+      is = alike >= 2 .or. (alike == 1 .and. row%count > 1 .and. &
+                             (filled == 1 .or. layout%separator /= ' ' .or. row%count == layout%width))
    end function is_unit_row
 
    pure subroutine take_units(line, layout)

@@ -139,7 +139,7 @@ contains
       if (angle) then
          select case (name)
          case ('deg', 'degs', 'degree', 'degrees', 'dega'); value = degree
-         case ('rad', 'radian', 'radians'); value = 1.0_wp
+         case ('rad', 'rads', 'radian', 'radians'); value = 1.0_wp
          case default
          end select
       else

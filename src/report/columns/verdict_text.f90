@@ -12,7 +12,7 @@ module dg_verdict_text
                          verdict_type
    implicit none
    private
-   public :: verdict_reason, verdict_sentences, unchecked_codes, row_mark, mark_meaning
+   public :: verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
 
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
@@ -56,31 +56,31 @@ contains
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
-         text = shown_title(verdict%limit)//': '// &
-                load_text(units, verdict%limit, verdict%load%value)//place_text(units, verdict)
-         if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed'
+         text = shown_title(verdict%limit)//place_text(units, verdict)//': '//load_text(units, verdict%limit, verdict%load%value)
+         if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed, '// &
+            load_text(units, verdict%limit, verdict%load%value - verdict%allowed%value)//' too much'
+         if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)//' of overpull at the bit'
       end select
       if (verdict%friction == friction_upper_end_alone) text = text//', at the upper end of the 95 % interval of friction'
    end function verdict_reason
 
-   !> What stands beside the answer: the reason and what helps; or the nearest limit, what is left of it, the friction reserve and
-   !> what was not checked.
+   !> What stands beside the answer: the reason and what helps, or the nearest limit, what is left of it and the friction reserve.
    pure function verdict_sentences(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       if (verdict%answer == answer_no) then
-         text = verdict_reason(units, load_case, verdict)//help_text(units, verdict)
+         text = verdict_reason(units, load_case, verdict)//help_text(units, load_case, verdict)
       else if (verdict%answer == answer_yes) then
          text = nearest_text(units, load_case, verdict)
-         if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp) &
-            text = text//'. Largest WOB '//force_text(units, max(verdict%most_wob%value, load_case%wob))
+         if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
+             .and. verdict%limit /= limit_lock_up) text = text//'. Slack-off brings at most '// &
+            force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
             trim(merge(' by formula', '           ', verdict%buckled_by_formula))
          text = text//reserve_text(verdict)
-         if (any(verdict%not_checked)) text = text//'. Not checked, no rating given: '//unchecked_text(verdict)
       else
          text = 'No solution was found'
       end if
@@ -91,13 +91,12 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (verdict%friction == friction_upper_end) then
-         text = '. Works at the upper end of the 95 % interval of friction'
-         if (verdict%friction_reserve%present) text = text//' and'
-      end if
+      if (verdict%friction == friction_upper_end) &
+         text = '. The answer is yes at the upper end of the 95 % interval of friction, too'
       if (verdict%friction_reserve%present) then
-         if (text == '') text = '. Works'//trim(merge(' only', '     ', verdict%friction_reserve%value < little_reserve))
-         text = text//' up to about '//times_text(verdict, verdict%friction_reserve%value)//reserve_end(verdict)
+         text = text//'. The answer becomes NO '//trim(merge('already', '       ', verdict%friction_reserve%value < little_reserve))
+         text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
+         if (verdict%reserve_limit > 0) text = text//' ('//trim(limit_title(verdict%reserve_limit))//')'
       end if
       if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
    end function reserve_text
@@ -111,15 +110,6 @@ contains
                                                                       verdict%friction == friction_given))
    end function times_text
 
-   !> The limit that ends the friction reserve, where it is another one than the limit used most today.
-   pure function reserve_end(verdict) result(text)
-      type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text
-      text = ''
-      if (verdict%reserve_limit > 0 .and. verdict%reserve_limit /= verdict%limit) &
-         text = ', limited by '//trim(limit_title(verdict%reserve_limit))
-   end function reserve_end
-
    !> Push at surface that a string needs [N].
    pure function push_of(verdict) result(push)
       type(verdict_type), intent(in) :: verdict
@@ -128,19 +118,28 @@ contains
    end function push_of
 
    !> What makes the operation possible, as far as it is known; '' else.
-   pure function help_text(units, verdict) result(text)
+   pure function help_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
+      if (verdict%reach%present) text = '. Possible down to about '// &
+         trim(in_units(units, unit_length, verdict%reach%value, shown))
       if (verdict%turning_hookload%present) then
-         text = '. Rotate the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
+         text = text//'. Rotate the string: its weight is enough then, hook load about '// &
+                force_text(units, verdict%turning_hookload%value)//'. The torque is NOT CHECKED: add a case operation = '''// &
+                trim(merge('rotary ', 'reaming', load_case%wob > 0.0_wp))//''''
          if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
             ' of buoyed weight where the hole is steep'
       end if
-      if (verdict%possible_friction%present) text = text//'. Possible '// &
-         trim(merge('up to', 'with ', verdict%friction == friction_upper_end_alone))//' about '// &
-         times_text(verdict, verdict%possible_friction%value)
+      ! Less overpull takes as much off the load at least: drag falls with it.
+      if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
+         if (-load_case%wob > verdict%load%value - verdict%allowed%value) text = text//'. Possible with '// &
+            force_text(units, -load_case%wob - (verdict%load%value - verdict%allowed%value))//' of overpull'
+      end if
+      if (.not. verdict%possible_friction%present) return
+      text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
    end function help_text
 
    !> The limit used most and what is left of it.
@@ -148,37 +147,26 @@ contains
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text
+      character(:), allocatable :: text, takers
       if (verdict%limit == 0) then
          text = 'No limit is known'
          return
       end if
-      text = ''
-      if (verdict%used%value > close_to_limit) text = 'Close to its limit: '
-      text = text//used_text(load_case, verdict)//place_text(units, verdict)
+      text = trim(merge('Close to its limit:', 'Nearest limit:     ', verdict%used%value > close_to_limit))//' '// &
+             shown_title(verdict%limit)//place_text(units, verdict)//', '
+      if (verdict%limit == limit_string_weight) then
+         takers = 'WOB takes '
+         if (moves_axially(load_case%operation)) takers = trim(merge('drag and WOB take', 'drag takes       ', &
+                                                                     load_case%wob > 0.0_wp))//' '
+         text = text//takers
+      end if
+      if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
+         load_text(units, verdict%limit, verdict%allowed%value)//', '
+      text = text//to_text(verdict%used%value/percent, shown_factor)//' % used'
       if (verdict%allowed%present) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
-
-   !> How much of the limit is used, and by what.
-   pure function used_text(load_case, verdict) result(text)
-      type(load_case_type), intent(in) :: load_case
-      type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text
-      logical :: drags
-      text = to_text(verdict%used%value/percent, shown_factor)//' %'
-      drags = moves_axially(load_case%operation)
-      if (verdict%limit == limit_lock_up) then
-         text = 'WOB is '//text//' of the largest before lock-up'
-      else if (verdict%limit /= limit_string_weight) then
-         text = shown_title(verdict%limit)//' '//text//' used'
-      else if (drags .and. load_case%wob > 0.0_wp) then
-         text = 'friction and WOB take '//text//' of the string weight'
-      else
-         text = trim(merge('friction takes', 'WOB takes     ', drags))//' '//text//' of the string weight'
-      end if
-   end function used_text
 
    !> Name of a limit with the load that it limits.
    pure function shown_title(limit) result(title)
@@ -188,9 +176,21 @@ contains
       case (limit_rig); title = 'hook load of the rig'
       case (limit_top_drive); title = 'torque of the top drive'
       case (limit_von_mises); title = 'von Mises stress'
+      case (limit_tension); title = 'tension of the pipe'
+      case (limit_string_weight); title = 'string weight along the hole'
       case default; title = trim(limit_title(limit))
       end select
    end function shown_title
+
+   !> A load of a limit without its unit.
+   pure function number_text(units, limit, load) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: load       !< [N, N.m or Pa]
+      character(:), allocatable :: text
+      text = load_text(units, limit, load)
+      text = text(:index(text, ' ') - 1)
+   end function number_text
 
    !> A load of a limit.
    pure function load_text(units, limit, load) result(text)
@@ -236,15 +236,15 @@ contains
          text = ' at '//depth_text(units, verdict%md%value)
    end function place_text
 
-   !> Names of the limits that were not checked, one name for all that need a yield strength.
-   pure function unchecked_text(verdict) result(text)
-      type(verdict_type), intent(in) :: verdict
+   !> Names of limits that were not checked, one name for all that need a yield strength.
+   pure function unchecked_text(not_checked) result(text)
+      logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
       character(:), allocatable :: text
       integer :: i
       text = ''
-      if (verdict%not_checked(limit_tension)) text = 'pipe strength (no yield)'
+      if (not_checked(limit_tension)) text = 'pipe strength (no yield)'
       do i = 1, every_limit_count
-         if (.not. verdict%not_checked(i) .or. any(by_yield == i)) cycle
+         if (.not. not_checked(i) .or. any(by_yield == i)) cycle
          if (text /= '') text = text//', '
          text = text//trim(limit_title(i))
       end do

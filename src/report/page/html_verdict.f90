@@ -9,7 +9,7 @@ module dg_html_verdict
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_verdict, only: answer_no, verdict_type
-   use dg_verdict_table, only: answer_word, unlike_text, verdict_heading
+   use dg_verdict_table, only: answer_word, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -45,6 +45,8 @@ contains
          end associate
       end do
       call add_line(lines, '</tbody></table></div>')
+      other = unchecked_line(job, model, results, wholes)
+      if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')

@@ -4,18 +4,20 @@ module dg_verdict_table
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type
    use dg_number_text, only: left_aligned
-   use dg_text, only: append_text, text_type
-   use dg_verdict, only: answer_name, answer_no
-   use dg_verdict_text, only: verdict_sentences
+   use dg_text, only: append_text, text_type, to_text
+   use dg_verdict, only: answer_name, answer_no, answer_yes, every_limit_count
+   use dg_verdict_text, only: unchecked_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
    private
-   public :: verdict_table, verdict_heading, unlike_text, answer_word
+   public :: verdict_table, unchecked_line, verdict_heading, unlike_text, answer_word
 
    character(*), parameter :: verdict_title = 'Can it be done?'
    !> Width of names, and of the answer.
    integer, parameter :: most_name = 26, answer_width = 9
+   !> Names of cases in one line.
+   integer, parameter :: most_names = 6
 
 contains
 
@@ -47,11 +49,48 @@ contains
                                 verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.', page_width)
          end associate
       end do
+      other = unchecked_line(job, model, results, wholes)
+      if (other /= '') call append_wrapped(lines, '', other, page_width)
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call append_wrapped(lines, '', other, page_width)
       end do
    end function verdict_table
+
+   !> Limits that count for cases with a yes and have no rating in the deck: those of all these cases, then what some have
+   !> besides.
+   pure function unchecked_line(job, model, results, wholes) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)
+      character(:), allocatable :: text, names
+      logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
+      integer :: first, k
+      left = results%model == leading_model(job) .and. wholes%verdict%answer == answer_yes
+      everywhere = any(left)
+      do k = 1, size(results)
+         if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
+      end do
+      text = unchecked_text(everywhere)
+      do while (any(left))
+         first = findloc(left, .true., dim=1)
+         extra = wholes(first)%verdict%not_checked .and. .not. everywhere
+         names = ''
+         do k = 1, size(results)
+            alike(k) = left(k) .and. .not. any((wholes(k)%verdict%not_checked .neqv. extra) .and. .not. everywhere)
+            if (.not. alike(k)) cycle
+            if (names /= '') names = names//', '
+            names = names//model%cases(results(k)%case_index)%name
+         end do
+         left = left .and. .not. alike
+         if (.not. any(extra)) cycle
+         if (count(alike) > most_names) names = to_text(count(alike))//' cases'
+         if (text /= '') text = text//'. '
+         text = text//'For '//names//': '//unchecked_text(extra)
+      end do
+      if (text /= '') text = 'NOT CHECKED, as the deck gives no limit: '//text//'.'
+   end function unchecked_line
 
    !> Heading of the block, with the model where there are several.
    pure function verdict_heading(job) result(heading)

@@ -22,7 +22,7 @@ contains
       type(model_faults_type), intent(inout) :: found
       character(*), intent(in), optional :: speed  !< what the caller calls the speed of rotation; absent: rpm, as decks do
       if (load_case%hours > 0.0_wp .and. .not. load_case%angular_speed > 0.0_wp) &
-         call note_fault(found, 'load_case', place, 'hours', 'hours needs rpm > 0')
+         call note_fault(found, 'load_case', place, 'rpm', 'hours needs rpm > 0')
       if (.not. (rotates(load_case%operation) .and. moves_axially(load_case%operation))) return
       if (.not. load_case%angular_speed > 0.0_wp) then
          if (present(speed)) then

@@ -352,7 +352,7 @@ module dg_deck_keys
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
                     meaning='of all attempts at a case together'), &
       key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
-      key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=stiffest, &
+      key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=10.0_wp, &
          meaning='rigidity of a free gap: Gkmin, Eq. 7'), &
       key_rule_type('solver', 'gk_contact', unit=unit_wall, low=0.0_wp, open=.true., high=stiffest, &
          meaning='rigidity of a wall in elastic contact: Gkc, Eq. 8'), &

@@ -306,11 +306,12 @@ contains
                           ' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: from '//trim(in_units(model%units, unit_length, totals%runaway_md, shown))// &
-                       ' up to surface, friction of helical buckling grows without bound. '
+      result%message = 'Locked up: between surface and '// &
+                       trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))// &
+                       ', friction of helical buckling takes up any push from surface. '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
-         result%message = result%message//'No push at surface brings more than '// &
+         result%message = result%message//'The largest push brings '// &
                           trim(in_units(model%units, unit_force, most, shown))// &
                           ' to the bit, and without a push '// &
                           trim(in_units(model%units, unit_force, &

@@ -1,6 +1,7 @@
 !> What a calibration with one model found. SI units.
 module dg_calibration_result
    use dg_kinds, only: wp
+   use dg_depth_drift, only: drift_type, find_drift
    use dg_depth_correlation, only: find_succession, scatter_along, succession_type, widen_intervals
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_fit_by_kinds, only: free_unknowns
@@ -31,6 +32,7 @@ module dg_calibration_result
       real(wp) :: deviations(2) = missing, scatters(2) = missing
       real(wp) :: freedoms(2) = 0.0_wp            !< values of each kind that are spare for its deviation
       type(succession_type) :: succession         !< of errors along the depth; deviations and intervals are those with it
+      type(drift_type) :: drifts(2)               !< of hook loads and torques with depth
       type(prediction_type) :: prediction         !< of load cases that the fit has not seen; not allocated: none asked for
       character(:), allocatable :: message        !< why there is no fit; '' else
       integer :: halvings = 0                     !< of the factors, until the fit could begin
@@ -59,6 +61,10 @@ contains
             if (result%scatters(k) > 0.0_wp) result%freedoms(k) = sum(residual**2, mask=of_what == k)/result%scatters(k)**2
          end do
          call find_succession(fit%jacobian(:, columns), residual, depth, group, result%succession)
+         do k = 1, size(result%drifts)
+            call find_drift(fit%jacobian(:, columns), residual, merge(deviation, 0.0_wp, of_what == k), depth, group, &
+                            result%drifts(k))
+         end do
          if (result%succession%correlation > 0.0_wp) call judge_anew(residual, kinds, of_what, columns, result)
          do k = 1, size(result%scatters)
             if (any(of_what == k) .and. .not. is_missing(result%scatters(k))) &

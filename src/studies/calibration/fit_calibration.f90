@@ -6,11 +6,13 @@ module dg_fit_calibration
       torque_datum, variance_kinds
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_clock, only: seconds_between
+   use dg_depth_drift, only: with_drift
    use dg_fit_by_kinds, only: fit_by_kinds
    use dg_fit_statistics, only: as_normal
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_without_values, unknowns_type
    use dg_load_case, only: optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_prediction, only: predict
    use dg_progress, only: progress_type, show_time, start_progress
@@ -121,6 +123,10 @@ contains
             deviation = known%value
             freedom = real(as_normal, wp)
          end where
+      end do
+      do kind = hookload_datum, torque_datum
+         where (ahead%data%kind == kind .and. .not. is_missing(deviation)) &
+            deviation = with_drift(deviation, result%drifts(kind), model%cases(ahead%cases(ahead%data%case))%bit_depth)
       end do
       call predict(function, result%fit, result%statistics, scale, deviation, freedom, result%prediction)
       result%solutions = result%solutions + function%solutions

@@ -9,6 +9,7 @@ module dg_sample_statistics
    use dg_sweep, only: point_at, point_type
    use dg_sweep_result, only: sweep_result_type
    use dg_uncertainty, only: piece_number, uncertainty_type
+   use dg_variance_shares, only: input_count, variance_shares
    implicit none
    private
    public :: distribution_type, point_statistics_type, find_distribution, find_point_statistics, quantile, p10, p50, p90
@@ -33,6 +34,7 @@ module dg_sample_statistics
       type(distribution_type) :: hookload    !< [N]
       type(distribution_type) :: weight_indicator !< as the rig shows it; nothing where none is given [N]
       type(distribution_type) :: torque      !< [N.m]
+      real(wp) :: hookload_shares(input_count) = missing, torque_shares(input_count) = missing !< of the variance, by input [-]
    end type point_statistics_type
 
 contains
@@ -64,6 +66,8 @@ contains
                               draw_of(uncertainty, solved, quantity_hookload, point), below=statistics%locked_up)
          statistics%torque = find_distribution(results(places)%torque + uncertainty%torque_deviation* &
                                                draw_of(uncertainty, solved, quantity_torque, point), above=tight)
+         statistics%hookload_shares = variance_shares(uncertainty, solved, results(places)%hookload, uncertainty%hookload_deviation)
+         statistics%torque_shares = variance_shares(uncertainty, solved, results(places)%torque, uncertainty%torque_deviation)
       end associate
    end function find_point_statistics
 

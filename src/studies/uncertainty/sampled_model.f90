@@ -12,7 +12,7 @@ module dg_sampled_model
    implicit none
    private
    public :: draw_model, draw_of
-   public :: quantity_friction, quantity_density, quantity_hookload, quantity_torque
+   public :: quantity_friction, quantity_density, quantity_inclination, quantity_azimuth, quantity_hookload, quantity_torque
 
    !> What is drawn; each has its own numbers, so that a deck with one more uncertainty keeps the others'.
    integer, parameter :: quantity_friction = 1     !< index: hole section

@@ -1,21 +1,23 @@
 !> uncertainty_<name>.csv: one row a point, with the quantiles of its samples.
 module dg_uncertainty_file
    use dg_column, only: column_type, field_list_type, put, quantity_force, quantity_length, quantity_moment, quantity_none, &
-                        quantity_text
+                        quantity_percent, quantity_text
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_comparison, only: known
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: operation_name
+   use dg_kinds, only: wp
+   use dg_load_case, only: operation_name, optional_real
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_at, point_type
    use dg_uncertainty, only: uncertainty_type
+   use dg_variance_shares, only: input_name
    implicit none
    private
-   public :: uncertainty_columns, write_uncertainty
+   public :: uncertainty_columns, write_uncertainty, share_column
 
    !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: uncertainty_columns(19) = [ &
+   type(column_type), parameter :: uncertainty_columns(29) = [ &
       column_type('model', quantity_text, 'as in summary.csv'), &
       column_type('operation', quantity_text, 'long name of the operation'), &
       column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
@@ -35,7 +37,19 @@ module dg_uncertainty_file
       column_type('not_converged', quantity_none, 'samples without solution, left out of all'), &
       column_type('weight_indicator_p10', quantity_force, 'as hookload_p10, of what the rig shows; empty without &rig'), &
       column_type('weight_indicator_p50', quantity_force, 'the same for half of them'), &
-      column_type('weight_indicator_p90', quantity_force, 'the same for 90 %')]
+      column_type('weight_indicator_p90', quantity_force, 'the same for 90 %'), &
+      column_type('hookload_share_friction', quantity_percent, 'share of the variance of the hook load that friction explains'), &
+      column_type('hookload_share_mud_density', quantity_percent, 'the same of the mud density'), &
+      column_type('hookload_share_survey', quantity_percent, 'the same of the survey; of stations each '// &
+                  'on their own with what is not linear'), &
+      column_type('hookload_share_gauge', quantity_percent, 'the same of the gauge'), &
+      column_type('hookload_share_rest', quantity_percent, 'what is not linear, and chance'), &
+      column_type('torque_share_friction', quantity_percent, 'share of the variance of the torque that friction explains'), &
+      column_type('torque_share_mud_density', quantity_percent, 'the same of the mud density'), &
+      column_type('torque_share_survey', quantity_percent, 'the same of the survey; of stations each '// &
+                  'on their own with what is not linear'), &
+      column_type('torque_share_gauge', quantity_percent, 'the same of the gauge'), &
+      column_type('torque_share_rest', quantity_percent, 'what is not linear, and chance')]
 
 contains
 
@@ -65,10 +79,41 @@ contains
          call put(row, known(statistics(i)%weight_indicator%quantiles(p10)))
          call put(row, known(statistics(i)%weight_indicator%quantiles(p50)))
          call put(row, known(statistics(i)%weight_indicator%quantiles(p90)))
+         call put_shares(row, statistics(i)%hookload_shares)
+         call put_shares(row, statistics(i)%torque_shares)
          call add_row(table, row)
       end do
       call write_table(table, path, error)
    end subroutine write_uncertainty
+
+   pure subroutine put_shares(row, shares)
+      type(field_list_type), intent(inout) :: row
+      real(wp), intent(in) :: shares(:)      !< [-]
+      integer :: i
+      do i = 1, size(shares)
+         call put(row, as_percent(shares(i)))
+      end do
+   end subroutine put_shares
+
+   !> A share in per cent; absent where it is missing.
+   pure function as_percent(share) result(percent)
+      real(wp), intent(in) :: share          !< [-]
+      type(optional_real) :: percent
+      percent = known(share)
+      if (percent%present) percent%value = 100.0_wp*share
+   end function as_percent
+
+   !> Name of the column with the share of an input in the variance of hook load or torque, blanks behind it.
+   pure function share_column(result, input) result(name)
+      character(*), intent(in) :: result     !< 'hookload' or 'torque'
+      integer, intent(in) :: input           !< number (dg_variance_shares)
+      character(40) :: name
+      integer :: i
+      name = result//'_share_'//input_name(input)
+      do i = 1, len_trim(name)
+         if (name(i:i) == ' ') name(i:i) = '_'
+      end do
+   end function share_column
 
    pure subroutine put_distribution(row, distribution)
       type(field_list_type), intent(inout) :: row

@@ -22,6 +22,7 @@ module dg_uncertainty_study
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_points, only: add_indicator
    use dg_text, only: quoted, text_list, text_type
+   use dg_tornado_picture, only: tornado_script
    use dg_uncertainty, only: friction_factor_of, piece_count, uncertainty_type
    use dg_uncertainty_echo, only: add_uncertainties
    use dg_uncertainty_file, only: uncertainty_columns, write_uncertainty
@@ -57,6 +58,11 @@ module dg_uncertainty_study
    character(*), parameter :: shown(14) = [character(24) :: 'operation', 'bit_depth', 'hookload_p10', 'hookload_p50', &
       'hookload_p90', 'weight_indicator_p10', 'weight_indicator_p50', 'weight_indicator_p90', 'torque_p10', 'torque_p50', &
       'torque_p90', 'samples', 'locked_up', 'not_converged']
+
+   !> Columns of the table beneath the tornado.
+   character(*), parameter :: shown_shares(12) = [character(26) :: 'operation', 'bit_depth', 'hookload_deviation', &
+      'hookload_share_friction', 'hookload_share_mud_density', 'hookload_share_survey', 'hookload_share_gauge', &
+      'torque_deviation', 'torque_share_friction', 'torque_share_mud_density', 'torque_share_survey', 'torque_share_gauge']
 
 contains
 
@@ -232,6 +238,11 @@ contains
                call add_picture(list, job, new_picture(name, 'What uncertain data make of hook load and torque', 0, &
                   rows_of_file(job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
                                text_list('model', trim(model_name(range%models(k)))))), lines, error)
+               name = free_name(list, 'tornado_'//range%name//'_'//trim(model_name(range%models(k))))
+               call tornado_script(name, job%units, self%uncertainties(i), k, lines)
+               call add_picture(list, job, new_picture(name, 'What matters most: hook load and torque by one standard '// &
+                  'deviation of each input', 0, rows_of_file(job, points_file('uncertainty', range%name), uncertainty_columns, &
+                  shown_shares, text_list('model', trim(model_name(range%models(k)))))), lines, error)
             end do
          end associate
       end do

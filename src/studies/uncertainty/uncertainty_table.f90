@@ -4,7 +4,7 @@ module dg_uncertainty_table
    use dg_comparison, only: known
    use dg_job, only: model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_label, optional_real
+   use dg_load_case, only: operation_label, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, right_aligned
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
@@ -13,6 +13,7 @@ module dg_uncertainty_table
    use dg_uncertainty, only: uncertainty_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
+   use dg_variance_shares, only: input_name, varies
    implicit none
    private
    public :: uncertainty_table, deviations_text
@@ -20,7 +21,7 @@ module dg_uncertainty_table
    integer, parameter :: depth_width = 10, cell_width = 10
    !> Rows of a table: a page shows the shape of a curve, the file has every depth.
    integer, parameter :: most_rows = 25
-   integer, parameter :: digits = 4, depth_digits = 7
+   integer, parameter :: digits = 4, depth_digits = 7, share_digits = 2
 
 contains
 
@@ -143,6 +144,12 @@ contains
          if (any(curve_points%locked_up > 0)) call append_text(lines, &
             'Locked up: '//most(curve_points%locked_up)//'; they count as hook loads below all others; - : among them')
       end associate
+      associate (deepest => statistics(last))
+         if (.not. any(is_missing(deepest%hookload_shares))) call append_text(lines, shares_text('hook load', uncertainty, &
+                                                                                                 deepest%hookload_shares))
+         if (rotates(uncertainty%range%operations(curve%operation)) .and. .not. any(is_missing(deepest%torque_shares))) &
+            call append_text(lines, shares_text('torque', uncertainty, deepest%torque_shares))
+      end associate
    contains
       pure function loads_of(found) result(loads)
          type(point_statistics_type), intent(in) :: found
@@ -159,6 +166,25 @@ contains
                 trim(in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits))
       end function most
    end subroutine append_curve
+
+   !> What matters most at the deepest bit depth, the largest share first.
+   pure function shares_text(what, uncertainty, shares) result(text)
+      character(*), intent(in) :: what
+      type(uncertainty_type), intent(in) :: uncertainty
+      real(wp), intent(in) :: shares(:)      !< of the variance, by input [-]
+      character(:), allocatable :: text
+      real(wp) :: left(size(shares))
+      integer :: i, largest
+      text = ''
+      left = shares
+      do i = 1, size(shares)
+         largest = maxloc(left, dim=1)
+         left(largest) = -1.0_wp
+         if (varies(uncertainty, largest)) text = text//', '//trim(input_name(largest))//' '// &
+            to_text(100.0_wp*shares(largest), share_digits)//' %'
+      end do
+      text = 'Share of the variance of '//what//' at the deepest: '//text(len(', ') + 1:)
+   end function shares_text
 
    pure function cells(distribution, unit, decimals) result(text)
       type(distribution_type), intent(in) :: distribution

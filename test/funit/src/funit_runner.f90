@@ -51,6 +51,7 @@ contains
          chosen(i) = index(suite%methods(i)%name, options%pattern) > 0 .or. options%pattern == ''
          if (chosen(i)) call run_test(suite%methods(i), options%verbose, outcomes(i))
       end do
+      if (.not. options%verbose) write (output_unit, '(a)') ''
       call print_failures(suite, outcomes)
       tests = count(chosen)
       failures = count(outcomes%failed)
@@ -85,6 +86,9 @@ contains
       outcome%failed = size(outcome%exceptions) > 0
       call take_deviation(deviation)
       if (verbose .and. deviation /= '') write (output_unit, '(2a)') '     ', deviation
+      if (verbose) return
+      write (output_unit, '(a)', advance='no') merge('F', '.', outcome%failed)     ! progress, as pFUnit prints it
+      flush (output_unit)
    end subroutine run_test
 
    subroutine print_failures(suite, outcomes)
