@@ -92,6 +92,7 @@ contains
          position = load_case%bit_depth
          force = -loads%load_scale*end_compression(model, load_case)
          if (loads%wob%present) force = -loads%load_scale*(loads%wob%value + packer_push(model, load_case))
+         force = force + loads%friction_scale*model%stiff_drag
          moment = loads%load_scale*load_case%tob
       end associate
       layout = layout_of(model, case_index)

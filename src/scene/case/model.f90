@@ -40,6 +40,7 @@ module dg_model
       type(rig_type) :: rig                               !< acts on no string, only on what is read of it
       type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
+      real(wp) :: stiff_drag = 0.0_wp                     !< lacks in the soft string of the case being solved (dg_stiff_drag) [N]
       type(unit_system_type) :: units                     !< in which messages speak; all numbers are SI
    end type model_type
 
@@ -68,6 +69,7 @@ contains
       copy%rig = model%rig
       copy%mud = model%mud
       copy%gravity = model%gravity
+      copy%stiff_drag = model%stiff_drag
       copy%units = model%units
       allocate (copy%cases(1))
    end subroutine copy_without_cases

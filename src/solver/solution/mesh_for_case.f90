@@ -16,7 +16,7 @@ module dg_mesh_for_case
    use dg_trajectory, only: arc_at
    implicit none
    private
-   public :: mesh_for_case, cut_elements, shortest, shortest_cut
+   public :: mesh_for_case, cut_elements, near_edges, shortest, shortest_cut
 
    !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
    !> element buckles between its nodes, where no gap can hold it, and the iteration does not converge.
@@ -197,6 +197,18 @@ contains
            .not. (mesh%spacing(n) > 0.0_wp .and. mesh%spacing(n - 1) > 0.0_wp)
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
+
+   !> Elements within reach of a bend or an edge, as of the blade of a stabilizer: the assembly's, which contact bends.
+   pure function near_edges(mesh) result(near)
+      type(mesh_type), intent(in) :: mesh
+      logical :: near(mesh%elements)
+      integer :: n
+      real(wp), allocatable :: depths(:)
+      allocate (depths, source=[bend_depths(mesh), pack(mesh%md(2:mesh%elements), [(is_edge(mesh, n), n=2, mesh%elements)])])
+      do n = 1, mesh%elements
+         near(n) = any(abs(mesh%md(n) - depths) < reach_of_bend)
+      end do
+   end function near_edges
 
    !> Depths at which a housing is bent, or pads press [m]; none in most strings.
    pure function bend_depths(mesh) result(depths)

@@ -1,7 +1,8 @@
 !> The model of the paper for one load case: from deck data to a result. The only door of this room.
 !>
 !> The strategy, in its order:
-!>   1. A mesh whose elements know the local scale (dg_mesh_for_case); a soft string that locks up is the answer.
+!>   1. A mesh whose elements know the local scale (dg_mesh_for_case), from the soft string with the friction of a stiff assembly
+!>      (dg_stiff_drag); a soft string that locks up is the answer.
 !>   2. A start: the soft string bent into the hole (dg_predictor), against walls that its load presses in visibly.
 !>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
 !>      friction's forces frozen, or the largest residual.
@@ -37,6 +38,7 @@ module dg_static_analysis
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
                               tell_steep, tell_unlike_contact
+   use dg_stiff_drag, only: find_stiff_drag
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
@@ -92,6 +94,7 @@ contains
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
+      type(model_type) :: known                   ! with the friction of a stiff assembly
       integer(int64) :: start, finish
       character(:), allocatable :: tried
       integer :: given_up, i
@@ -103,12 +106,14 @@ contains
       if (present(totals_only)) profile = .not. totals_only
       moments = model%numerics%moments .and. profile
       allocate (history(0))
+      known = model
+      call find_stiff_drag(model, case_index, known%stiff_drag)
       asked = model%numerics%element_length
       do i = 1, model%numerics%tuning%most_meshes
          associate (mesh => model%numerics%tuning%mesh(i))
             length = mesh%length*asked
             if (i > 1 .and. .not. length > shortest) cycle
-            call solve_on_mesh(model, case_index, length, [mesh%first, mesh%last], [moments, profile], history, stopped, result)
+            call solve_on_mesh(known, case_index, length, [mesh%first, mesh%last], [moments, profile], history, stopped, result)
             if (i == 1) asked = min(asked, result%element_lengths(2))
             if (result%status /= result_not_converged) exit
             call list_tried(model, result%element_lengths(2), &
@@ -126,7 +131,7 @@ contains
                           to_text(size(history))//' iterations')
       end if
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
-         call find_range(model, case_index, stopped, result)
+         call find_range(known, case_index, stopped, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call finish_result(result)
       call system_clock(finish)

@@ -1,0 +1,52 @@
+!> Friction along the hole of a stiff assembly, which the soft string does not know.
+!>
+!> A bent housing, or stabilizers that fill a bending hole, press on the wall by what it takes to bend them: up to hundreds of
+!> kilonewtons, where the soft string has weight and tension alone. A string that slides or is run in has to push them. Without that
+!> push its pipe is expected in less compression than it has, elements are too long for it, and the pipe buckles out of the hole
+!> between their gaps. The beam of the start has the contact of the assembly: friction goes by it here.
+module dg_stiff_drag
+   use dg_kinds, only: wp
+   use dg_case_result, only: scale_count
+   use dg_end_supports, only: force_scale
+   use dg_gap_table, only: gap_table_type
+   use dg_mesh, only: mesh_type
+   use dg_mesh_for_case, only: mesh_for_case, near_edges
+   use dg_model, only: model_type
+   use dg_predictor, only: predict, start_type
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_walls, only: lay_out_gaps, softness
+   use dg_whirling, only: find_climb
+   implicit none
+   private
+   public :: find_stiff_drag
+
+contains
+
+   !> That friction less what the soft string has there, > 0 down the hole [N]; 0 where no equilibrium feels it.
+   pure subroutine find_stiff_drag(model, case_index, drag)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(out) :: drag
+      type(mesh_type) :: mesh
+      type(gap_table_type) :: gaps
+      type(soft_totals_type) :: totals
+      real(wp), allocatable :: climb(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
+      real(wp) :: compressed, strained, pressing
+      integer :: shortened(scale_count)
+      drag = 0.0_wp
+      call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
+      if (totals%runaway .or. .not. any(abs(mesh%axial) > 0.0_wp .and. near_edges(mesh))) return
+      allocate (climb(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
+      allocate (state(6, mesh%nodes), axial(mesh%nodes), free(mesh%nodes), torque(mesh%nodes))
+      call find_climb(model, case_index, mesh, compressed, climb)
+      call lay_out_gaps(model%numerics, mesh, gaps)
+      call predict(model, case_index, mesh, start_type(softness=softness(model%numerics%tuning%soft_penetration, mesh, pressing)), &
+                   climb, state, gaps, pressed)
+      call soft_string_at(model, case_index, mesh%md, axial, torque, other=other_loads_type(coiled=.true.))
+      call soft_string_at(model, case_index, mesh%md, free, torque, other=other_loads_type(friction_scale=0.0_wp))
+      axial = axial - free
+      soft = axial(:mesh%elements) - axial(2:)
+      drag = sum(mesh%axial*pressed - soft, mask=near_edges(mesh))
+      if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
+   end subroutine find_stiff_drag
+end module dg_stiff_drag
