@@ -1,9 +1,10 @@
 !> The answer to 'can it be done?' as a run prints and writes it: terminal, summary.csv, sweep, page, exit status.
 module dg_test_can_be_done
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type
+   use dg_kinds, only: wp
+   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
-   use dg_text, only: text_type
+   use dg_text, only: text_type, to_text
    implicit none
    private
    public :: can_be_done_suite
@@ -19,6 +20,7 @@ contains
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
+      call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
       call suite%addTest(TestMethod('head_and_jar', test_head))
@@ -63,15 +65,57 @@ contains
       call assertTrue(index(rows(3)%text, ' to the bit, 150 klbf asked",') > 0, message=rows(3)%text)
    end subroutine test_terminal
 
-   !> 'Rotate the string' is followed, and it can be done.
+   !> 'Rotate the string' and 'Possible with' are followed with the friction and the numbers as they stand there: it can be done,
+   !> and the hook load is as said. More friction than an answer 'Works up to' allows is too much.
    subroutine test_advice()
+      character(*), parameter :: loads = "operation = 'sliding', wob = 50, friction = "
       type(run_type) :: run
-      run = run_deck_text(deck("operation = 'sliding', wob = 50, friction = 0.5", .false.))
+      type(text_type), allocatable :: rows(:)
+      character(:), allocatable :: hookload
+      real(wp) :: found, promised, factor
+      run = run_deck_text(deck(loads//'0.5', .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Rotate the string') > 0, message=run%output)
-      run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.3", .false.))
+      hookload = number_after(run%output, 'Rotate the string: the hook load is then about ')
+      read (hookload, *) promised
+      factor = factor_after('Possible with about ')
+      run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      hookload = field(rows(3)%text, col_hookload)
+      read (hookload, *) found
+      call assertTrue(abs(found - promised) < 0.01_wp*promised, message='hook load of a string that turns: '//hookload)
+      run = run_deck_text(deck(loads//to_text(0.5_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = 0.27", .false.))
+      factor = factor_after('up to about ')
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*1.02_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+   contains
+      !> Factor of friction of the sliding case behind words.
+      function factor_after(words) result(value)
+         character(*), intent(in) :: words
+         real(wp) :: value
+         character(:), allocatable :: number
+         number = number_after(unwrapped(run%output(index(run%output, newline//'slide '):)), words)
+         read (number, *) value
+      end function factor_after
    end subroutine test_advice
+
+   !> The number behind words of a text; '0' where they are absent.
+   function number_after(text, words) result(number)
+      character(*), intent(in) :: text, words
+      character(:), allocatable :: number
+      integer :: at
+      number = '0'
+      at = index(unwrapped(text), words)
+      call assertTrue(at > 0, message='wanted: '//words//'; got: '//text)
+      if (at == 0) return
+      number = unwrapped(text)
+      number = number(at + len(words):)
+      number = number(:index(number, ' ') - 1)
+   end function number_after
 
    !> By beams 20,000 klbf lock the string up: no hook load, no torque.
    subroutine test_locked_up()
@@ -86,6 +130,23 @@ contains
       call assertEqual('', field(rows(3)%text, col_torque), message='torque')
       call assertTrue(index(rows(3)%text, ',no,') > 0, message=rows(3)%text)
    end subroutine test_locked_up
+
+   !> With a little less than the weight on bit that is said to arrive without a push, the string goes down without one.
+   subroutine test_less_weight()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      character(:), allocatable :: text, most
+      real(wp) :: wob
+      text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
+      run = run_deck_text(text)
+      most = number_after(content(results_path//'/summary.csv'), 'to the bit, and without a push ')
+      read (most, *) wob
+      run = run_deck_text(replaced(text, '150 ', to_text(0.99_wp*wob)//' '))
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      call assertEqual('converged', field(rows(3)%text, col_status))
+      call assertTrue(index(rows(3)%text, ',yes,') > 0, message=rows(3)%text)
+   end subroutine test_less_weight
 
    !> The depth from which it cannot be done, and the rows that say so.
    subroutine test_sweep()

@@ -102,13 +102,15 @@ contains
       if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
    end function reserve_text
 
-   !> A factor of friction.
+   !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
    pure function times_text(verdict, factor) result(text)
       type(verdict_type), intent(in) :: verdict
-      real(wp), intent(in) :: factor       !< [-]
+      real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
-      text = to_text(factor, shown_factor)//' times the '//trim(merge('friction given     ', 'calibrated friction', &
-                                                                      verdict%friction == friction_given))
+      real(wp) :: last
+      last = 10.0_wp**(floor(log10(factor)) + 1 - shown_factor)
+      text = to_text(last*real(floor(factor/last), wp), shown_factor)//' times the '// &
+             trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 
    !> The limit that ends the friction reserve, where it is another one than the limit used most today.
@@ -133,11 +135,8 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (verdict%turning_hookload%present) then
+      if (verdict%turning_hookload%present) &
          text = '. Rotate the string: the hook load is then about '//force_text(units, verdict%turning_hookload%value)
-         if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
-            ' of buoyed weight where the hole is steep'
-      end if
       if (verdict%possible_friction%present) text = text//'. Possible '// &
          trim(merge('up to', 'with ', verdict%friction == friction_upper_end_alone))//' about '// &
          times_text(verdict, verdict%possible_friction%value)
