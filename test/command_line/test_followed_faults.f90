@@ -207,6 +207,8 @@ contains
       call follow("'up'", "'overpull'", "write 'trip_out' with a wob below 0", "'overpull'", "'trip_out', wob = -20")
       call follow("'up'", "'tripping'", "write 'trip_out' or 'trip_in'", "'tripping'", "'trip_out'")
       call follow("'up'", "'tripping'", "write 'trip_out' or 'trip_in'", "'tripping'", "'trip_in'")
+      call follow("'up'", "up", "write operation = 'up'", "= up", "= 'up'")
+      call follow("'centred'", "fre", "top_lateral = 'fre' is unknown; did you mean 'free'?", "= fre", "= 'free'")
       call follow("name = 's'", "name = 'U'", "names must be unique, letter case aside", "'U'", "'s'")
    end subroutine test_more_form
 
@@ -235,6 +237,16 @@ contains
                   "kick_off has no meaning without tie_on = 'vertical'; give both or none", "kick_off = 100, ", "")
       call follow("density = 1200.0", "density = 1200.0, md_top = 100, above_bit = 100", &
                   "all say where the fluid begins; keep one", ", above_bit = 100", "")
+      call follow("density = 1200.0 /", "density = 1200.0 / &fluid density = 1100, md_top = 300, surface_pressure = 5 /", &
+                  "give it in the uppermost fluid", &
+                  "density = 1200.0 / &fluid density = 1100, md_top = 300, surface_pressure = 5 /", &
+                  "density = 1200.0, surface_pressure = 5 / &fluid density = 1100, md_top = 300 /")
+      call follow("&job title = 'a deck'", "&rig max_hookload = 900 / &job rig_limit = 900, title = 'a deck'", &
+                  "max_hookload is rig_limit of &job under another name; keep one", "rig_limit = 900, ", "")
+      call follow("wob = 20.0", "wob = 20.0 / &load_case name = 'v', operation = 'static', bit_depth = 800 /"// &
+                  " &load_case name = 'w', operation = 'static', bit_depth = 800, length_reference = 'v' /"// &
+                  " &load_case name = 'x', operation = 'static', bit_depth = 800, length_reference = 'w'", &
+                  "has a length_reference itself; name a case without one", "length_reference = 'w'", "length_reference = 'v'")
    end subroutine test_without_meaning
 
    !> Decks that are legal and hardly meant.
