@@ -2,9 +2,9 @@
 module dg_test_can_be_done
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type
+   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
-   use dg_text, only: text_type
+   use dg_text, only: text_type, to_text
    implicit none
    private
    public :: can_be_done_suite
@@ -21,6 +21,7 @@ contains
       call suite%addTest(TestMethod('advice_followed', test_advice))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
+      call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
       call suite%addTest(TestMethod('head_and_jar', test_head))
@@ -65,38 +66,72 @@ contains
       call assertTrue(index(rows(3)%text, ' to the bit, 150 klbf asked",') > 0, message=rows(3)%text)
    end subroutine test_terminal
 
-   !> 'Rotate the string' is followed, and it can be done.
+   !> 'Rotate the string' and 'The answer becomes yes at' are followed with the friction and the numbers as they stand there: it can
+   !> be done, and the hook load is as said. More friction than 'The answer becomes NO at' is too much.
    subroutine test_advice()
+      character(*), parameter :: loads = "operation = 'sliding', wob = 50, friction = "
       type(run_type) :: run
-      run = run_deck_text(deck("operation = 'sliding', wob = 50, friction = 0.5", .false.))
+      type(text_type), allocatable :: rows(:)
+      character(:), allocatable :: hookload
+      real(wp) :: found, promised, factor
+      run = run_deck_text(deck(loads//'0.5', .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      call assertTrue(index(run%output, ' Rotate the') > 0, message=run%output)
-      run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.3", .false.))
+      hookload = number_after(run%output, 'its weight is enough then, hook load about ')
+      read (hookload, *) promised
+      factor = factor_after('The answer becomes yes at about ')
+      run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      hookload = field(rows(3)%text, col_hookload)
+      read (hookload, *) found
+      call assertTrue(abs(found - promised) < 0.01_wp*promised, message='hook load of a string that turns: '//hookload)
+      run = run_deck_text(deck(loads//to_text(0.5_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = 0.27", .false.))
+      factor = factor_after('The answer becomes NO at about ')
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*1.02_wp*factor), .false.))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+   contains
+      !> Factor of friction of the sliding case behind words.
+      function factor_after(words) result(value)
+         character(*), intent(in) :: words
+         real(wp) :: value
+         character(:), allocatable :: number
+         number = number_after(unwrapped(run%output(index(run%output, newline//'slide '):)), words)
+         read (number, *) value
+      end function factor_after
    end subroutine test_advice
 
    !> 'Possible down to about' a depth: yes 1 % above it, NO 1 % below it.
    subroutine test_reach()
       type(run_type) :: run
-      character(:), allocatable :: slide
-      character(16) :: depth
+      character(:), allocatable :: slide, depth
       real(wp) :: reach
-      integer :: begins, status
-      character(*), parameter :: says = 'Possible down to about '
       slide = deck("operation = 'sliding', wob = 30, friction = 0.4", .false.)
       run = run_deck_text(slide)
-      begins = index(run%output, says)
-      call assertTrue(begins > 0, message=run%output)
-      if (anyExceptions()) return
-      read (run%output(begins + len(says):), *, iostat=status) reach
-      call assertEqual(0, status, message=run%output)
-      write (depth, '(f0.1)') 0.99_wp*reach
-      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//trim(depth)))
+      depth = number_after(run%output, 'Possible down to about ')
+      read (depth, *) reach
+      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(0.99_wp*reach)))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
-      write (depth, '(f0.1)') 1.01_wp*reach
-      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//trim(depth)))
+      run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(1.01_wp*reach)))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
    end subroutine test_reach
+
+   !> The number behind words of a text; '0' where they are absent.
+   function number_after(text, words) result(number)
+      character(*), intent(in) :: text, words
+      character(:), allocatable :: number
+      integer :: at
+      number = '0'
+      at = index(unwrapped(text), words)
+      call assertTrue(at > 0, message='wanted: '//words//'; got: '//text)
+      if (at == 0) return
+      number = unwrapped(text)
+      number = number(at + len(words):)
+      number = number(:index(number, ' ') - 1)
+   end function number_after
 
    !> By beams 20,000 klbf lock the string up: no hook load, no torque.
    subroutine test_locked_up()
@@ -111,6 +146,23 @@ contains
       call assertEqual('', field(rows(3)%text, col_torque), message='torque')
       call assertTrue(index(rows(3)%text, ',no,') > 0, message=rows(3)%text)
    end subroutine test_locked_up
+
+   !> With a little less than the weight on bit that is said to arrive without a push, the string goes down without one.
+   subroutine test_less_weight()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      character(:), allocatable :: text, most
+      real(wp) :: wob
+      text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
+      run = run_deck_text(text)
+      most = number_after(content(results_path//'/summary.csv'), 'to the bit, and without a push ')
+      read (most, *) wob
+      run = run_deck_text(replaced(text, '150 ', to_text(0.99_wp*wob)//' '))
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      call assertEqual('converged', field(rows(3)%text, col_status))
+      call assertTrue(index(rows(3)%text, ',yes,') > 0, message=rows(3)%text)
+   end subroutine test_less_weight
 
    !> The depth from which it cannot be done, and the rows that say so.
    subroutine test_sweep()

@@ -43,8 +43,8 @@ contains
       character(*), parameter :: solver = "&solver /"//newline
       call follow(job//reamed_well()//solver, 'An element_length of 4.6 m brings most strings inside', '&solver', &
                   '&solver element_length = 4.6', 0)
-      call follow(job//large_hole()//solver, 'An element_length of 1.5 m removes this from most strings', '&solver', &
-                  '&solver element_length = 1.5', 0)
+      call follow(job//large_hole()//solver, 'An element_length of 1.5 m gives most strings contact points where', &
+                  '&solver', '&solver element_length = 1.5', 0)
       call follow(job//rods()//solver, "of the largest. Set fidelity = 'reference'", '&solver', "&solver fidelity = 'reference'", 0)
    end subroutine test_short_elements
 
@@ -88,6 +88,8 @@ contains
       call obey('--merge x', 'Give 1 to 9999, as in --merge 4', '--merge 4')
       call obey('other.nml', '. Give one', '')
       call obey('--chekc', "did you mean '--check'?", '--check')
+      call obey('--check=yes', 'takes no value. Write --check', '--check')
+      call obey('--part 1/2 --merge 2', 'Join the parts when all are there', '--part 1/2')
    contains
       subroutine obey(option, expected, remedy)
          character(*), intent(in) :: option, expected, remedy

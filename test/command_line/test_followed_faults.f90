@@ -19,15 +19,23 @@ contains
       call suite%addTest(TestMethod('string', test_string))
       call suite%addTest(TestMethod('ranges', test_ranges))
       call suite%addTest(TestMethod('calibrations', test_calibrations))
+      call suite%addTest(TestMethod('more_form', test_more_form))
+      call suite%addTest(TestMethod('field_units', test_field_units))
+      call suite%addTest(TestMethod('keys_without_meaning', test_without_meaning))
+      call suite%addTest(TestMethod('notes', test_notes))
+      call suite%addTest(TestMethod('names_and_lists', test_lists))
    end function followed_faults_suite
 
    !> The good deck with `old` changed to `new` has a message with `expected`; '+' for `old` appends. With `fault` changed to
    !> `remedy` the deck is right, and without that message.
-   subroutine follow(old, new, expected, fault, remedy)
+   subroutine follow(old, new, expected, fault, remedy, deck)
       character(*), intent(in) :: old, new, expected, fault, remedy
+      character(*), intent(in), optional :: deck     !< in place of the good deck
       character(:), allocatable :: text
       type(run_type) :: run
-      text = replaced(good_deck()//'+', old, new)
+      text = good_deck()//'+'
+      if (present(deck)) text = deck//'+'
+      text = replaced(text, old, new)
       if (old /= '+') text = replaced(text, newline//'+', newline)
       run = run_deck_text(text, '--check')
       call assertTrue(index(run%output//run%diagnostics, expected) > 0, &
@@ -185,4 +193,107 @@ contains
                   ", separate = 'none'", '')
       call follow("name = 's', operation", "name = 'a/b', operation", "use 1 to 100 letters", "a/b", "a-b")
    end subroutine test_calibrations
+
+   !> Marks, subscripts and operations.
+   subroutine test_more_form()
+      call follow("&boundary", "odd &boundary", "text outside any group", "odd &b", "! odd"//newline//"&b")
+      call follow("'a deck'", "a / deck", "put a text that holds a / into quotes", "a / deck", "'a / deck'")
+      call follow("azi = 3*10.0", "azi(x) = 3*10.0", "write key(1) = or key(2:5) =", "azi(x)", "azi(1)")
+      call follow("azi = 3*10.0", "azi(x) = 3*10.0", "write key(1) = or key(2:5) =", "azi(x)", "azi(1:3)")
+      call follow("azi = 3*10.0", "azi = 3*", "a repeat count without a value; write 3*0.1", "3*", "3*0.1")
+      call follow("wob = 20.0", "wob =", "wob: no value; write wob = value", "wob =", "wob = 20")
+      call follow("&boundary top", "&boundary = top", "'=' without a key before it; write key = value", "= top", "top")
+      call follow("= 10.0 /", "= 10.0", "not closed; end it with /", "element_length = 10.0", "element_length = 10.0 /")
+      call follow("'up'", "'overpull'", "write 'trip_out' with a wob below 0", "'overpull'", "'trip_out', wob = -20")
+      call follow("'up'", "'tripping'", "write 'trip_out' or 'trip_in'", "'tripping'", "'trip_out'")
+      call follow("'up'", "'tripping'", "write 'trip_out' or 'trip_in'", "'tripping'", "'trip_in'")
+      call follow("'up'", "up", "write operation = 'up'", "= up", "= 'up'")
+      call follow("'centred'", "fre", "top_lateral = 'fre' is unknown; did you mean 'free'?", "= fre", "= 'free'")
+      call follow("name = 's'", "name = 'U'", "names must be unique, letter case aside", "'U'", "'s'")
+   end subroutine test_more_form
+
+   !> Numbers as people write them, and a string of tools alone.
+   subroutine test_field_units()
+      character(*), parameter :: deck = "&job units = 'field' /"//newline//'&trajectory md = 0, 9000, inc = 2*0, azi = 2*0 /'// &
+         newline//'&hole diameter = 8.5 /'//newline//'&fluid density = 10 /'//newline// &
+         "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline// &
+         '&component od = 5, id = 4.276, yield = 135 /'//newline// &
+         "&load_case name = 'u', operation = 'up', bit_depth = 9000 /"//newline
+      call follow("diameter = 8.5", "diameter = 8-1/2", "; write 8.5", "8-1/2", "8.5", deck)
+      call follow("yield = 135", "yield = 135 ksi", "; write the number alone", " ksi", "", deck)
+      call follow("yield = 135", "yield = 135000", "135000 psi is written 135", "135000", "135", deck)
+      call follow("density = 10", "density = 75", "a mud of 75 pcf (lbm/ft3) is written 10.03", "= 75", "= 10.03", deck)
+      call follow("&component od = 5, id = 4.276, yield = 135 /"//newline, "", &
+                  "add drill pipe without a length as last component", "id = 3.25 /", &
+                  "id = 3.25 / &component od = 5, id = 4.276 /", deck)
+   end subroutine test_field_units
+
+   !> Keys that have no meaning where they stand.
+   subroutine test_without_meaning()
+      call follow("md  = 0.0", "md_column = 'MD', md  = 0.0", "md_column has no meaning without survey_file. Leave it out", &
+                  "md_column = 'MD', ", "")
+      call follow("md  = 0.0", "parent_file = '', md  = 0.0", "parent_file is empty. Give a path", "parent_file = '', ", "")
+      call follow("md  = 0.0", "kick_off = 100, md  = 0.0", &
+                  "kick_off has no meaning without tie_on = 'vertical'; give both or none", "kick_off = 100, ", "")
+      call follow("density = 1200.0", "density = 1200.0, md_top = 100, above_bit = 100", &
+                  "all say where the fluid begins; keep one", ", above_bit = 100", "")
+      call follow("density = 1200.0 /", "density = 1200.0 / &fluid density = 1100, md_top = 300, surface_pressure = 5 /", &
+                  "give it in the uppermost fluid", &
+                  "density = 1200.0 / &fluid density = 1100, md_top = 300, surface_pressure = 5 /", &
+                  "density = 1200.0, surface_pressure = 5 / &fluid density = 1100, md_top = 300 /")
+      call follow("&job title = 'a deck'", "&rig max_hookload = 900 / &job rig_limit = 900, title = 'a deck'", &
+                  "max_hookload is rig_limit of &job under another name; keep one", "rig_limit = 900, ", "")
+      call follow("wob = 20.0", "wob = 20.0 / &load_case name = 'v', operation = 'static', bit_depth = 800 /"// &
+                  " &load_case name = 'w', operation = 'static', bit_depth = 800, length_reference = 'v' /"// &
+                  " &load_case name = 'x', operation = 'static', bit_depth = 800, length_reference = 'w'", &
+                  "has a length_reference itself; name a case without one", "length_reference = 'w'", "length_reference = 'v'")
+   end subroutine test_without_meaning
+
+   !> Decks that are legal and hardly meant.
+   subroutine test_notes()
+      call follow("od = 127.0, id = 108.6", "od = 127.0", "Give the inside diameter", "od = 127.0", "od = 127.0, id = 108.6")
+      call follow("friction = 0.3 /", "/", "has no friction. Drag and torque there are zero. Give friction", "215.9, ", &
+                  "215.9, friction = 0 ")
+      call follow("&component od = 127.0", &
+                  "&centralizer component = 'pipe', od = 160, spacing = 10 / &component name = 'pipe', od = 127.0", &
+                  "the centralizers do not touch; check both", "od = 160", "od = 200")
+      call follow("kind = 'collar', length = 100.0", "kind = 'motor', bend = 1.5, bend_position = 2, length = 9.0", &
+                  "ignores the bent housing. Use mcge", "'soft'", "'mcge'")
+      call follow("kind = 'collar', length = 100.0", "pad_force = 5, pad_clock = 0, pad_position = 1, length = 9.0", &
+                  "ignores the force of the pads. Use mcge", "'soft'", "'mcge'")
+   end subroutine test_notes
+
+   !> Names that are taken, and values that stand twice.
+   subroutine test_lists()
+      call follow("+", "&sweep name = 'k' bit_depth_step = 100, / &sweep name = 'K' bit_depth_step = 100, /", &
+                  "group &sweep: name 'K' is taken", "'K'", "'j'")
+      call follow("+", "&uncertainty name = 'k' bit_depth_step = 100, friction_deviation = 0.1 / &uncertainty name = 'K' "// &
+                  "bit_depth_step = 100, friction_deviation = 0.1 /", "group &uncertainty: name 'K' is taken", "'K'", "'j'")
+      call follow("bit_depth = 900.0", &
+                  "bit_depth = 900.0, measured_hookload = 300 / &calibrate name = 'k', separate = 'none' / &calibrate name "// &
+                  "= 'K', separate = 'none'", "group &calibrate: name 'K' is taken", "'K'", "'j'")
+      call follow("+", "&sweep bit_depth_step = 100, frictions = 0.2, 0.2 /", "frictions holds 0.2 twice; keep one", "0.2, 0.2", &
+                  "0.2")
+      call follow("+", "&sweep bit_depth_step = 100, frictions = 0.2, frictions_cased = 0.1, frictions_open = 0.2 /", &
+                  "stand in place of frictions; keep one way", "frictions_cased = 0.1, frictions_open = 0.2", "")
+      call follow("wob = 20.0", &
+                  "wob = 20.0 / &load_case name = 'm', operation = 'up', bit_depth = 300, measured_hookload = 300 / "// &
+                  "&calibrate separate = 'none', holes = 'hole 1', 'hole 2'", "leave it out of holes", ", 'hole 2'", "")
+      call follow("bit_depth = 900.0", &
+                  "bit_depth = 900.0, measured_hookload = 300 / &calibrate separate = 'none', cases = 'u', predict = 'u'", &
+                  "so it would be no prediction; keep it in one", ", predict = 'u'", "")
+      call follow("bit_depth = 900.0", &
+                  "bit_depth = 900.0, measured_hookload = 300 / &calibrate name = 'a', separate = 'none', apply = .true. / "// &
+                  "&calibrate name = 'b', separate = 'none', apply = .true.", "already; keep one", &
+                  ", apply = .true. / &calibrate name = 'b'", " / &calibrate name = 'b'")
+      call follow("+", "&study element_lengths = 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, models = 'mcge', 'soft', tolerances = 1e-4, "// &
+                  "1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, wall_stiffnesses = 1e4, 2e4, 3e4, 4e4, 5e4, 6e4, 7e4, 8e4, 9e4, "// &
+                  "1e5, gap_locations = 'extremum', 'nodes', linear_solvers = 'banded', 'sparse', fidelities = 'fast', "// &
+                  "'auto', 'standard' /", "shorten the lists to 10000 or less", &
+                  "wall_stiffnesses = 1e4, 2e4, 3e4, 4e4, 5e4, 6e4, 7e4, 8e4, 9e4, 1e5, ", "")
+      call follow("diameter = 220.0, friction = 0.25 /", &
+                  "cased = .true., diameter = 220.0, friction = 0.25 / &sweep bit_depth_step = 100, frictions_cased = "// &
+                  "2*0.1, frictions_open = 2*0.2 /", "the pair 0.1, 0.2 stands there twice; keep one", &
+                  "frictions_cased = 2*0.1, frictions_open = 2*0.2", "frictions_cased = 0.1, frictions_open = 0.2")
+   end subroutine test_lists
 end module dg_test_followed_faults

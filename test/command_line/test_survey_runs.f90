@@ -8,7 +8,7 @@ module dg_test_survey_runs
    use dg_text, only: append_text, text_type
    implicit none
    private
-   public :: survey_runs_suite
+   public :: survey_runs_suite, check
 
    character(*), parameter :: newline = achar(10)
    character(*), parameter :: slant = 'MD (m),Inc,Azi;30,45,10;300,60,10;1400,90,10'

@@ -237,7 +237,7 @@ contains
       end select
    end subroutine take_value
 
-   !> Reads one text, as a name from a list where the key has one.
+   !> Reads one text, as a name from a list where the key has one. Quotes alone are advised only where the text with them is legal.
    subroutine take_text(item, name, rule, value, message)
       type(value_text_type), intent(in) :: item
       character(*), intent(in) :: name
@@ -249,13 +249,13 @@ contains
       integer :: i
       message = ''
       chosen = item%text
-      if (.not. item%in_quotes) then
-         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
-         return
-      end if
       if (rule%choices /= '') then
          if (rule%choices == '*') then
-            call take_operation(item%text, name, value, message)
+            if (item%in_quotes .or. operation_from_name(item%text) == 0) then
+               call take_operation(item%text, name, value, message)
+            else
+               call tell_quotes()
+            end if
             return
          end if
          call split_words(rule%choices, choices)
@@ -280,7 +280,12 @@ contains
          if (message /= '') message = name//' = '//quoted(item%text)//' '//message
          if (message /= '') return
       end if
-      call append_text(value%content%texts, chosen)
+      if (.not. item%in_quotes) call tell_quotes()
+      if (message == '') call append_text(value%content%texts, chosen)
+   contains
+      subroutine tell_quotes()
+         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
+      end subroutine tell_quotes
    end subroutine take_text
 
    !> Takes an operation under its long name.

@@ -101,13 +101,15 @@ contains
       if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
    end function reserve_text
 
-   !> A factor of friction.
+   !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
    pure function times_text(verdict, factor) result(text)
       type(verdict_type), intent(in) :: verdict
-      real(wp), intent(in) :: factor       !< [-]
+      real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
-      text = to_text(factor, shown_factor)//' times the '//trim(merge('friction given     ', 'calibrated friction', &
-                                                                      verdict%friction == friction_given))
+      real(wp) :: last
+      last = 10.0_wp**(floor(log10(factor)) + 1 - shown_factor)
+      text = to_text(last*real(floor(factor/last), wp), shown_factor)//' times the '// &
+             trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 
    !> Push at surface that a string needs [N].
@@ -126,13 +128,10 @@ contains
       text = ''
       if (verdict%reach%present) text = '. Possible down to about '// &
          trim(in_units(units, unit_length, verdict%reach%value, shown))
-      if (verdict%turning_hookload%present) then
+      if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//'. The torque is NOT CHECKED: add a case operation = '''// &
                 trim(merge('rotary ', 'reaming', load_case%wob > 0.0_wp))//''''
-         if (verdict%limit == limit_string_weight) text = text//'. Or add '//force_text(units, push_of(verdict))// &
-            ' of buoyed weight where the hole is steep'
-      end if
       ! Less overpull takes as much off the load at least: drag falls with it.
       if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
          if (-load_case%wob > verdict%load%value - verdict%allowed%value) text = text//'. Possible with '// &

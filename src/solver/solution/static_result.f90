@@ -102,10 +102,8 @@ contains
       ! a part of a string may be pushed by what is above it
       if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
-      if (outcome == outcome_converged .and. equations%gaps_taken_back) then
+      if (outcome == outcome_converged .and. equations%gaps_taken_back) &
          call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
-         call advise_shorter_elements(model%units, mesh, result)
-      end if
       if (outcome == outcome_converged) then
          call measure_outside(model%trajectory, mesh, work, outside)
          if (outside%elements > 0) call add_outside(model%units, outside, result)
@@ -249,28 +247,21 @@ contains
       rounded = digit*real(ceiling(number/digit), wp)
    end function rounded_up
 
-   !> What a result tells of how it was found.
+   !> What a result tells of how it was found. Shorter elements are advised but for helically buckled strings, which most often keep
+   !> such contact points on them.
    subroutine add_remarks(units, mesh, asked, numerics, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
       type(numerics_type), intent(in) :: asked, numerics     !< settings of the deck, and of the last attempt
       type(case_result_type), intent(inout) :: result
-      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) then
-         call add_message(result, "Converged only with gap_location = '"// &
-                          trim(gap_location_name(numerics%gap_location))// &
+      if (result%status == result_converged .and. numerics%gap_location /= asked%gap_location) &
+         call add_message(result, "Converged only with gap_location = '"//trim(gap_location_name(numerics%gap_location))// &
                           "'. Allow 1 % on hook load, torque and contact force, and "//touched)
-         call advise_shorter_elements(units, mesh, result)
-      end if
-   end subroutine add_remarks
-
-   !> Add the advice to take shorter elements, where they would not be very short.
-   pure subroutine advise_shorter_elements(units, mesh, result)
-      type(unit_system_type), intent(in) :: units
-      type(mesh_type), intent(in) :: mesh
-      type(case_result_type), intent(inout) :: result
+      if (index(result%message, touched) == 0 .or. result%coiled) return
       if (advised*maxval(mesh%length) > shortest_advised) call add_message(result, 'An element_length of '// &
-         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))//' removes this from most strings')
-   end subroutine advise_shorter_elements
+         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))// &
+         ' gives most strings contact points where they lie deepest')
+   end subroutine add_remarks
 
    !> Adds what is said of a string that stands outside its hole.
    pure subroutine add_outside(units, outside, result)

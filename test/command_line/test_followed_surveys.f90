@@ -1,0 +1,93 @@
+!> Advice of messages about a survey file: it is followed, and the message is gone. Lines of a file are parted by semicolons.
+module dg_test_followed_surveys
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: run_type
+   use dg_test_survey_runs, only: check_survey => check
+   implicit none
+   private
+   public :: followed_surveys_suite
+
+   character(*), parameter :: sound = 'MD,Inc,Azi;0,0,0;1400,10,10'
+
+contains
+
+   function followed_surveys_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('followed_surveys')
+      call suite%addTest(TestMethod('rows', test_rows))
+      call suite%addTest(TestMethod('headings', test_headings))
+      call suite%addTest(TestMethod('other_kinds_of_file', test_kinds))
+      call suite%addTest(TestMethod('positions_and_parents', test_others))
+   end function followed_surveys_suite
+
+   !> A file has a message with `expected`; the file that follows the advice is read without it. `keys`: of &trajectory, before and
+   !> after; parents likewise.
+   subroutine follow(faulty, expected, followed, keys, new_keys, parent, new_parent)
+      character(*), intent(in) :: faulty, expected, followed
+      character(*), intent(in), optional :: keys, new_keys, parent, new_parent
+      type(run_type) :: run
+      character(:), allocatable :: before, after
+      before = ''
+      after = ''
+      if (present(keys)) before = keys
+      if (present(new_keys)) after = new_keys
+      run = check_survey(faulty, before, parent)
+      call assertTrue(index(run%output//run%diagnostics, expected) > 0, &
+                      message='wanted: '//expected//'; got: '//run%output//run%diagnostics)
+      run = check_survey(followed, after, new_parent)
+      call assertEqual(0, run%status, message='followed: '//expected//'; got: '//run%diagnostics)
+      call assertEqual(0, index(run%output//run%diagnostics, expected), message='followed: '//expected)
+   end subroutine follow
+
+   !> Cells and rows.
+   subroutine test_rows()
+      character(*), parameter :: no_station = 'Put # before a line that is no station'
+      call follow('MD,Inc,Azi;0,0,0;700,,10;1400,10,10', 'no value for inc. '//no_station, 'MD,Inc,Azi;0,0,0;#700,,10;1400,10,10')
+      call follow('MD,Inc,Azi;0,0,0;700,x1,10;1400,10,10', 'is no number. '//no_station, &
+                  'MD,Inc,Azi;0,0,0;#700,x1,10;1400,10,10')
+      call follow('MD,Inc,Azi;0,0,0;1400,10,N10E', 'Write azimuths from 0 to 360 deg', sound)
+      call follow('MD,Inc,Azi;0,0,0;#REF!,5,10;1400,10,10', 'an error of a spreadsheet. Give its number', &
+                  'MD,Inc,Azi;0,0,0;700,5,10;1400,10,10')
+      call follow('Well,MD,Inc,Azi;A,0,0,0;B,700,5,10;A,1400,10,10', 'Keep the rows of one well', &
+                  'Well,MD,Inc,Azi;A,0,0,0;A,1400,10,10')
+      call follow('MD,Inc,Azi;0,0,0;1400,10,10,7', 'give each a name, and numbers with decimal points', &
+                  'MD,Inc,Azi,DLS;0,0,0;1400,10,10,7')
+      call follow('MD Inc Azi;0 0 0;1,400 10 10', 'write numbers without marks between thousands, with decimal points', &
+                  'MD Inc Azi;0 0 0;1400 10 10')
+   end subroutine test_rows
+
+   !> Names and units of columns.
+   subroutine test_headings()
+      call follow('MD,Inc,MD,Azi;0,0,0,0;1400,10,1400,10', 'the header names md twice; keep one', sound)
+      call follow('depths in feet;MD,Inc,Azi;0,0,0;4600,10,10', 'name the unit in the heading, as in MD (ft)', &
+                  'depths in feet;MD (ft),Inc,Azi;0,0,0;4600,10,10')
+      call follow('MD,Inc deg,Inc min,Azi;0,0,0,0;1400,10,30,10', 'inclination and azimuth in decimal degrees, one column each', &
+                  'MD,Inc,Azi;0,0,0;1400,10.5,10')
+      call follow('Tiefe a,Inc,Azi;0,0,0;1400,10,10', 'Or name the column in &trajectory by md_column', &
+                  'Tiefe a,Inc,Azi;0,0,0;1400,10,10', new_keys=", md_column = 'Tiefe a'")
+   end subroutine test_headings
+
+   !> Files that are no text, by their first bytes.
+   subroutine test_kinds()
+      character(*), parameter :: zip = 'PK'//char(3)//char(4)
+      call follow(zip//'[Content_Types].xml', 'Save the sheet as CSV, and name that file', sound)
+      call follow(zip//'word/', 'Save its table as CSV, and name that file', sound)
+      call follow(zip//'other', 'Save the sheet as CSV, or unpack the archive', sound)
+      call follow('%PDF-1.4', 'or copy its table to a sheet and save that as CSV', sound)
+      call follow(char(31)//char(139)//'x', 'Unpack it, and name the file that was in it', sound)
+      call follow('{\rtf1', 'Save it as plain text or CSV, and name that file', sound)
+      call follow('<html><table>', 'Open it in a spreadsheet, save the sheet as CSV, and name that file', sound)
+      call follow('{"md": [0]}', 'Export the survey as CSV, and name that file', sound)
+   end subroutine test_kinds
+
+   !> Positions that the file lists, and the hole that a sidetrack leaves.
+   subroutine test_others()
+      character(*), parameter :: listed = 'MD,Inc,Azi,TVD,N/S,E/W;0,0,0,100,5,7;471.238898,90,0,400,305,7;1400,90,0,400,'
+      character(*), parameter :: side = 'MD,Inc,Azi;1010,30.5,46;1100,35,60;1400,60,80', key = ", parent_file = 'parent.csv'"
+      character(*), parameter :: parent = 'MD,Inc,Azi;0,0,0;1000,30,'
+      call follow(listed//'1033.76,7', 'Warning: check columns, units and the north', listed//'1233.76,7')
+      call follow(side, 'Warning: check that both surveys count depth', side, key, key, parent//'90;1500,30,90', &
+                  parent//'45;1500,30,45')
+      call follow(sound, 'Leave parent_file out', sound, key, parent=parent//'45')
+   end subroutine test_others
+end module dg_test_followed_surveys
