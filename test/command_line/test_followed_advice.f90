@@ -2,7 +2,9 @@
 !> few stations as keep it.
 module dg_test_followed_advice
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: content, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
+   use dg_error, only: error_type
+   use dg_folder, only: make_folder
+   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch
    implicit none
    private
    public :: followed_advice_suite
@@ -19,6 +21,7 @@ contains
       call suite%addTest(TestMethod('model_of_a_buckled_string', test_model))
       call suite%addTest(TestMethod('friction_above_a_stuck_point', test_sticking))
       call suite%addTest(TestMethod('arguments', test_arguments))
+      call suite%addTest(TestMethod('folders', test_folders))
    end function followed_advice_suite
 
    !> A deck has the message `expected` in its results; with `fault` changed to `remedy` it converges without it.
@@ -103,6 +106,31 @@ contains
          call assertEqual(0, index(run%diagnostics, expected), message=run%diagnostics)
       end subroutine obey
    end subroutine test_arguments
+
+   !> The folder of results: unnamed, or with a folder in place of its lock.
+   subroutine test_folders()
+      character(*), parameter :: lock = results_path//'/drillgap.lock'
+      type(run_type) :: run
+      type(error_type), allocatable :: error
+      run = run_deck_text(good_deck(), '--check')
+      call obey('- < '//deck_path, 'Give output_dir in &job, or --output DIR', '- --output '//results_path//' < '//deck_path)
+      call make_folder(lock, error)
+      call obey(deck_path//' --output '//results_path, lock//' is no file; remove it', &
+                deck_path//' --output '//results_path, remove=lock)
+   contains
+      subroutine obey(arguments, expected, remedy, remove)
+         character(*), intent(in) :: arguments, expected, remedy
+         character(*), intent(in), optional :: remove      !< folder
+         integer :: status
+         run = run_program(arguments)
+         call assertTrue(run%status > 0, message=arguments)
+         call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+         if (present(remove)) call execute_command_line('rmdir '//remove, exitstat=status)
+         run = run_program(remedy)
+         call assertEqual(0, run%status, message=remedy//': '//run%diagnostics)
+         call assertEqual(0, index(run%diagnostics, expected), message=run%diagnostics)
+      end subroutine obey
+   end subroutine test_folders
 
    !> An opened reamer above a hole that was not opened.
    pure function reamed_well() result(text)
