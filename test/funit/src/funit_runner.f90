@@ -3,6 +3,7 @@
 !> after it how far its numbers were from what was expected), -x FILE (results as JUnit XML). No test at all is a failure:
 !> a misspelt pattern must not look like success.
 module funit_runner
+   use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit, real64
    use funit_deviation, only: take_deviation
    use funit_exception, only: Exception, anyExceptions, take_exceptions
@@ -51,7 +52,7 @@ contains
          chosen(i) = index(suite%methods(i)%name, options%pattern) > 0 .or. options%pattern == ''
          if (chosen(i)) call run_test(suite%methods(i), options%verbose, outcomes(i))
       end do
-      if (.not. options%verbose) write (output_unit, '(a)') ''
+      if (on_terminal() .and. .not. options%verbose) write (output_unit, '(a)') ''
       call print_failures(suite, outcomes)
       tests = count(chosen)
       failures = count(outcomes%failed)
@@ -86,10 +87,24 @@ contains
       outcome%failed = size(outcome%exceptions) > 0
       call take_deviation(deviation)
       if (verbose .and. deviation /= '') write (output_unit, '(2a)') '     ', deviation
-      if (verbose) return
+      if (verbose .or. .not. on_terminal()) return
       write (output_unit, '(a)', advance='no') merge('F', '.', outcome%failed)     ! progress, as pFUnit prints it
       flush (output_unit)
    end subroutine run_test
+
+   !> Whether somebody watches: tables in a file stay as they are.
+   function on_terminal() result(is)
+      logical :: is
+      interface
+         function isatty(descriptor) bind(c, name='isatty') result(yes)
+            import :: c_int
+            implicit none
+            integer(c_int), value :: descriptor
+            integer(c_int) :: yes
+         end function isatty
+      end interface
+      is = isatty(1_c_int) == 1_c_int
+   end function on_terminal
 
    subroutine print_failures(suite, outcomes)
       type(TestSuite), intent(in) :: suite
