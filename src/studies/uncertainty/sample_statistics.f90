@@ -46,6 +46,7 @@ contains
       type(sweep_result_type), intent(in) :: results(:)   !< all
       type(point_statistics_type) :: statistics
       integer :: samples(uncertainty%samples), pieces(uncertainty%samples), sample, tight
+      real(wp) :: values(uncertainty%samples)
       type(point_type) :: place
       samples = [(sample, sample=1, size(samples))]
       pieces = piece_number(uncertainty, point, samples)
@@ -66,8 +67,11 @@ contains
                               draw_of(uncertainty, solved, quantity_hookload, point), below=statistics%locked_up)
          statistics%torque = find_distribution(results(places)%torque + uncertainty%torque_deviation* &
                                                draw_of(uncertainty, solved, quantity_torque, point), above=tight)
-         statistics%hookload_shares = variance_shares(uncertainty, solved, results(places)%hookload, uncertainty%hookload_deviation)
-         statistics%torque_shares = variance_shares(uncertainty, solved, results(places)%torque, uncertainty%torque_deviation)
+         values(:statistics%solved) = results(places)%hookload
+         statistics%hookload_shares = variance_shares(uncertainty, solved, values(:statistics%solved), &
+                                                      uncertainty%hookload_deviation)
+         values(:statistics%solved) = results(places)%torque
+         statistics%torque_shares = variance_shares(uncertainty, solved, values(:statistics%solved), uncertainty%torque_deviation)
       end associate
    end function find_point_statistics
 
