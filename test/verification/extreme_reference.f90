@@ -55,14 +55,16 @@ contains
    end subroutine by_independent_beam
 
    !> The program at `reference`.
-   subroutine by_short_elements(extreme, answer, found)
+   subroutine by_short_elements(extreme, answer, found, element)
       type(extreme_case_type), intent(in) :: extreme
       type(answer_type), intent(out) :: answer
       logical, intent(out) :: found
+      real(wp), intent(in), optional :: element     !< longest [m], else a quarter of a metre
       type(extreme_case_type) :: fine
       type(verdict_type) :: verdict
       fine = extreme
       fine%element = quarter
+      if (present(element)) fine%element = element
       call solve_extreme(fine, answer, verdict, 'reference')
       found = verdict%number == right
    end subroutine by_short_elements

@@ -59,13 +59,14 @@ contains
    end subroutine take_bent
 
    !> A case against the program on short elements, where nothing else is known.
-   subroutine take_short(extreme, row)
+   subroutine take_short(extreme, row, element)
       type(extreme_case_type), intent(in) :: extreme
       type(row_type), intent(inout) :: row
+      real(wp), intent(in), optional :: element     !< longest of the reference [m], else that of by_short_elements
       type(answer_type) :: reference
       logical :: found
       found = extreme%lock_up
-      if (.not. found) call by_short_elements(extreme, reference, found)
+      if (.not. found) call by_short_elements(extreme, reference, found, element)
       call assertTrue(found, message=trim(extreme%label)//': reference')
       if (found) call take(extreme, reference, row)
    end subroutine take_short
