@@ -339,7 +339,7 @@ def lacking_data(program, what):
         text += (f"&sweep name = 's', {group} /\n&uncertainty name = 's', {group}, samples = 2, friction_deviation = 0.1 /\n"
                  "&study element_lengths = 20, 30, cases = 'r' /\n"
                  "&calibrate name = 'c', parameter = 'friction', model = 'mcge' /\n")
-        depths, wanted, pictures = "0,300\n900,0\n", 3, 6
+        depths, wanted, pictures = "0,300\n900,0\n", 3, 7
     (place.home / "deck.nml").write_text(text, encoding="utf-8")
     (place.home / "l.csv").write_text("md,axial\n" + depths, encoding="utf-8")
     status = place.run()
