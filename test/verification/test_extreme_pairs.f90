@@ -93,8 +93,9 @@ contains
       end subroutine take_pair
    end subroutine test_walls
 
-   !> A sharp bend, with extremes of the other axes. Where the wall is soft the string lies 28 mm off the axis of the hole, 0.16 % of
-   !> the radius. The independent beam leaves that out: its contact is 0.1 % less than that of ever shorter elements.
+   !> A sharp bend, with extremes of the other axes. Where the wall is soft the string lies 28 mm off the axis of the hole,
+   !> 0.16 % of the radius. The independent beam leaves that out: its contact is 0.1 % less than that of ever shorter
+   !> elements.
    subroutine test_doglegs()
       type(row_type) :: row
       type(extreme_case_type) :: extreme
