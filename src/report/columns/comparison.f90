@@ -5,7 +5,7 @@ module dg_comparison
    use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: percent_error, known, difference, as_measured
+   public :: percent_error, in_percent, known, difference, as_measured
 
 contains
 
@@ -18,6 +18,14 @@ contains
       if (abs(other%value) <= 100.0_wp*abs(calculated - other%value)/huge(1.0_wp)) return
       error = given(100.0_wp*abs(calculated - other%value)/abs(other%value))
    end function percent_error
+
+   !> A share [-] in per cent.
+   pure function in_percent(share) result(percent)
+      type(optional_real), intent(in) :: share
+      type(optional_real) :: percent
+      percent = share
+      if (share%present) percent%value = 100.0_wp*share%value
+   end function in_percent
 
    !> A number that may be missing as one that may be absent.
    elemental function known(value) result(number)

@@ -4,6 +4,7 @@ module dg_fatigue_file
    use dg_case_result, only: case_result_type
    use dg_column, only: column_type, field_list_type, put, quantity_curvature, quantity_length, quantity_none, quantity_percent, &
                         quantity_stress, quantity_text
+   use dg_comparison, only: in_percent, known
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
    use dg_fatigue, only: fatigue_type, find_fatigue
@@ -66,7 +67,7 @@ contains
       call put(row, part%permitted)
       call put(row, 100.0_wp*part%used)
       call put(row, optional_real(.not. is_missing(part%turns), part%turns))
-      call put(row, optional_real(.not. is_missing(part%damage), 100.0_wp*part%damage))
+      call put(row, in_percent(known(part%damage)))
       call put(row, part%curvature)
       call put(row, optional_real(.not. is_missing(part%dogleg), part%dogleg))
    end subroutine fatigue_fields

@@ -5,10 +5,10 @@ module dg_limits_file
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_curvature, quantity_force, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
                         quantity_pressure, quantity_stress, quantity_text, quantity_turns, quantity_width
+   use dg_comparison, only: in_percent
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
-   use dg_kinds, only: wp
    use dg_length_change, only: total_change
    use dg_load_case, only: optional_real
    use dg_missing, only: is_missing
@@ -241,12 +241,4 @@ contains
          call put(row, optional_real(.not. is_missing(fatigue%dogleg), fatigue%dogleg))
       end associate
    end subroutine limits_fields
-
-   !> A share [-] in per cent.
-   pure function in_percent(share) result(percent)
-      type(optional_real), intent(in) :: share
-      type(optional_real) :: percent
-      percent = share
-      if (share%present) percent%value = 100.0_wp*share%value
-   end function in_percent
 end module dg_limits_file

@@ -4,7 +4,7 @@ module dg_summary_file
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_force, &
                         quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, quantity_time
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
-   use dg_comparison, only: as_measured, known, percent_error
+   use dg_comparison, only: as_measured, in_percent, known, percent_error
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
@@ -128,7 +128,7 @@ contains
       call put(row, trim(answer_name(verdict%answer)))
       call put_text_or_none(row, verdict_reason(units, load_case, verdict))
       call put_text_or_none(row, trim(limit_code(verdict%limit)))
-      call put(row, optional_real(verdict%used%present, 100.0_wp*verdict%used%value))
+      call put(row, in_percent(verdict%used))
       call put(row, verdict%md)
       call put_text_or_none(row, unchecked_codes(verdict))
       call put(row, verdict%friction_reserve)

@@ -5,6 +5,7 @@ module dg_tornado_picture
    use dg_column, only: column_header, column_named
    use dg_gnuplot_script, only: add_series, colour_of, end_script, legend, panel, plot, results_file, row_tics, series_type, &
                                 start_script
+   use dg_html_text, only: spaced
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, rotates
    use dg_sweep, only: point_number, point_type
@@ -39,7 +40,7 @@ contains
          do i = 1, input_count
             if (.not. varies(uncertainty, i)) cycle
             rows = rows + 1
-            names(rows)%text = trim(operation_label(uncertainty%range%operations(o)))//': '//trim(input_name(i))
+            names(rows)%text = trim(operation_label(uncertainty%range%operations(o)))//': '//spaced(trim(input_name(i)))
          end do
       end do
       height = head + row_height*rows

@@ -3,11 +3,11 @@ module dg_uncertainty_file
    use dg_column, only: column_type, field_list_type, put, quantity_force, quantity_length, quantity_moment, quantity_none, &
                         quantity_percent, quantity_text
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
-   use dg_comparison, only: known
+   use dg_comparison, only: in_percent, known
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_name, optional_real
+   use dg_load_case, only: operation_name
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_at, point_type
    use dg_uncertainty, only: uncertainty_type
@@ -91,28 +91,16 @@ contains
       real(wp), intent(in) :: shares(:)      !< [-]
       integer :: i
       do i = 1, size(shares)
-         call put(row, as_percent(shares(i)))
+         call put(row, in_percent(known(shares(i))))
       end do
    end subroutine put_shares
-
-   !> A share in per cent; absent where it is missing.
-   pure function as_percent(share) result(percent)
-      real(wp), intent(in) :: share          !< [-]
-      type(optional_real) :: percent
-      percent = known(share)
-      if (percent%present) percent%value = 100.0_wp*share
-   end function as_percent
 
    !> Name of the column with the share of an input in the variance of hook load or torque, blanks behind it.
    pure function share_column(result, input) result(name)
       character(*), intent(in) :: result     !< 'hookload' or 'torque'
       integer, intent(in) :: input           !< number (dg_variance_shares)
       character(40) :: name
-      integer :: i
       name = result//'_share_'//input_name(input)
-      do i = 1, len_trim(name)
-         if (name(i:i) == ' ') name(i:i) = '_'
-      end do
    end function share_column
 
    pure subroutine put_distribution(row, distribution)

@@ -2,6 +2,7 @@
 !> fits 120 columns.
 module dg_uncertainty_table
    use dg_comparison, only: known
+   use dg_html_text, only: spaced
    use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: operation_label, optional_real, rotates
@@ -180,7 +181,7 @@ contains
       do i = 1, size(shares)
          largest = maxloc(left, dim=1)
          left(largest) = -1.0_wp
-         if (varies(uncertainty, largest)) text = text//', '//trim(input_name(largest))//' '// &
+         if (varies(uncertainty, largest)) text = text//', '//spaced(trim(input_name(largest)))//' '// &
             to_text(100.0_wp*shares(largest), share_digits)//' %'
       end do
       text = 'Share of the variance of '//what//' at the deepest: '//text(len(', ') + 1:)

@@ -16,7 +16,8 @@ module dg_variance_shares
 
    integer, parameter :: input_friction = 1, input_density = 2, input_survey = 3, input_gauge = 4, input_rest = 5
    integer, parameter :: input_count = 5
-   character(*), parameter :: input_name(input_count) = [character(11) :: 'friction', 'mud density', 'survey', 'gauge', 'rest']
+   !> Names in files, with blanks for '_' in texts.
+   character(*), parameter :: input_name(input_count) = [character(11) :: 'friction', 'mud_density', 'survey', 'gauge', 'rest']
 
    !> Fewest samples for each coefficient.
    integer, parameter :: samples_each = 10
