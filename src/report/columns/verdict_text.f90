@@ -2,6 +2,7 @@
 module dg_verdict_text
    use dg_kinds, only: wp
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
+   use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
    use dg_units, only: unit_system_type
@@ -64,7 +65,7 @@ contains
       if (verdict%friction == friction_upper_end_alone) text = text//', at the upper end of the 95 % interval of friction'
    end function verdict_reason
 
-   !> What stands beside the answer: the reason and what helps, or the nearest limit, what is left of it and the friction reserve.
+   !> Sentences beside the answer. For NO: the reason and what helps. For yes: the nearest limit and the friction reserve.
    pure function verdict_sentences(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
@@ -106,9 +107,7 @@ contains
       type(verdict_type), intent(in) :: verdict
       real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
-      real(wp) :: last
-      last = 10.0_wp**(floor(log10(factor)) + 1 - shown_factor)
-      text = to_text(last*real(floor(factor/last), wp), shown_factor)//' times the '// &
+      text = to_text(rounded_down(factor, shown_factor), shown_factor)//' times the '// &
              trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 

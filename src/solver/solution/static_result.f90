@@ -15,6 +15,7 @@ module dg_static_result
    use dg_numerics, only: gap_location_name, numerics_type
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
+   use dg_rounding, only: rounded_up
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
@@ -229,7 +230,8 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'Contact force: allow '//to_text(rounded_up(100.0_wp*share), shown_clearances)// &
+         call add_message(result, 'Contact force: allow '// &
+                          to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
                           ' %, mostly between '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
                           trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
@@ -238,14 +240,6 @@ contains
                           'moments and side forces. Which is nearer is not known')
       end associate
    end subroutine tell_unlike_contact
-
-   !> A positive number, rounded to two digits but never down: an error must not be told smaller than it is.
-   elemental function rounded_up(number) result(rounded)
-      real(wp), intent(in) :: number
-      real(wp) :: rounded, digit
-      digit = 10.0_wp**(floor(log10(number)) - 1)
-      rounded = digit*real(ceiling(number/digit), wp)
-   end function rounded_up
 
    !> What a result tells of how it was found. Shorter elements are advised but for helically buckled strings, which most often keep
    !> such contact points on them.
