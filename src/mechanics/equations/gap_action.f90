@@ -90,33 +90,42 @@ contains
       type(contact_type), intent(in) :: contact
       type(workspace_type), intent(inout) :: work
       type(element_type), intent(inout) :: element
-      real(wp) :: force(3), moment(3), nodal(12), twisting(2), push(3), bend(3)
-      integer :: a
-      call contact_action(work%gap(:, e), work%axis_tangent(:, e), contact%normal, contact%axial, contact%rotary, &
-                          contact%climbing, contact%radius, force, moment)
-      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
-                           moment, nodal, twisting)
-      if (contact%sliding) then
-         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
-                            contact%axial*mesh%radius(e)*contact%normal, push, bend)
-         do a = 1, 4
-            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) + contact%shape(a)*push + contact%slope(a)*bend
-         end do
-      end if
+      real(wp) :: force(3), moment(3), nodal(12), twisting(2)
+      call find_contact_action(mesh, e, contact, contact%normal, work, force, moment, nodal, twisting)
       element%force = element%force - nodal
       element%twisting = element%twisting - twisting
       if (.not. allocated(work%contact_force)) return
       work%contact_force(:, e) = force
       work%contact_moment(:, e) = moment
-      if (.not. contact%rotary > 0.0_wp) work%contact_moment(:, e) = moment - contact%direction &
+      if (.not. (contact%rotary > 0.0_wp .or. contact%sliding)) work%contact_moment(:, e) = moment - contact%direction &
                                          *(dot_product(moment, contact%direction)/dot_product(contact%direction, contact%direction))
-      if (contact%sliding) then
-         work%contact_force(:, e) = force + push
-         work%contact_moment(:, e) = moment + cross(contact%direction, bend)
-      end if
       if (contact%turning%lever > 0.0_wp) work%contact_moment(:, e) = work%contact_moment(:, e) &
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap_force
+
+   !> What a contact force does to its element: force and moment at the gap, forces on (x_i, d_i, x_j, d_j), torques on both nodes.
+   pure subroutine find_contact_action(mesh, e, contact, normal, work, force, moment, nodal, twisting)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      type(contact_type), intent(in) :: contact
+      real(wp), intent(in) :: normal       !< R [N]
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: force(3), moment(3), nodal(12), twisting(2)   !< [N, N.m]
+      real(wp) :: push(3), bend(3)
+      integer :: a
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), normal, contact%axial, contact%rotary, contact%climbing, &
+                          contact%radius, force, moment)
+      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
+                           moment, nodal, twisting)
+      if (.not. contact%sliding) return
+      call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, &
+                         contact%axial*mesh%radius(e)*normal, push, bend)
+      do a = 1, 4
+         nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) + contact%shape(a)*push + contact%slope(a)*bend
+      end do
+      force = force + push
+      moment = moment + cross(contact%direction, bend)
+   end subroutine find_contact_action
 
    !> Takes the part that the element asks for of the derivatives of that force off its tangent (Eq. 11).
    pure subroutine add_gap_tangent(mesh, e, contact, work, element)
@@ -264,20 +273,10 @@ contains
       type(contact_type), intent(inout) :: contact
       real(wp), intent(out) :: nodal(12), twisting(2)
       type(element_type) :: element
-      real(wp) :: action(3), moment(3), push(3), bend(3)
-      integer :: a
-      call contact_action(work%gap(:, e), work%axis_tangent(:, e), 1.0_wp, contact%axial, contact%rotary, contact%climbing, &
-                          contact%radius, action, moment)
-      call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, action, &
-                           moment, nodal, twisting)
+      real(wp) :: action(3), moment(3)
+      call find_contact_action(mesh, e, contact, 1.0_wp, work, action, moment, nodal, twisting)
       nodal = -nodal
       twisting = -twisting
-      if (contact%sliding) then
-         call couple_action(work%gap(:, e), work%axis_tangent(:, e), contact%direction, contact%axial*mesh%radius(e), push, bend)
-         do a = 1, 4
-            nodal(3*a - 2:3*a) = nodal(3*a - 2:3*a) - contact%shape(a)*push - contact%slope(a)*bend
-         end do
-      end if
       if (.not. contact%turning%lever > 0.0_wp) return
       contact%turning%force = 1.0_wp
       element%tangent = .false.
