@@ -16,8 +16,9 @@ module dg_weight_on_bit
    !> to more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
-   !> Depths that are tried from the bit up, and halvings between two of them.
-   integer, parameter :: depths = 50, halvings = 10
+   !> Depths that are tried from the bit up, and to what part of the bit's depth the one between two of them is found [-].
+   integer, parameter :: depths = 50
+   real(wp), parameter :: depth_tolerance = 1.0e-5_wp
 
 contains
 
@@ -69,28 +70,28 @@ contains
       integer, intent(in) :: case_index
       type(optional_real), intent(out) :: reach
       type(model_type) :: probe
-      real(wp) :: low, high
+      type(bracket_type) :: bracket
+      real(wp) :: left, below
       integer :: i
-      if (.not. locks_up(model, case_index)) return
+      if (block_way(model%cases(case_index)%operation) >= 0) return
       probe = model
-      associate (asked => model%cases(case_index)%bit_depth, depth => probe%cases(case_index)%bit_depth)
+      associate (load_case => model%cases(case_index), depth => probe%cases(case_index)%bit_depth)
+         left = left_of(model, case_index, load_case%wob, coiled=.true., pushed=.false.)
+         if (left >= 0.0_wp) return
          do i = depths - 1, 1, -1
-            depth = asked*real(i, wp)/real(depths, wp)
-            if (.not. locks_up(probe, case_index)) exit
+            below = left
+            depth = load_case%bit_depth*real(i, wp)/real(depths, wp)
+            left = left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false.)
+            if (left >= 0.0_wp) exit
          end do
          if (i < 1) return
-         low = depth
-         high = asked*real(i + 1, wp)/real(depths, wp)
-         do i = 1, halvings
-            depth = 0.5_wp*(low + high)
-            if (locks_up(probe, case_index)) then
-               high = depth
-            else
-               low = depth
-            end if
+         bracket = new_bracket(depth, left, load_case%bit_depth*real(i + 1, wp)/real(depths, wp), below)
+         do while (.not. is_narrow(bracket, depth_tolerance*load_case%bit_depth))
+            depth = next_try(bracket, depth_tolerance*load_case%bit_depth)
+            call narrow(bracket, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false.))
          end do
       end associate
-      reach = given(low)
+      reach = given(bracket%low)
    end subroutine find_reach
 
    !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` only the sign counts.
