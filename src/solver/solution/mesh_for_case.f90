@@ -202,11 +202,22 @@ contains
    pure function near_edges(mesh) result(near)
       type(mesh_type), intent(in) :: mesh
       logical :: near(mesh%elements)
+      logical :: marked(mesh%elements)      ! the upper node
+      real(wp) :: last
       integer :: n
-      real(wp), allocatable :: depths(:)
-      allocate (depths, source=[bend_depths(mesh), pack(mesh%md(2:mesh%elements), [(is_edge(mesh, n), n=2, mesh%elements)])])
+      marked = bends_at(mesh)
+      do n = 2, mesh%elements
+         marked(n) = marked(n) .or. is_edge(mesh, n)
+      end do
+      last = -huge(last)
       do n = 1, mesh%elements
-         near(n) = any(abs(mesh%md(n) - depths) < reach_of_bend)
+         if (marked(n)) last = mesh%md(n)
+         near(n) = mesh%md(n) - last < reach_of_bend
+      end do
+      last = huge(last)
+      do n = mesh%elements, 1, -1
+         if (marked(n)) last = mesh%md(n)
+         near(n) = near(n) .or. last - mesh%md(n) < reach_of_bend
       end do
    end function near_edges
 
@@ -214,12 +225,17 @@ contains
    pure function bend_depths(mesh) result(depths)
       type(mesh_type), intent(in) :: mesh
       real(wp), allocatable :: depths(:)
+      allocate (depths, source=pack(mesh%md(:mesh%elements), bends_at(mesh)))
+   end function bend_depths
+
+   !> Elements at whose upper node a housing is bent, or pads press.
+   pure function bends_at(mesh) result(there)
+      type(mesh_type), intent(in) :: mesh
       logical :: there(mesh%elements)
       there = .false.
       if (allocated(mesh%bend)) there = any(abs(mesh%bend) > 0.0_wp, dim=1)
       if (allocated(mesh%push)) there = there .or. any(abs(mesh%push) > 0.0_wp, dim=1)
-      allocate (depths, source=pack(mesh%md(:mesh%elements), there))
-   end function bend_depths
+   end function bends_at
 
    !> Depths of the nodes with the elements that are marked, and those next to them, cut in four, but not below the shortest, and
    !> their neighbours so that lengths grow gradually [m].

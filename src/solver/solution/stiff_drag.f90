@@ -32,10 +32,13 @@ contains
       type(soft_totals_type) :: totals
       real(wp), allocatable :: climb(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
       real(wp) :: compressed, strained, pressing
+      logical, allocatable :: stiff(:)
       integer :: shortened(scale_count)
       drag = 0.0_wp
       call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
-      if (totals%runaway .or. .not. any(abs(mesh%axial) > 0.0_wp .and. near_edges(mesh))) return
+      if (totals%runaway) return
+      stiff = near_edges(mesh)
+      if (.not. any(abs(mesh%axial) > 0.0_wp .and. stiff)) return
       allocate (climb(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
       allocate (state(6, mesh%nodes), axial(mesh%nodes), free(mesh%nodes), torque(mesh%nodes))
       call find_climb(model, case_index, mesh, compressed, climb)
@@ -46,7 +49,7 @@ contains
       call soft_string_at(model, case_index, mesh%md, free, torque, other=other_loads_type(friction_scale=0.0_wp))
       axial = axial - free
       soft = axial(:mesh%elements) - axial(2:)
-      drag = sum(mesh%axial*pressed - soft, mask=near_edges(mesh))
+      drag = sum(mesh%axial*pressed - soft, mask=stiff)
       if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
    end subroutine find_stiff_drag
 end module dg_stiff_drag
