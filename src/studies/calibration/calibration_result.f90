@@ -1,8 +1,8 @@
 !> What a calibration with one model found. SI units.
 module dg_calibration_result
    use dg_kinds, only: wp
-   use dg_depth_drift, only: drift_type, find_drift
    use dg_depth_correlation, only: find_succession, scatter_along, succession_type, widen_intervals
+   use dg_depth_drift, only: drift_type, find_drift
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_fit_by_kinds, only: free_unknowns
    use dg_least_squares, only: fit_done, fit_type

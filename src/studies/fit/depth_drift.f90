@@ -9,7 +9,7 @@
 module dg_depth_drift
    use dg_kinds, only: wp
    use dg_missing, only: missing
-   use dg_variance_components, only: invert_normal
+   use dg_variance_components, only: invert_normal, spare_of
    implicit none
    private
    public :: drift_type, find_drift, with_drift
@@ -56,10 +56,7 @@ contains
       if (.not. regular) return
       found = matmul(inverse, matmul(residual, both))
       left = residual - matmul(both, found)
-      spare = 0.0_wp
-      do k = 1, size(depth)
-         if (kind(k)) spare = spare + 1.0_wp - dot_product(both(k, :), matmul(inverse, both(k, :)))
-      end do
+      spare = spare_of(both, inverse, kind)
       if (spare < 1.0_wp) return
       scatter = sum(left**2, mask=kind)/spare
       chance = (1.0_wp - 2.0_wp/(9.0_wp*real(rates, wp)))**3

@@ -12,7 +12,7 @@ module dg_variance_components
    use dg_missing, only: missing
    implicit none
    private
-   public :: estimate_factors, adjust_covariance, scatter_of, invert_normal
+   public :: estimate_factors, adjust_covariance, scatter_of, spare_of, invert_normal
 
    !> Least variance of a kind over the largest, both over what the deviations began with [-]: a kind with hardly more
    !> values than it has unknowns for itself may fit exactly, by chance.
@@ -69,14 +69,23 @@ contains
       logical, intent(in) :: among(:)          !< these data
       real(wp) :: scatter
       real(wp) :: inverse(size(jacobian, 2), size(jacobian, 2)), spare
-      integer :: i
       logical :: regular
       scatter = missing
       call invert_normal(jacobian, inverse, regular)
       if (.not. regular) return
-      spare = count(among) - sum([(dot_product(jacobian(i, :), matmul(inverse, jacobian(i, :))), i=1, size(residual))], mask=among)
+      spare = spare_of(jacobian, inverse, among)
       if (spare > some_spare) scatter = sqrt(sum(residual**2, mask=among)/spare)
    end function scatter_of
+
+   !> Number of some data less what the unknowns take of them.
+   pure function spare_of(jacobian, inverse, among) result(spare)
+      real(wp), intent(in) :: jacobian(:, :)   !< (data, unknowns found), over the deviations
+      real(wp), intent(in) :: inverse(:, :)    !< of its normal matrix
+      logical, intent(in) :: among(:)          !< these data
+      real(wp) :: spare
+      integer :: i
+      spare = count(among) - sum([(dot_product(jacobian(i, :), matmul(inverse, jacobian(i, :))), i=1, size(among))], mask=among)
+   end function spare_of
 
    !> Covariance of the unknowns with what estimated variances add to it, and the degrees of freedom of each. The deviations are
    !> those estimated. Kenward & Roger's C + 2 C L C with L = sum over kinds of W_kl (d_kl A_k - A_k C A_l), A_k the normal
