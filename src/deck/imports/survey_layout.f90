@@ -244,8 +244,8 @@ contains
       is = verify(text, '-=_*+~|:. ,;'//achar(9)) == 0 .and. scan(text, '-=_*~') > 0
    end function is_rule
 
-   !> Whether a line holds the units of the columns: (m), deg, ... What looks like a unit stands in two of the columns wanted; or
-   !> in one, while the others are empty, told apart from words by their separator, or as many as the headings.
+   !> Whether a line holds the units of the columns: (m), deg, ... Two of the columns wanted look like units. One is enough where
+   !> the others are empty, where the separator is no blank, or where the line has as many cells as there are headings.
    pure function is_unit_row(line, layout) result(is)
       character(*), intent(in) :: line
       type(layout_type), intent(in) :: layout

@@ -8,7 +8,7 @@ module dg_beam_energy
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
-   !> What an element is made of.
+   !> Lengths and stiffnesses of an element.
    type :: beam_section_type
       real(wp) :: length = 0.0_wp              !< L, along the hole [m]
       real(wp) :: membrane_length = 0.0_wp     !< L_m [m]

@@ -1,4 +1,4 @@
-!> Room of one solution's equations, and what an iteration is told and tells.
+!> Storage for the equations of one solution, with the inputs and results of its iteration.
 module dg_equations
    use dg_kinds, only: wp
    use dg_assembly, only: assemble, load_type
@@ -20,7 +20,7 @@ module dg_equations
    !> lies outside the hole between its contact points.
    integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2, outcome_outside = 3
 
-   !> What is wanted of a tangent: nothing; all of it; or the energy's, `conservative` of `assemble`.
+   !> Parts of the tangent to assemble: no part; the whole; or that of the energy (`conservative` of `assemble`).
    integer, parameter :: forces_alone = 0, whole_tangent = 1, energy_tangent = 2
 
    type :: equations_type

@@ -16,7 +16,7 @@ module dg_scatter
    !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
    integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
 
-   !> What an element, its gap and its loads do, internal less external, and the part of its tangent that is asked for.
+   !> Internal less external forces of an element with its gap and loads, and the part of its tangent that is wanted.
    type :: element_type
       integer :: part = part_all
       logical :: tangent = .true.     !< is wanted

@@ -41,7 +41,7 @@ module dg_gap_contact
       real(wp), dimension(3) :: n, tau, moment
       real(wp) :: reciprocal, chi             !< 1/|f|, and of the header
       real(wp), dimension(3, 3) :: force_by_point, moment_by_point
-      !> Of the couple, by r and r'; zero where there is none.
+      !> Derivatives of the couple's force and bend by r and r'; zero without a couple.
       real(wp), dimension(3, 3) :: force_by_direction = 0.0_wp, bend_by_point = 0.0_wp, bend_by_direction = 0.0_wp
    end type touch_tangent_type
 

@@ -1,7 +1,7 @@
 !> A bending beam folded in the middle, for dg_bending_pair. Of n nodes number n/2 + 1 is the middle one. The first dimension of
 !> arrays over nodes is of upper and lower half. The last one counts from the ends to the middle, where it is n/2 + 1: the middle
-!> node stands in both halves. In a beam of an even number of nodes the lower half begins with a node that is none, and an element
-!> that is none.
+!> node stands in both halves. In a beam of an even number of nodes the lower half begins with an unused node and an unused
+!> element.
 module dg_bending_fold
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns
