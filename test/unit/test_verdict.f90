@@ -357,8 +357,18 @@ contains
       allocate (character(0) :: names)
       names = unchecked_codes(verdict)
       call assertEqual('joint_torsion make_up_torque slips fatigue', names)
-      names = unchecked_text(verdict%not_checked)
+      names = unchecked_text(verdict%not_checked, model%strings(1)%components)
       call assertEqual('joint torsion, make-up torque, slips, fatigue', names)
+      ! one part more, which alone has a joint torsion and no yield
+      model%strings(1)%components = [model%strings(1)%components, model%strings(1)%components(1)]
+      model%strings(1)%components(1)%kind = 'drillpipe'
+      model%strings(1)%components(2)%name = 'upper'
+      model%strings(1)%components(2)%yield = 0.0_wp
+      model%strings(1)%components(2)%joint_torsion = 1.0e6_wp
+      call judge(model, given(1.0e7_wp), verdict)
+      names = unchecked_text(verdict%not_checked, model%strings(1)%components)
+      call assertEqual('pipe strength of upper (no yield), joint torsion of '//model%strings(1)%components(1)%name// &
+                       ', make-up torque, slips, fatigue', names)
    end subroutine test_not_checked
 
    !> A string that is locked up cannot be done, and its weight on bit is told.

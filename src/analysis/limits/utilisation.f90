@@ -7,7 +7,7 @@ module dg_utilisation
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_component, only: component_type, tube_area, worn_od
+   use dg_component, only: component_type, is_bit, is_pipe, tube_area, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops
    use dg_load_case, only: given, optional_real, rotates
@@ -19,7 +19,8 @@ module dg_utilisation
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name
+   public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name, has_rating, &
+             lacks_rating
    public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
              limit_slips, limit_rig, limit_top_drive, as_much
 
@@ -108,6 +109,29 @@ contains
       call use_limit(utilisation, limit_collapse, factors%collapse*share_of(max(outside - inside, 0.0_wp), &
          collapse_strength(part, stress)), md)
    end subroutine use_component
+
+   !> Whether a component has the strength that a limit compares with.
+   elemental function has_rating(part, limit) result(has)
+      type(component_type), intent(in) :: part
+      integer, intent(in) :: limit
+      logical :: has
+      select case (limit)
+      case (limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse); has = part%yield > 0.0_wp
+      case (limit_joint_torsion); has = part%joint_torsion > 0.0_wp
+      case (limit_makeup); has = part%makeup_torque > 0.0_wp
+      case default; has = .false.
+      end select
+   end function has_rating
+
+   !> Whether a component lacks a strength that it needs: all but the bit need a yield strength, pipe that of its joints, too.
+   elemental function lacks_rating(part, limit) result(lacks)
+      type(component_type), intent(in) :: part
+      integer, intent(in) :: limit
+      logical :: lacks
+      lacks = .not. has_rating(part, limit) .and. .not. is_bit(part)
+      if (any(limit == [limit_joint_torsion, limit_makeup])) lacks = lacks .and. is_pipe(part)
+      if (any(limit == [limit_slips, limit_rig, limit_top_drive])) lacks = .false.      ! no matter of a component
+   end function lacks_rating
 
    !> Load over strength, where the strength may be gone.
    elemental function share_of(load, strength) result(share)

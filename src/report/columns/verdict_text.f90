@@ -1,13 +1,14 @@
 !> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
 module dg_verdict_text
    use dg_kinds, only: wp
+   use dg_component, only: component_type
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
-                             limit_tension, limit_top_drive, limit_torsion, limit_von_mises
+   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, &
+                             limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
                          friction_upper_end_alone, limit_code, limit_fatigue, limit_lock_up, limit_string_weight, limit_title, &
                          verdict_type
@@ -234,19 +235,41 @@ contains
          text = ' at '//depth_text(units, verdict%md%value)
    end function place_text
 
-   !> Names of limits that were not checked, one name for all that need a yield strength.
-   pure function unchecked_text(not_checked) result(text)
+   !> Names of limits that were not checked, one name for all that need a yield strength, with the components that lack the rating
+   !> where others have it.
+   pure function unchecked_text(not_checked, components) result(text)
       logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
+      type(component_type), intent(in) :: components(:)
       character(:), allocatable :: text
       integer :: i
       text = ''
-      if (not_checked(limit_tension)) text = 'pipe strength (no yield)'
+      if (not_checked(limit_tension)) text = 'pipe strength'//unrated_names(components, limit_tension)//' (no yield)'
       do i = 1, every_limit_count
          if (.not. not_checked(i) .or. any(by_yield == i)) cycle
          if (text /= '') text = text//', '
-         text = text//trim(limit_title(i))
+         text = text//trim(limit_title(i))//unrated_names(components, i)
       end do
    end function unchecked_text
+
+   !> ' of NAME and NAME' of the components that lack a rating; '' where all that need one lack it.
+   pure function unrated_names(components, limit) result(text)
+      type(component_type), intent(in) :: components(:)
+      integer, intent(in) :: limit
+      character(:), allocatable :: text
+      integer, parameter :: most_names = 3
+      integer :: i, names
+      text = ''
+      if (.not. any(has_rating(components, limit))) return
+      names = 0
+      do i = 1, size(components)
+         if (.not. lacks_rating(components(i), limit)) cycle
+         if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
+         names = names + 1
+         if (names > most_names) exit
+         text = text//trim(merge(' of', ',  ', names == 1))//' '//components(i)%name
+      end do
+      if (names > most_names) text = text//' and others'
+   end function unrated_names
 
    !> Names of the limits that were not checked as files have them, blanks between them.
    pure function unchecked_codes(verdict) result(text)

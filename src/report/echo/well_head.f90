@@ -1,7 +1,7 @@
 !> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
 module dg_well_head
    use dg_kinds, only: wp
-   use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, is_bit
+   use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_pipe
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_friction_estimate, only: upper_friction_type
@@ -11,7 +11,7 @@ module dg_well_head
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_survey, only: tangent_of
-   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length
    use dg_units, only: unit_system_type
@@ -24,8 +24,6 @@ module dg_well_head
    integer, parameter :: few = 3, digits = 5
    !> Hole sections whose friction factors are listed one by one.
    integer, parameter :: most_listed = 4
-   !> Kinds that are no collars: their weight is not put on the bit.
-   character(*), parameter :: pipe_kinds(2) = [character(9) :: 'drillpipe', 'hwdp']
 
 contains
 
@@ -232,11 +230,4 @@ contains
          end associate
       end do
    end subroutine weigh
-
-   !> True for drill pipe, heavy or not, which carries no weight on bit.
-   pure function is_pipe(part) result(is)
-      type(component_type), intent(in) :: part
-      logical :: is
-      is = any(pipe_kinds == lower_case(part%kind))
-   end function is_pipe
 end module dg_well_head

@@ -1,8 +1,9 @@
 !> The block 'Can it be done?' on standard output: one entry a load case, before all tables.
 module dg_verdict_table
    use dg_case_result, only: case_result_type
+   use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_verdict, only: answer_name, answer_no, answer_yes, every_limit_count
@@ -64,15 +65,24 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
+      type(component_type), allocatable :: components(:)
       character(:), allocatable :: text, names
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
-      integer :: first, k
+      integer :: first, i, k
       left = results%model == leading_model(job) .and. wholes%verdict%answer == answer_yes
       everywhere = any(left)
       do k = 1, size(results)
          if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
       end do
-      text = unchecked_text(everywhere)
+      allocate (components(0))
+      do i = 1, size(model%strings)
+         do k = 1, size(results)
+            if (.not. left(k) .or. string_index(model%strings, model%cases(results(k)%case_index)%string) /= i) cycle
+            components = [components, model%strings(i)%components]
+            exit
+         end do
+      end do
+      text = unchecked_text(everywhere, components)
       do while (any(left))
          first = findloc(left, .true., dim=1)
          extra = wholes(first)%verdict%not_checked .and. .not. everywhere
@@ -87,7 +97,7 @@ contains
          if (.not. any(extra)) cycle
          if (count(alike) > most_names) names = to_text(count(alike))//' cases'
          if (text /= '') text = text//'. '
-         text = text//'For '//names//': '//unchecked_text(extra)
+         text = text//'For '//names//': '//unchecked_text(extra, components)
       end do
       if (text /= '') text = 'NOT CHECKED, as the deck gives no limit: '//text//'.'
    end function unchecked_line

@@ -1,6 +1,6 @@
 !> Load cases: what their operation needs, and whether hole and string reach where the bit is and the string passes the hole.
 module dg_case_check
-   use dg_component, only: closed_diameter, component_type, is_bit, is_open
+   use dg_component, only: closed_diameter, component_type, is_bit, is_open, is_pipe
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
@@ -80,6 +80,7 @@ contains
       type(model_faults_type), intent(inout) :: found
       character(:), allocatable :: words
       real(wp) :: length
+      logical :: goes_up
       integer :: k
       length = 0.0_wp
       do k = 1, size(components)
@@ -90,7 +91,9 @@ contains
       words = 'string '//quoted(load_case%string)//' is '//depth_words(units, length)// &
               ' long and does not reach surface from '//key//' = '//depth_words(units, load_case%bit_depth)//': '// &
               depth_words(units, load_case%bit_depth - length)//' of pipe are missing; '
-      if (is_pipe(components(size(components)))) then
+      goes_up = is_pipe(components(size(components)))      ! heavy weight pipe does not
+      if (allocated(components(size(components))%kind)) goes_up = goes_up .and. components(size(components))%kind /= 'hwdp'
+      if (goes_up) then
          call note_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
                          'component', uppermost, ')')
       else
@@ -98,15 +101,6 @@ contains
                          'add drill pipe without a length as last component, after '//quoted(components(size(components))%name)// &
                          ' (', 'component', uppermost, '); catalogue names have its sizes')
       end if
-   contains
-      !> True of what a string is made of up to surface.
-      pure logical function is_pipe(component)
-         type(component_type), intent(in) :: component
-         is_pipe = .true.       ! what a program leaves open
-         if (.not. allocated(component%kind)) return
-         is_pipe = component%kind == '' .or. index(component%kind, 'pipe') > 0 .or. &
-            any(component%kind == [character(10) :: 'casing', 'liner', 'tubing', 'sucker_rod', 'rod'])
-      end function is_pipe
    end subroutine check_string_length
 
    !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that

@@ -11,7 +11,7 @@ module dg_component
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
+   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
              room_of, room_of_held_bit, shortest_contact
 
    !> How the kind of a stabiliser begins, in either spelling.
@@ -183,6 +183,18 @@ contains
       room = room_of(half_difference)
       if (is_bit(component) .and. .not. half_difference > least_clearance) room = max(room, most_tilt*component%length)
    end function room_of_held_bit
+
+   !> Whether the component is pipe, which may go up to surface: no collar and no tool. What a program leaves open is drill pipe.
+   elemental function is_pipe(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      character(:), allocatable :: kind
+      is = .true.
+      if (.not. allocated(component%kind)) return
+      kind = lower_case(component%kind)
+      is = kind == '' .or. index(kind, 'pipe') > 0 .or. &
+           any(kind == [character(10) :: 'hwdp', 'casing', 'liner', 'tubing', 'sucker_rod', 'rod'])
+   end function is_pipe
 
    !> Whether the component is a bit, which may be as wide as its hole.
    elemental function is_bit(component) result(is)
