@@ -82,6 +82,9 @@ contains
 
    !> Pounds, foot-pounds, a pressure in ksi.
    subroutine test_loads()
+      call mistake('&fluid', '&rig block_weight = 600 /'//newline//'&fluid', &
+                   'block_weight = 600 klbf is unusual. Usual is at most 337.2')
+      call mistake('&fluid', '&rig max_torque = 1000 /'//newline//'&fluid', 'max_torque = 1000 kft.lbf is unusual')
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
       call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')

@@ -24,14 +24,17 @@ module dg_unusual_input
       character(72) :: source
    end type usual_type
 
-   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5
-   type(usual_type), parameter :: usual(5) = [ &
+   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5, &
+                         usual_block = 6, usual_top_drive = 7
+   type(usual_type), parameter :: usual(7) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
       usual_type('density', 0, 0.0_wp, 2700.0_wp, 'heaviest kill mud 22.5 lbm/gal'), &
       usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
-                 'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi')]
+                 'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi'), &
+      usual_type('block_weight', unit_force, 0.0_wp, 1.5e6_wp, 'block, compensator and top drive of 1,250 t rigs: 120 t'), &
+      usual_type('max_torque', unit_moment, 0.0_wp, 200.0e3_wp, 'strongest top drives 130 kN.m')]
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 15.0_wp
@@ -68,6 +71,10 @@ contains
       end do
       call note_order(draft, notes)
       call note_length(draft, notes)
+      call note_range('group &rig', usual_block, draft%rig%block_weight, &
+                      trim(in_units(draft%units, unit_force, draft%rig%block_weight, digits)))
+      if (draft%rig%max_torque%present) call note_range('group &rig', usual_top_drive, draft%rig%max_torque%value, &
+         trim(in_units(draft%units, unit_moment, draft%rig%max_torque%value, digits)))
       do i = 1, size(draft%cases)
          associate (load_case => draft%cases(i)%load_case)
             call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_wob, load_case%wob, &
