@@ -3,7 +3,7 @@ module dg_test_legacy_runs
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
-   use dg_program_run, only: deck_path, good_deck, results_path, run_deck_text, run_program, run_type, scratch, unwrapped
+   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch, unwrapped
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('shipped_example_locates_the_error', test_example))
       call suite%addTest(TestMethod('every_form_of_table', test_forms))
       call suite%addTest(TestMethod('rows_that_are_skipped', test_skipped))
+      call suite%addTest(TestMethod('hook_loads_over_depth', test_hookloads))
       call suite%addTest(TestMethod('bad_tables', test_bad_tables))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
    end function legacy_runs_suite
@@ -57,6 +58,19 @@ contains
       call assertTrue(index(unwrapped(run%output), 'rows skipped: 1 that begin with # (first in line 2)') > 0, message=run%output)
    end subroutine test_skipped
 
+   !> Hook loads at several bit depths are no forces along one string: a note says so, and what to give in their place.
+   subroutine test_hookloads()
+      type(run_type) :: run
+      character(*), parameter :: advice = 'reference_hookload, a load case for each depth'
+      run = run_with('md,axial|300,100|600,170|900,240', '')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, advice) > 0, message=run%output)
+      run = run_with('md,axial|0,150|900,0', '')
+      call assertEqual(0, index(run%output, advice), message='forces along the string')
+      run = run_deck_text(replaced(good_deck(), 'bit_depth = 900.0 /', 'bit_depth = 900.0, reference_hookload = 240 /'))
+      call assertTrue(index(run%output, '240.0') > 0, message='as the note says: '//run%output)
+   end subroutine test_hookloads
+
    !> The wrong sign of curvature makes its error in the build section alone, in all three operations.
    subroutine test_example()
       type(run_type) :: run
@@ -88,6 +102,7 @@ contains
       call same('numbers of columns, no header', '1 0 150|2 450 75|3 900 0', ", md = '2', axial = '3'")
       call same('fixed', 'report|  md axial|   0 150.0| 450 75| 900   0.0', ", md = '1:4', axial = '5:10', skip = 2")
       call same('newtons', 'md,axial_N|0,150000|450,75000|900,0', ", axial_unit = 'N'")
+      call same('a row of units', 'md,axial|m,[kN]|0,150|450,75|900,0', '')
       call same('tonnes', 'md,axial [t]|0,15.29574319|450,7.647871597|900,0', ", axial_unit = 't'")
       call same('decanewtons', 'MD (m),axial (daN)|0,15000|450,7500|900,0', ", axial_unit = 'daN'")
       call same('a unit that only the deck knows', 'md,axial (as printed)|0,150|450,75|900,0', ", axial_unit = 'kN'")

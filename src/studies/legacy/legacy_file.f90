@@ -103,7 +103,7 @@ contains
       type(text_type), allocatable :: fields(:)
       character(:), allocatable :: text
       logical :: fixed, started
-      integer :: line
+      integer :: k, line
       fixed = any(columns%last > 0)
       started = fixed
       do line = skip + 1, size(lines)
@@ -121,6 +121,14 @@ contains
             call find_columns(fields, columns, table, faults)
             if (.not. table%sound) exit
             if (.not. is_data(columns, fields)) cycle
+         else if (table%n == 0 .and. .not. fixed) then
+            call split_fields(close_brackets(text), table%separator, fields)
+            if (is_row_of_units(columns, fields)) then
+               do k = 1, column_count
+                  if (columns(k)%number > 0) call check_unit(k, columns(k), unit_in(fields(columns(k)%number)%text), table, faults)
+               end do
+               cycle
+            end if
          end if
          table%n = table%n + 1
          table%line_of(table%n) = line
@@ -259,6 +267,27 @@ contains
       real(wp) :: number
       call read_real(row(columns(1)%number)%text, number, is)
    end function is_data
+
+   !> Whether a row below the headings gives the units of all columns that are read.
+   function is_row_of_units(columns, row) result(is)
+      type(column_type), intent(in) :: columns(:)
+      type(text_type), intent(in) :: row(:)
+      logical :: is
+      integer :: k
+      is = size(row) >= maxval(columns%number)
+      if (.not. is) return
+      do k = 1, column_count
+         if (columns(k)%number > 0) is = is .and. unit_value(k, unit_in(row(columns(k)%number)%text)) > 0.0_wp
+      end do
+   end function is_row_of_units
+
+   !> The unit that a cell holds, in brackets or not.
+   function unit_in(cell) result(unit)
+      character(*), intent(in) :: cell
+      character(:), allocatable :: unit, name
+      call split_unit(cell, name, unit)
+      if (unit == '') unit = name
+   end function unit_in
 
    !> The last row of the table, from columns that are parted.
    subroutine take_row(text, columns, table, faults)

@@ -7,7 +7,7 @@ module dg_legacy_report
    use dg_hole_interval, only: interval_at, interval_name, interval_type
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type
-   use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_side_force
+   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -50,12 +50,28 @@ contains
       if (comparison%outside > 0) call append_text(lines, to_text(comparison%outside)//' of its '//to_text(size(table%md))// &
                                                    ' rows lie beyond the string and are left out')
       if (size(comparison%md) == 0) return
+      if (grows_with_depth(comparison)) then
+         call append_text(lines, 'Its force grows with depth, ours falls: are these hook loads at several bit depths? Give')
+         call append_text(lines, 'those as reference_hookload, a load case for each depth. &legacy compares forces along a string.')
+      end if
       do k = 1, quantity_count
          if (.not. comparison%parting(k)%present) cycle
          if (with_tables) call append_table(lines, units, k, comparison)
          call append_words(lines, units, k, comparison, comparison%parting(k))
       end do
    end function legacy_report
+
+   !> Whether their axial force is larger at the lowest depth than at the uppermost, and ours is not: as of hook loads over bit depth.
+   pure function grows_with_depth(comparison) result(grows)
+      type(comparison_type), intent(in) :: comparison
+      logical :: grows
+      grows = comparison%parting(quantity_axial)%present
+      if (.not. grows) return
+      associate (theirs => comparison%theirs(:, quantity_axial), ours => comparison%ours(:, quantity_axial), &
+                 n => size(comparison%md))
+         grows = theirs(n) > theirs(1) .and. ours(n) < ours(1)
+      end associate
+   end function grows_with_depth
 
    !> Ours and theirs against depth, thinned out to `most_rows`.
    pure subroutine append_table(lines, units, k, comparison)
@@ -119,7 +135,7 @@ contains
       if (abs(parting%at_bottom) > agreement*parting%scale) &
          call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
                           ' already.')
-      call append_text(lines, 'It grows, from the bit up:')
+      call append_text(lines, 'It changes, from the bit up:')
       do i = size(comparison%intervals), 1, -1
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
@@ -162,7 +178,7 @@ contains
          character(:), allocatable :: text
          text = ''
          if (.not. any(comparison%md > interval%md_top .and. comparison%md < interval%md_bottom)) &
-            text = ' (no depth within: by straight line)'
+            text = ' (no row of the table there: by straight line)'
       end function remark
    end subroutine append_words
 
