@@ -23,6 +23,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('calibration_runs')
       call suite%addTest(TestMethod('known_friction', test_known))
+      call suite%addTest(TestMethod('block_left_out_of_measurements', test_block_left_out))
       call suite%addTest(TestMethod('predicted', test_predicted))
       call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
@@ -47,6 +48,23 @@ contains
          "&load_case name = 'c', operation = 'down', bit_depth = 1000, measured_hookload = "//to_text(down_full)//" /"//newline// &
          calibrate//newline
    end function straight_deck
+
+   !> Hook loads measured without the block, beside a block weight: the offset takes it back, and a warning says so. Without
+   !> block_weight, as it advises, there is none.
+   subroutine test_block_left_out()
+      type(run_type) :: run
+      real(wp), parameter :: friction = 0.2_wp
+      character(*), parameter :: warning = 'the offset is about minus the block weight'
+      character(:), allocatable :: deck
+      deck = straight_deck(0.5_wp*along*(1.0_wp + friction*across/along), along + friction*across, along - friction*across, &
+                           "&calibrate name = 'k', offset = 'one', separate = 'none' /")
+      run = run_deck_text(deck//'&rig block_weight = 60 /'//newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, warning) > 0, message=run%output)
+      run = run_deck_text(deck)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, warning), message=run%output)
+   end subroutine test_block_left_out
 
    !> Hook load = weight along + mu weight across, mu 0.2 in the upper 400 m and 0.3 below, and a gauge that shows 5 kN more.
    subroutine test_known()

@@ -176,7 +176,7 @@ contains
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      real(wp), parameter :: misfit = 2.0_wp
+      real(wp), parameter :: misfit = 2.0_wp, near_block = 0.25_wp
       logical :: unknown_error(size(calibration%unknowns))
       real(wp) :: scatter
       integer :: k, j
@@ -185,7 +185,12 @@ contains
             'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
          if (verdict_of(result, k) == verdict_at_bound) call append_text(lines, 'Warning: '// &
             unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction beyond '// &
-            to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause')
+            to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, gauge')
+         if (verdict_of(result, k) /= verdict_not_felt .and. calibration%unknowns(k)%is_offset) then
+            if (abs(result%fit%unknowns(k) + model%rig%block_weight) < near_block*model%rig%block_weight) &
+               call append_text(lines, 'Warning: the offset is about minus the block weight: are the measured hook loads '// &
+                                'without the block? Then leave out block_weight of &rig')
+         end if
       end do
       do k = 1, size(result%statistics%mixtures)
          associate (mixture => result%statistics%mixtures(k))
