@@ -125,13 +125,13 @@ contains
       type(text_type), allocatable :: lines(:), before(:), after(:)
       integer :: i
       call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
+      do i = 1, size(notes)
+         call print_line('note        '//notes(i)%text)
+      end do
       call print_lines(well_head(job%units, model))
       call echo_studies(studies, job, before, after)
       call echo_lines(job, model, before, after, lines)
       call print_lines(lines)
-      do i = 1, size(notes)
-         call print_line('note        '//notes(i)%text)
-      end do
    end subroutine print_echo
 
    !> What is legal in the deck but hardly meant. Load cases have a block of warnings for it.
