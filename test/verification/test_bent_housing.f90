@@ -15,7 +15,9 @@ module dg_test_bent_housing
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
+   use dg_soft_string_loads, only: soft_string_at
    use dg_steering_result, only: steering_result_type
+   use dg_stiff_drag, only: find_stiff_drag
    use dg_test_wells, only: hold_ends, new_well, note, part, solve, string_weight
    use dg_vector, only: cross
    implicit none
@@ -47,6 +49,7 @@ contains
       call suite%addTest(TestMethod('fluids_at_depths', test_fluids))
       call suite%addTest(TestMethod('fidelities', test_fidelities))
       call suite%addTest(TestMethod('free_bit', test_free_bit))
+      call suite%addTest(TestMethod('stiff_drag', test_stiff_drag))
    end function bent_housing_suite
 
    !> An element in the shape of its own arc, wherever that lies in space, has neither force nor moment.
@@ -426,6 +429,45 @@ contains
          end do
       end do
    end subroutine test_free_bit
+
+   !> A motor that slides, its bend so sharp that contact of some hundred kN holds it in the hole. Friction of that compresses the
+   !> pipe above into coils, which neither weight nor weight on bit do. Without it in mesh and start no equilibrium was found in
+   !> 1,300 iterations. Above the assembly the axial force is that of the soft string with this friction, to the 5 % of a start.
+   subroutine test_stiff_drag()
+      real(wp), parameter :: depth = 707.0_wp, friction(2) = [0.35_wp, 0.30_wp], inclination(2) = [45.0_wp, 60.0_wp]
+      real(wp), parameter :: bend(2) = [2.2_wp, 2.4_wp], above = depth - 30.0_wp, alike = 0.1_wp
+      integer, parameter :: most = 60           ! 34 are seen
+      type(model_type) :: model, known
+      type(case_result_type) :: result
+      real(wp) :: axial(1), torque(1), found
+      integer :: i, n
+      do i = 1, 2
+         call new_well(model, [0.0_wp, 390.0_wp, 480.0_wp, depth], [0.0_wp, 0.0_wp, inclination(i), inclination(i)], &
+                       spread(0.0_wp, 1, 4), 0.2159_wp, friction(i), &
+                       part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 27.2_wp, 0.1683_wp))
+         model%strings(1)%components = [part('bit', 0.3_wp, 0.1651_wp, 0.0714_wp, 116.6_wp, 0.2159_wp), &
+                                        part('motor', 8.5_wp, 0.1651_wp, 0.0714_wp, 93.3_wp, 0.0_wp), &
+                                        part('stabilizer', 1.5_wp, 0.1651_wp, 0.0714_wp, 116.6_wp, 0.2127_wp), &
+                                        part('drillpipe', 175.0_wp, 0.127_wp, 0.0762_wp, 62.6_wp, 0.1651_wp), &
+                                        model%strings(1)%components(1)]
+         model%strings(1)%components(2)%bend = bend(i)*degree
+         model%strings(1)%components(2)%bend_position = 1.1_wp
+         model%cases(1)%toolface = 83.0_wp*degree
+         call solve(model, operation_sliding_drilling, 40.0e3_wp, 2.0e3_wp, result, 'stiff drag')
+         call assertLessThan(result%iterations, most, message='iterations')
+         model%cases(1)%wob = 40.0e3_wp
+         known = model
+         call find_stiff_drag(model, 1, known%stiff_drag)
+         call soft_string_at(known, 1, [above], axial, torque)
+         n = minloc(abs(result%profile%md - above), dim=1)
+         found = result%profile%axial(n)
+         call note('friction of the assembly [N]', known%stiff_drag)
+         call note('axial force above it, over the expected one, less one', found/axial(1) - 1.0_wp)
+         call assertRelativelyEqual(axial(1), found, alike, message='axial force above the assembly')
+         call soft_string_at(model, 1, [above], axial, torque)
+         call assertLessThan(found, 3.0_wp*axial(1), message='most of it is friction of the assembly')
+      end do
+   end subroutine test_stiff_drag
 
    !> Side force and tilt of `auto` against those of `reference`, at the usual wall and at a stiff one, with the bend in a blade.
    subroutine test_fidelities()
