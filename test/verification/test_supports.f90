@@ -1,15 +1,16 @@
 !> Strings on their end supports (pinned at top and bit), clear of the wall or just touching: beam, tie, column, and the
 !> slick assembly.
 module dg_test_supports
-   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
    use dg_component, only: axial_stiffness, bending_stiffness, component_type
    use dg_constants, only: pi
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_static
+   use dg_load_case, only: operation_static, operation_trip_in
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_numerics, only: gap_at_nodes
-   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
+   use dg_numerics, only: gap_at_nodes, settings_of
+   use dg_test_wells, only: hold_ends, new_well, note, part, pipe, solve
    implicit none
    private
    public :: supports_suite
@@ -27,6 +28,7 @@ contains
       call suite%addTest(TestMethod('beam_column', test_beam_column))
       call suite%addTest(TestMethod('slick_assembly', test_slick_assembly))
       call suite%addTest(TestMethod('slick_assembly_under_load', test_slick_assembly_under_load))
+      call suite%addTest(TestMethod('free_bit', test_free_bit))
    end function supports_suite
 
    !> A horizontal string of drill pipe, w per metre, pinned at both ends, in a hole of that clearance.
@@ -38,6 +40,24 @@ contains
       call hold_ends(model)
       model%numerics%element_length = length/elements
    end subroutine build
+
+   !> Coiled tubing run in with its bit free. The short elements of moments find an equilibrium at the analysis' one, on any side of
+   !> a vertical hole.
+   subroutine test_free_bit()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: inclination(3) = [0.0_wp, 0.5_wp, 4.0_wp], wob(3) = [1.5e3_wp, 2.88e3_wp, 2.88e3_wp]   ! [deg, N]
+      integer :: i
+      do i = 1, size(wob)
+         call new_well(model, [0.0_wp, 600.0_wp], spread(inclination(i), 1, 2), [0.0_wp, 0.0_wp], 0.12_wp, 0.3_wp, &
+                       part('drillpipe', 0.0_wp, 0.0508_wp, 0.0429_wp, 3.86_wp, 0.0_wp))
+         model%boundary%top_centred = .true.
+         model%numerics = settings_of('auto')
+         call solve(model, operation_trip_in, wob(i), 0.0_wp, result, 'free bit')
+         call assertFalse(is_missing(result%moment_error), message='free bit')
+         call assertLessThan(result%moment_error, 0.1_wp, message='free bit')
+      end do
+   end subroutine test_free_bit
 
    pure function stiffness() result(ei)
       real(wp) :: ei

@@ -4,6 +4,7 @@ module dg_bending_equilibrium
    use dg_bending_beam, only: bending_beam_type, length_of
    use dg_bending_layout, only: lying_type
    use dg_bending_nodes, only: shape_at
+   use dg_bending_rows, only: alike
    use dg_bending_solution, only: solve_bending
    use dg_mesh, only: mesh_type
    use dg_moved_walls, only: move_walls
@@ -58,11 +59,13 @@ contains
    end subroutine settle_firmly
 
    !> Whether the beam is at the string of the analysis: at the nodes of the mesh where that is compressed. In tension a string has
-   !> one equilibrium, unless friction or a large torque make another.
-   pure function is_near(mesh, lying, nodes, y) result(is)
+   !> one equilibrium, unless friction or a large torque make another. Next to a free end in a vertical hole nothing says on which
+   !> side the string lies: there the beam may lie anywhere with the same moment.
+   pure function is_near(mesh, lying, nodes, y, moments) result(is)
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying
       real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them (n), (4,n) [m, -]
+      real(wp), intent(in) :: moments(:)            !< at its nodes (n) [N.m]
       logical :: is
       integer :: m, n, e
       is = .true.
@@ -70,8 +73,9 @@ contains
       do n = 1, size(nodes)
          if (nodes(n) < mesh%md(m)) cycle
          e = min(m, mesh%elements)
-         if (lying%axial(m) < 0.0_wp) is = is .and. length_of(y(1:2, n) - lying%y(1:2, m)) <= &
-                                           farthest*max(least_room, maxval(mesh%clearance(max(m - 1, 1):e)))
+         if (lying%axial(m) < 0.0_wp) is = is .and. (length_of(y(1:2, n) - lying%y(1:2, m)) <= &
+                                           farthest*max(least_room, maxval(mesh%clearance(max(m - 1, 1):e))) .or. &
+                                           abs(moments(n) - lying%bending(m)) <= alike*maxval(moments))
          m = min(m + 1, mesh%nodes)
       end do
    end function is_near

@@ -32,6 +32,8 @@ module dg_bending_layout
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
    !> Clearance of an element whose contact is that of a point alone [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
+   !> How far from a free end more stiffness holds a compressed string, over sqrt(EI/P) [-].
+   real(wp), parameter :: end_reach = 8.0_wp
    !> Least force [N] and least load [N/m] by which a bending length goes.
    real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
 
@@ -40,6 +42,7 @@ module dg_bending_layout
       real(wp), allocatable :: slide(:)      !< how far a node has moved down the hole (n) [m]
       real(wp), allocatable :: y(:, :)       !< offset and slope against the hole axis (4,n) [m, -]
       real(wp), allocatable :: axial(:)      !< tension positive (n) [N]
+      real(wp), allocatable :: bending(:)    !< moment (n) [N.m]
       real(wp), allocatable :: load(:)       !< contact force per metre of an element and its neighbours (e) [N/m]
       logical, allocatable :: bends(:)       !< whether an element is bent again (e)
       real(wp) :: firm = firm                !< stiffness of its walls at one place of contact during Newton's steps [N/m]
@@ -60,6 +63,7 @@ contains
       allocate (lying%slide(mesh%nodes), lying%y(node_unknowns, mesh%nodes), lying%load(mesh%elements), &
                 lying%bends(mesh%elements))
       lying%axial = profile%axial
+      lying%bending = profile%bending
       do n = 1, mesh%nodes
          arc = mesh%arc(n)
          point = mesh%base(:, n) + work%shift(:, n)
@@ -301,5 +305,19 @@ contains
       call soften_walls(huge(1.0_wp), lying%firm, beam)
       beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)
       beam%centred(n) = model%boundary%bit_centred .and. nodes(n) >= mesh%md(mesh%nodes)
+      if (nodes(1) <= mesh%md(1)) call hold_free_end(1, beam)
+      if (nodes(n) >= mesh%md(mesh%nodes)) call hold_free_end(n, beam)
    end subroutine new_beam
+
+   !> Raises the stiffness that holds a compressed string to what a free end asks for. On a bed of stiffness k per length a long
+   !> string buckles under 2 sqrt(k EI), at a free end under sqrt(k EI) (Hetenyi, Beams on Elastic Foundation, 1946). That mode
+   !> fades over 2 sqrt(EI/P).
+   pure subroutine hold_free_end(n, beam)
+      integer, intent(in) :: n            !< the first or the last node
+      type(bending_beam_type), intent(inout) :: beam
+      real(wp) :: reach
+      if (beam%centred(n) .or. beam%axial(n) > -least_force) return
+      reach = end_reach*sqrt(beam%ei(min(n, size(beam%ei)))/(-beam%axial(n)))
+      where (abs(beam%md - beam%md(n)) < reach) beam%viscous = 4.0_wp*beam%viscous
+   end subroutine hold_free_end
 end module dg_bending_layout

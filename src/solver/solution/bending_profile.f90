@@ -209,7 +209,7 @@ contains
       end do
       call settle_firmly(mesh, lying, beam, y)
       call recover_moments(beam, y, bent, moments, differences)
-      if (.not. is_near(mesh, lying, beam%md, y)) return
+      if (.not. is_near(mesh, lying, beam%md, y, moments)) return
       error = maxval(differences)/largest_of(beam, moments)
       if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
    end subroutine bend_again
@@ -245,13 +245,13 @@ contains
          call new_beam(model, mesh, gaps, work, lying, finer, beam)
          call solve_anchored(mesh, lying, beam, y, settled, found)
          if (found) call settle_firmly(mesh, lying, beam, y)
-         if (found) found = is_near(mesh, lying, beam%md, y)
+         call move_alloc(moments, before)
+         call recover_moments(beam, y, bent, moments, differences)
+         if (found) found = is_near(mesh, lying, beam%md, y, moments)
          if (.not. found) then
             error = missing
             return
          end if
-         call move_alloc(moments, before)
-         call recover_moments(beam, y, bent, moments, differences)
          error = maxval(abs(moments(kept) - before))/largest_of(beam, moments)
          if (error <= proven) return
       end do
