@@ -1,5 +1,5 @@
 !> The start of a buckled string against what the iteration finds from it: amplitude, wave number and above all phase. Drill pipe
-!> in a straight horizontal hole, no friction.
+!> in a straight horizontal hole, no friction; its hand in a hole that turns.
 module dg_test_buckled_start
    use funit, only: assertEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged, scale_count
@@ -8,14 +8,14 @@ module dg_test_buckled_start
    use dg_error, only: error_type
    use dg_gap_table, only: gap_table_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_static
+   use dg_load_case, only: operation_sliding_drilling, operation_static
    use dg_mesh, only: mesh_type
    use dg_mesh_for_case, only: mesh_for_case
    use dg_model, only: model_type
    use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: hold_ends, new_well, note, pipe
+   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    use dg_walls, only: lay_out_gaps
    implicit none
    private
@@ -31,7 +31,25 @@ contains
       call suite%addTest(TestMethod('snake', test_snake))
       call suite%addTest(TestMethod('coil', test_coil))
       call suite%addTest(TestMethod('few_iterations', test_few_iterations))
+      call suite%addTest(TestMethod('mirrored', test_mirrored))
    end function buckled_start_suite
+
+   !> A hole that turns and its mirror image, without torque: coils are images, too. All coiled to the right, hook loads differed by
+   !> 4e-4 of the largest force.
+   subroutine test_mirrored()
+      type(model_type) :: model
+      type(case_result_type) :: result(2)
+      integer :: i
+      do i = 1, 2
+         call new_well(model, [0.0_wp, 200.0_wp, 400.0_wp, 600.0_wp, 800.0_wp], [0.0_wp, 2.0_wp, 4.0_wp, 6.0_wp, 8.0_wp], &
+                       (3.0_wp - 2.0_wp*i)*[0.0_wp, 0.0_wp, 60.0_wp, 120.0_wp, 180.0_wp], 0.2159_wp, 0.4_wp, &
+                       pipe(weight, od, id))
+         call solve(model, operation_sliding_drilling, 200.0e3_wp, 0.0_wp, result(i), 'mirrored')
+      end do
+      call assertTrue(result(1)%coiled, message='helically buckled')
+      call assertEqual(result(1)%hookload, result(2)%hookload, 1.0e-3_wp, message='hook load [N]')
+      call assertEqual(result(1)%normal_force, result(2)%normal_force, 1.0e-3_wp, message='contact force [N]')
+   end subroutine test_mirrored
 
    !> Drill pipe in the hole, pushed by so many times Dawson & Paslay's load.
    subroutine pushed(ratio, model)

@@ -41,6 +41,8 @@ module dg_predictor
    integer, parameter :: slide_steps = 2
    !> A last one shorter than this leaves the node's slope as it is [m]: in a hole of 10 m radius that is off by 1e-9 then.
    real(wp), parameter :: straight_slide = 1.0e-8_wp
+   !> A lying side that turns by less than this does not turn [rad]: that is round-off.
+   real(wp), parameter :: least_turn = 1.0e-6_wp
 
 contains
 
@@ -90,7 +92,7 @@ contains
       do i = 1, mesh%nodes
          if (axial(i) < 0.0_wp) wound(i) = -wound_compression(mesh%ei(min(i, mesh%elements)), -axial(i), torque(i))
       end do
-      left_handed = sum(torque, mask=axial < 0.0_wp) > 0.0_wp
+      left_handed = coils_left(axial, torque, offset)
       if (left_handed) call mirror(offset, slope)
       call lay_buckled(model, mesh, wound, gaps%xi, wall, load, offset, slope, laid)
       if (left_handed) call mirror(offset, slope)
@@ -125,6 +127,26 @@ contains
       end do
       if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, wound, gaps)
    end subroutine predict
+
+   !> Whether a compressed string coils to the left: against its torque or, without one, as the side that it lies on turns along the
+   !> hole. A hole that is seen in a mirror then has the mirror image of the coils. In a plane both are alike.
+   pure function coils_left(axial, torque, offset) result(left)
+      real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
+      real(wp), intent(in) :: offset(:, :)          !< where it lies (2,nodes) [m]
+      logical :: left
+      real(wp) :: turn, wound, size_of_both
+      integer :: i
+      wound = sum(torque, mask=axial < 0.0_wp)
+      turn = 0.0_wp
+      do i = 2, size(axial)
+         if (max(axial(i - 1), axial(i)) >= 0.0_wp) cycle
+         size_of_both = norm2(offset(:, i - 1))*norm2(offset(:, i))
+         if (size_of_both > 0.0_wp) &
+            turn = turn + (offset(1, i - 1)*offset(2, i) - offset(2, i - 1)*offset(1, i))/size_of_both
+      end do
+      left = wound > 0.0_wp
+      if (.not. abs(wound) > 0.0_wp) left = turn < -least_turn
+   end function coils_left
 
    !> The line seen in a mirror along the hole: what is laid there coils to the right, and to the left in the hole.
    pure subroutine mirror(offset, slope)
