@@ -5,9 +5,9 @@
 !>
 !>   U = -M q.(d_j - d_i),   M = EI b/(L cos(b/2)),   q = p/|p|,   p = r x (q_0 x r)
 !>
-!> with r the chord, d_i and d_j the tangents at its ends and q_0 the direction in space to which the bend is held: q is q_0 less
-!> its part along the chord, so that q turns with the element. With this M the element is free of force and moment in its own
-!> shape. What holds its direction is a moment across q_0: where q_0 lies across the hole, about the hole axis.
+!> with r the chord, d_i and d_j the tangents at its ends and q_0 the direction of the toolface, fixed in space: q is q_0 less its
+!> part along the chord, so that q turns with the element. With this M the element is free of force and moment in its own
+!> shape. To keep q_0 takes a moment about the chord, which comes from outside of the element.
 !>
 !> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes, as those of dg_beam_element.
 module dg_beam_bend

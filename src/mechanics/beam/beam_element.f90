@@ -6,19 +6,21 @@
 !>   e = (x_j - x_i)/l              chord direction, l its length
 !>   c_i = d_i.e, c_j = d_j.e       cosines of the angles alpha_i, alpha_j between nodal tangents and chord
 !>   p = d_i.d_j
-!>   A = alpha_i**2 + alpha_j**2,  B = theta_i.theta_j   with theta the rotation vector from chord to tangent
-!>   b = (2 A - B)/30               shortening of a cubic's chord against its arc: averaged membrane strain, no locking
+!>   theta_i                        rotation vector that turns e into d_i; its length is alpha_i
+!>   A = alpha_i**2 + alpha_j**2,  B = theta_i.theta_j
+!>   b = (2 A - B)/30               arc length of the cubic over its chord, less one. The axial strain is the mean over the
+!>                                  element: taken point by point it would resist pure bending (locking)
 !>   epsilon = l (1 + b)/L_m - 1    axial strain
 !>   U = EA L_m/2 epsilon**2 + (2 EI/L)(A + B)
 !>
-!> L is the element's length along the hole, L_m the same by the measure l (1 + b) of the string resting on the
-!> hole axis. So a string on the axis of an arc of radius R carries exactly M = EI/R and no axial force.
-!> In the tangent, U'' at zero displacement is K0, what the axial force N carries is Ksigma, and what displacement
-!> adds beside that is KN.
+!> L is the element's length along the hole. L_m, its unstressed length, is l (1 + b) with nodes and tangents on the
+!> hole axis. So a string on the axis of an arc carries no axial force, and by A and B exactly M = EI/R.
+!> In the tangent, U'' at zero displacement is K0; terms proportional to the axial force N are Ksigma; the rest is KN.
+!> There is no shear deformation.
 !>
-!> Twist phi is a scalar along the string (turned about its own tangent, against a frame that does not spin), and
-!> the torque's own geometry enters as an end-moment vector T (d_i + d_j)/(1 + p): it is the one vector that
-!> balances at both ends and does the work T (phi_j - phi_i).
+!> Twist phi is a scalar along the string (turned about its own tangent, against a frame that does not spin). The torque
+!> M_t enters as an end-moment vector M_t (d_i + d_j)/(1 + p): it is the one vector that balances at both ends and does
+!> the work M_t (phi_j - phi_i).
 !>
 !> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes; dg_assembly turns them into the element's 12 dofs.
 module dg_beam_element

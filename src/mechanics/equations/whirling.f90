@@ -1,22 +1,22 @@
 !> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques with it.
 !>
 !> Where friction holds a rotating string that is pressed to its side of the hole, it lets it climb: circumferential friction m R
-!> stands against the weight. A string that snakes or coils has no such side. Turned as a whole by d theta about the hole it has
-!> the wall push it by m R |f| d theta all along, which nothing balances: its bends run around the hole until the steady state is
-!> one in which they roll or slide so that this force is gone. Inertia left out, that is the string without circumferential friction
-!> in its lateral balance. Friction's torque m r R stays, as it is what the surface feels; axial friction stays. So the share of m R
-!> that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling load.
+!> stands against the weight. A string that snakes or coils has no such side. Turned as a whole by d theta about the hole, friction
+!> does the work m R |f| d theta per metre on it, of one sign everywhere. No other force does work then, so there is no equilibrium:
+!> its bends whirl around the hole until they roll or slide without that force. This steady state is found, without inertia, by
+!> leaving m R out of the lateral forces. Friction's torque m r R stays, as it is what the surface feels; axial friction stays. The
+!> share of m R that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling load.
 !>
-!> The torques that are put into such a string at bit, wall and top must then do no work either as it turns. Torque T inside the
-!> string does, in a turn d theta of all directors about t, by the end moments of dg_beam_element on d_i and d_j,
-!>   T (d_i x d_j)/(1 + d_i.d_j) . (t x d_i + t x d_j) d theta = T (t.d_i - t.d_j) d theta,
-!> in sum over the elements, with m_n the torques put in at the nodes and the sum of them 0: - sum m_n (1 - t.d_n) d theta. A
-!> torque put in about d or about t leaves that unbalanced. Put in semi-tangentially, about
-!>   (t + d)/(1 + t.d),
-!> it is one more such element, from d to the t of the hole: its end moment on d, m (d x t)/(1 + t.d), works + m (1 - t.d) d theta,
-!> and the sum is nothing. With contact forces as they are the string is then at a minimum of an energy: what is not symmetric in
-!> the torques' tangents cancels as inside the string. Where nothing is compressed near buckling torques act about the string's own
-!> axis.
+!> The torques that are put into such a string at bit, wall and top must then do no work either as it turns. Torque M_t inside an
+!> element does, where all tangents d turn by d theta about t, by its end moments (dg_beam_element) on d_i and d_j:
+!>   M_t (d_i x d_j)/(1 + d_i.d_j) . (t x d_i + t x d_j) d theta = M_t (t.d_i - t.d_j) d theta.
+!> At node n the torque jumps by the torque m_n put in there, and all m_n sum to 0. So the sum over the elements is
+!>   - sum m_n (1 - t.d_n) d theta.
+!> A torque put in about d or about t leaves that unbalanced. It is balanced by torques put in semi-tangentially, about
+!>   (t + d)/(1 + t.d).
+!> Their work is that of one more element whose lower tangent is t: its end moment on d, m (d x t)/(1 + t.d), works
+!> + m (1 - t.d) d theta. Together with it the string is then at a minimum of an energy at given contact forces, and the tangent of
+!> the torques is symmetric in sum. Where nothing is compressed near buckling torques act about the string's own axis.
 module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent

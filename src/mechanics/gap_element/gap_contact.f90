@@ -9,11 +9,12 @@
 !>   d|f| = n.dr,  dn = (tau tau + (1 - chi) t t)/|f| dr,  dt = chi k t.dr,  dtau = chi (k x n) t.dr - n tau.dr/|f|
 !> Friction makes the derivative unsymmetric.
 !>
-!> Near a helix a string that does not rotate takes M_GA as a couple that bends it, P = -dV/dr' and F = -dV/dr of V = r R a d.n with
-!> the string's unit tangent d = r'/|r'|. That is the same moment d x P = -r R a tau to first order, and in addition
-!> F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as a whole about the hole:
-!> in a vertical hole nothing balances that, and no equilibrium exists. On a real string the wall's circumferential stiction does.
-!> F_tau, some percent of R, is the least that takes it. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
+!> Near a helix a string that does not rotate takes M_GA as a couple that bends it. P = -dV/dr' acts on its slope r' and F = -dV/dr
+!> on its place r, both of V = r R a d.n with the unit tangent d = r'/|r'|. That is the same moment d x P = -r R a tau to first
+!> order, and in addition F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as
+!> a whole about the hole: in a vertical hole nothing balances that work, and no equilibrium exists. On a real string friction
+!> around the hole, at rest, balances it. F_tau, some percent of R, is the smallest force that cancels that work. Elsewhere F_tau
+!> is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
    implicit none

@@ -1,5 +1,6 @@
-!> Every number that steers the start and the iteration of beams, and is neither physics nor the user's choice. What each of them is
-!> worth: `fpm run bench --profile release -- ablation` solves wells with it and without it.
+!> Every number that steers the start and the iteration of beams, and is neither physics nor the user's choice. What each of them
+!> is worth: `fpm run --example bench --profile release -- ablation` solves wells with it and without it; a new number is entered
+!> there, too (`app/bench/bench_ablation.f90`).
 module dg_tuning
    use dg_kinds, only: wp
    implicit none

@@ -1,7 +1,7 @@
 !> A string in its hole as a slender beam, bent under an axial force and a torque that are known.
 !>
 !> The analysis of a case has elements that are longer than the bending length sqrt(EI/T). It finds axial force, torque and the sum
-!> of contact to a ten-thousandth, but not the bending moment between the places where its elements touch. This beam finds that
+!> of contact to a ten-thousandth, but not the bending moment in between, as an element touches at one point. This beam finds that
 !> moment, on shorter elements. The unknowns of a node are the offset y = (y_1, y_2) of the string off the hole axis, along n_1 and
 !> n_2 of the frame of the hole (convention 3), and its slope y' by measured depth. The string is in equilibrium when for every
 !> small displacement v across the hole
@@ -18,7 +18,8 @@
 !>
 !> An end that is not held carries neither moment nor force across the hole. Slopes y', and |k| c, are small against one. The small
 !> force around the hole that belongs to the friction of a sliding string (F_tau of dg_gap_contact) is left out.
-!> Contact is that of Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the rest that of their Eqs. 9 to 12 without squares of y.
+!> Contact is that of Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the rest is their Eqs. 9 to 12, linear in y and
+!> without shear deformation.
 module dg_bending_beam
    use dg_kinds, only: wp
    use dg_bending_element, only: beam_element_type, contact_places, push_at, push_element, set_element, wall_push_type

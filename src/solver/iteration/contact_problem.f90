@@ -4,10 +4,10 @@
 !> and then |f| = depth(R), the depth in the wall that carries R; else R = 0. To first order, with h = |f| - depth(R) the depth
 !> beyond what the force R needs [m],
 !>   K d + on dR = -r(d, R),      dR = rho (h + by.d),
-!> r the residual with the forces as they are, K its tangent at given R, friction's directions in `on` (dg_gap_action). rho is
-!> the wall's stiffness in series with a softer one: a proximal step, the wall's own when that one is stiff. dR is eliminated
-!> element by element: K + rho on by^T keeps the blocks of the chain. Where friction is frozen `on` is `by`: friction's forces stay
-!> as they are.
+!> r is the residual with the forces as they are, K its tangent at given R. `on` = dr/dR has the directions of normal force and
+!> friction, `by` = d|f|/dq that of the depth (dg_gap_action). rho is the wall's stiffness in series with a softer one, so that
+!> steps stay short; as the softer one grows, rho becomes the wall's. dR is eliminated element by element: K + rho on by^T keeps
+!> the blocks of the chain. Where friction's forces are held constant `on` is `by`, and the matrix symmetric.
 !>
 !> Which gaps are closed is settled within the linear problem, before the string moves: a closed gap that would pull opens, an open
 !> one that would reach into the wall closes, and the problem is solved anew, which costs a third of an assembly (primal-dual

@@ -1,21 +1,24 @@
 !> Newton-Raphson iteration to equilibrium with contact forces as unknowns of their own (Eq. 12 with Eqs. 7 and 8).
 !>
 !> What makes contact hard for an iteration is that a stiff wall turns micrometres into kilonewtons. Here a contact force R does
-!> not follow from the depth |f|: both are unknowns, and meet at equilibrium, R + rho (|f| - depth(R)) > 0 deciding whether a gap
-!> is closed. Residual, tangent and the test of a step go by R, which changes smoothly.
+!> not follow from the depth |f|: both are unknowns, and meet at equilibrium. A gap is closed where R + rho (|f| - depth(R)) > 0,
+!> with rho a stiffness that softens the wall on the way (dg_contact_problem). Residual, tangent and the test of a step go by R,
+!> which changes smoothly.
 !>
 !> One iteration:
 !>   1. The linear problem of dg_contact_problem gives the step and the contact forces at its end, gaps opened and closed within
 !>      it. rho grows to the wall's own as gaps settle.
-!>   2. A compressed string is watched; any other one in space is once its step is too long or leads uphill. Viscosity is raised
-!>      until the energy's tangent is positive definite with it, and until no node moves by more than the step limit times its own
-!>      clearance. What is still longer than one clearance is shortened to it.
+!>   2. A compressed string is watched from the start, any other from the first step that is too long or raises the energy. The
+!>      damping term is raised until the energy's tangent is positive definite with it, and until no node moves by more than the
+!>      step limit times its clearance. A step that is then still longer than one clearance is scaled to it.
 !>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
-!>      axial forces of the linear problem: an axial stiffness would make kilonewtons of the square of a lateral step.
-!>   4. The step of a string that is watched is shortened while the slope along it of the energy, friction's forces frozen, is
-!>      uphill at its end. Walls press there with the force of the linear problem, and softly on what is off it.
-!>   5. A step that leads uphill for all that, and leaves no less residual, is refused, and viscosity raised.
-!> At convergence rho is the wall's stiffness: residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are all settled.
+!>      axial forces of the linear problem. Unslid, a lateral step s lengthens an element by s**2/(2 L), which EA/L turns into
+!>      kilonewtons.
+!>   4. The step of a string that is watched is shortened while the energy still rises at its end, friction's forces held constant.
+!>      Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
+!>   5. A step that still raises the energy, and does not lessen the residual, is refused, and damping raised.
+!> At convergence rho is the wall's stiffness; residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled; a string
+!> that is watched is stable and has stopped moving; none stands outside its hole where elements may still be cut.
 module dg_equilibrium
    use dg_kinds, only: wp
    use dg_block_matrix, only: keep_symmetric

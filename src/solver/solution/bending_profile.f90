@@ -5,11 +5,12 @@
 !> times x/sinh(x) with x = L/2 sqrt(T/EI). Peaks at the ends of bends fall between nodes. Hook load, torque and the sum of contact
 !> are right all the same. Here the string is bent again as a beam (dg_bending_beam), under the axial force and the torque that
 !> were found. Elements are short at its ends and where the curvature of the hole, the stiffness or the clearance changes, and grow
-!> from there. Then those are halved whose moment is not yet right. Bending, shear, side force, offset and clock of the profile are
+!> from there. Then those are halved in which two ways to find the moment
+!> differ (`halve`). Bending, shear, side force, offset and clock of the profile are
 !> those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
 !>
-!> Two things stay as the analysis has them: parts that slope against the hole by more than a tenth, and moments in elements
-!> where both differ by less than half a per cent of the largest moment.
+!> Two things stay as the analysis has them: parts that slope against the hole by more than a tenth, for which the beam of small
+!> slopes is not valid, and moments in elements where both differ by less than half a per cent of the largest moment.
 module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of

@@ -7,7 +7,7 @@
 !>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
 !>      friction's forces frozen, or the largest residual.
 !>   4. An equilibrium must be stable, and within the hole.
-!>   5. Where there is none: the attempts of dg_tuning, and the first of them once more with shorter elements.
+!>   5. Where there is none: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp

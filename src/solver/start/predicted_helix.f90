@@ -3,14 +3,15 @@
 !> A helix of the pitch that belongs to the compression of each place is only its middle. Where it begins and ends rules the phase
 !> of all its turns, and a start with the wrong phase costs many times the iterations of one with the right. With F the
 !> compression, c the clearance, s the depth, y the offset as a complex number and theta its angle:
-!>   on the wall       u = theta' of EI (u'' - 2 u^3) + F u = 0: the beam's equation along the wall without torque, integrated once
-!>                     (Mitchell 1988 for constant F; where F grows with depth it is the second equation of Painleve, and this the
-!>                     solution of Hastings & McLeod 1980). Far below the neutral point u is sqrt(F/(2 EI)), above it dies out.
-!>                     The wall presses with c (EI (3 u'^2 + 7 u^4) - 3 F u^2) per length.
-!>   above             the string leans from the centred top to where it touches: EI v'' + F v = -H, v = |y|'. There v = 0, and as
-!>                     the bending moment does not jump v' = -c u^2, which tells the place.
-!>   at a centred bit  F is that of the bit, and lengths count in 1/beta = sqrt(2 EI/F): see `end_at_bit`. So begins a string
-!>                     that is compressed from a centred top on.
+!>   on the wall       u = theta' solves EI (u'' - 2 u^3) + F u = 0: the beam's equation along the wall without torque,
+!>                     integrated once (Mitchell 1988 for constant F; where F grows with depth it is the second equation of
+!>                     Painleve, and this the solution of Hastings & McLeod 1980). Far below the neutral point u is
+!>                     sqrt(F/(2 EI)), above it dies out. The wall presses with c (EI (3 u'^2 + 7 u^4) - 3 F u^2) per length.
+!>   above             the string leans from the centred top to where it touches: EI v'' + F v = -H, v the slope d|y|/ds and H the
+!>                     side force at the top. Where it touches v = 0, and v' = -c u^2 as the bending moment does not jump: the
+!>                     two conditions give the depth.
+!>   at a centred bit  F is that of the bit, and lengths count in 1/beta = sqrt(2 EI/F): see `end_at_bit`. The same
+!>                     end is used at a centred top that is compressed.
 !>   beside a bend     where the string comes to lie on one side, u = beta tanh(beta (s_end - s)), which solves the equation above.
 module dg_predicted_helix
    use dg_kinds, only: wp
