@@ -71,6 +71,8 @@ contains
             else if (arguments%action == 'import' .and. arguments%deck /= '' .and. word /= '') then
                call append_text(arguments%files, word)
                cycle
+            else if (arguments%deck /= '' .and. arguments%action == 'convert') then
+               call refuse('--convert takes one deck and units, as '//listed(deck_systems)//', not '//quoted(word))
             else if (arguments%deck /= '') then
                call refuse('two decks, '//quoted(arguments%deck)//' and '//quoted(word)//'. Give one')
             else if (word == '') then
@@ -158,13 +160,14 @@ contains
    subroutine check_words(arguments, error)
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(inout) :: error
+      if (arguments%action == 'convert' .and. arguments%deck == '') &
+         call raise_once(error, '--convert needs a deck, as in --convert well.nml')
       if (arguments%action == 'import') then
          if (arguments%deck == '') call raise_once(error, '--import needs a file, as in --import well.xml')
       else if (arguments%well /= '' .or. (arguments%units /= '' .and. arguments%action /= 'convert')) then
          call raise_once(error, '--well and --units go with --import')
       end if
-      if (arguments%deck == '' .and. (arguments%action == '' .or. arguments%action == 'convert') .and. &
-          .not. (arguments%help .or. arguments%version)) &
+      if (arguments%deck == '' .and. arguments%action == '' .and. .not. (arguments%help .or. arguments%version)) &
          call raise_once(error, 'no deck given. Write '//program_name//' DECK.nml')
       if (arguments%deck /= '' .and. arguments%action == 'template' .and. deck_system(arguments%deck) == 0) &
          call raise_once(error, '--template takes no deck and no units '//quoted(arguments%deck)//'. Units are '// &

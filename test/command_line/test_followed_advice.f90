@@ -93,6 +93,10 @@ contains
       call obey('--chekc', "did you mean '--check'?", '--check')
       call obey('--check=yes', 'takes no value. Write --check', '--check')
       call obey('--part 1/2 --merge 2', 'Join the parts when all are there', '--part 1/2')
+      call act('--convert', 'a deck, as in --convert', '--convert '//deck_path)
+      call act('--convert '//deck_path//' furlong', 'takes one deck and units, as SI, field', '--convert '//deck_path//' field')
+      call act('--template furlong', 'Units are SI, field', '--template field')
+      call act('--well 1 '//deck_path, 'go with --import', deck_path//' --check')
    contains
       subroutine obey(option, expected, remedy)
          character(*), intent(in) :: option, expected, remedy
@@ -105,6 +109,17 @@ contains
          call assertEqual(0, run%status, message=remedy//': '//run%diagnostics)
          call assertEqual(0, index(run%diagnostics, expected), message=run%diagnostics)
       end subroutine obey
+
+      !> An option that prints a deck, with what it lacks.
+      subroutine act(fault, expected, remedy)
+         character(*), intent(in) :: fault, expected, remedy
+         type(run_type) :: run
+         run = run_program(fault)
+         call assertEqual(2, run%status, message=fault)
+         call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
+         run = run_program(remedy)
+         call assertEqual(0, run%status, message=remedy//': '//run%diagnostics)
+      end subroutine act
    end subroutine test_arguments
 
    !> The folder of results: unnamed, or with a folder in place of its lock.

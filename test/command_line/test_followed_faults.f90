@@ -141,6 +141,8 @@ contains
                   "wob = 5", "wob = 0, 5")
       call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", &
                   "nothing is uncertain; give a friction_deviation", "900 /", "900, friction_deviation = 0.02 /")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", "hookload_deviation or torque_deviation", &
+                  "900 /", "900, hookload_deviation = 5 /")
       call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900, inclination_deviation = 0.1 /"//newline// &
                   "&tortuosity kind = 'sine', amplitude = 1, period = 60 /", "give survey_errors = 'systematic'", "= 0.1 /", &
                   "= 0.1, survey_errors = 'systematic' /")
