@@ -16,6 +16,7 @@ module dg_test_verdict
                            operation_trip_out, optional_real
    use dg_missing, only: missing
    use dg_model, only: model_type
+   use dg_rounding, only: rounded_down
    use dg_soft_string, only: solve_soft_string
    use dg_text, only: to_text
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
@@ -157,7 +158,7 @@ contains
       call assertRelativelyEqual(most, verdict%most_wob%value, close, message='largest weight on bit')
       allocate (character(0) :: reason)
       reason = verdict_reason(si_units(), model%cases(1), verdict)
-      call assertEqual('String weight alone brings '//to_text(most/1000.0_wp, 3)//' kN to the bit, '// &
+      call assertEqual('String weight alone brings '//to_text(rounded_down(most/1000.0_wp, 3), 3)//' kN to the bit, '// &
                        to_text(1.5_wp*most/1000.0_wp, 3)//' kN asked', reason)
       model%cases(1)%wob = 0.9_wp*most
       call judge(model, optional_real(), verdict)

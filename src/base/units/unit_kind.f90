@@ -8,11 +8,12 @@ module dg_unit_kind
       unit_speed => quantity_speed, unit_gravity => quantity_gravity, unit_curvature => quantity_curvature, &
       unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_wear => quantity_wear, &
       unit_type
+   use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, smaller_unit
+   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear
@@ -79,4 +80,16 @@ contains
       character(told_width) :: text
       text = to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity)
    end function in_units
+
+   !> That text with the number rounded down: of a load or depth that is still possible.
+   pure function at_most_in_units(units, quantity, value, digits) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value       !< [SI]
+      integer, intent(in) :: digits
+      character(told_width) :: text
+      text = in_units(units, quantity, value, digits)
+      if (value > 0.0_wp) text = in_units(units, quantity, unit_factor(units, quantity)* &
+                                          rounded_down(value/unit_factor(units, quantity), digits), digits)
+   end function at_most_in_units
 end module dg_unit_kind

@@ -5,7 +5,7 @@ module dg_verdict_text
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
+   use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
    use dg_units, only: unit_system_type
    use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
@@ -47,8 +47,8 @@ contains
          if (block_way(load_case%operation) > 0 .and. verdict%limit == limit_lock_up) then
             text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
-            text = 'String weight alone brings '//force_text(units, verdict%most_wob%value)//' to the bit, '// &
-                   force_text(units, load_case%wob)//' asked'
+            text = 'String weight alone brings '//trim(at_most_in_units(units, unit_force, verdict%most_wob%value, shown))// &
+                   ' to the bit, '//force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
             text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
          else if (load_case%operation == operation_static) then
@@ -127,7 +127,7 @@ contains
       character(:), allocatable :: text
       text = ''
       if (verdict%reach%present) text = '. Possible down to about '// &
-         trim(in_units(units, unit_length, verdict%reach%value, shown))
+         trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//'. The torque is NOT CHECKED: add a case operation = '''// &
