@@ -73,11 +73,13 @@ contains
       type(run_type) :: run
       type(text_type), allocatable :: rows(:)
       character(:), allocatable :: hookload
-      real(wp) :: found, promised, factor
+      real(wp) :: found, promised, turned, factor
       run = run_deck_text(deck(loads//'0.5', .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
       hookload = number_after(run%output, 'its weight is enough then, hook load about ')
       read (hookload, *) promised
+      hookload = number_after(run%output, ', torque about ')
+      read (hookload, *) turned
       factor = factor_after('The answer becomes yes at about ')
       run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
@@ -85,6 +87,12 @@ contains
       hookload = field(rows(3)%text, col_hookload)
       read (hookload, *) found
       call assertTrue(abs(found - promised) < 0.01_wp*promised, message='hook load of a string that turns: '//hookload)
+      hookload = field(rows(3)%text, col_torque)
+      read (hookload, *) found
+      ! contact of coils counts, which this model leaves out
+      call assertTrue(abs(found - turned) < 0.1_wp*turned, message=hookload//' of torque, told '//to_text(turned))
+      run = run_deck_text(replaced(deck(loads//'0.5', .false.), 'max_torque = 30', 'max_torque = '//to_text(0.9_wp*turned)))
+      call assertEqual(0, index(run%output, 'Rotate the string'), message='beyond the top drive: '//run%output)
       run = run_deck_text(deck(loads//to_text(0.5_wp*factor), .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = 0.27", .false.))

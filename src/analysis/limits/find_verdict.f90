@@ -12,7 +12,7 @@ module dg_find_verdict
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
    use dg_job, only: model_mcge
-   use dg_load_case, only: block_way, given, moves_axially, optional_real, rotates
+   use dg_load_case, only: block_way, given, moves_axially, operation_rotary_drilling, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -64,7 +64,7 @@ contains
          end if
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
              .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) then
-            call find_turning_hookload(model, result%case_index, verdict%turning_hookload)
+            call find_turning_loads(model, result%case_index, verdict)
             if (verdict%friction /= friction_upper_end_alone) call find_reach(model, result%case_index, verdict%reach)
          end if
       end associate
@@ -237,18 +237,26 @@ contains
       if (verdict%used%present) is = share > verdict%used%value
    end function is_most
 
-   !> Hook load of the soft string if the string were turned: friction along the hole is zero [N]. Absent where it would be below
-   !> zero, too.
-   pure subroutine find_turning_hookload(model, case_index, hookload)
+   !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
+   !> where the hook load would be below zero, too, or the torque is more than the top drive has.
+   pure subroutine find_turning_loads(model, case_index, verdict)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(optional_real), intent(out) :: hookload
+      type(verdict_type), intent(inout) :: verdict
+      type(model_type) :: turned
       type(soft_totals_type) :: totals
       real(wp) :: axial(1), torque(1)
-      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
-                          other=other_loads_type(friction_scale=0.0_wp))
-      if (axial(1) > 0.0_wp .and. .not. totals%runaway) hookload = given(axial(1))
-   end subroutine find_turning_hookload
+      turned = model
+      turned%cases(case_index)%operation = operation_rotary_drilling
+      call soft_string_at(turned, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
+                          other=other_loads_type(coiled=.true.))
+      if (totals%runaway .or. .not. axial(1) > 0.0_wp) return
+      if (model%rig%max_torque%present) then
+         if (abs(torque(1)) > model%rig%max_torque%value) return
+      end if
+      verdict%turning_hookload = given(axial(1))
+      verdict%turning_torque = given(abs(torque(1)))
+   end subroutine find_turning_loads
 
    !> Limits that count for a load case and have no rating in the deck, of all or of some components.
    pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)

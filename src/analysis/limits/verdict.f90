@@ -41,7 +41,8 @@ module dg_verdict
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight [m]
-      type(optional_real) :: turning_hookload       !< hook load if the string were turned, where that would help [N]
+      !> Hook load and torque at surface if the string were turned, where that would help [N, N.m].
+      type(optional_real) :: turning_hookload, turning_torque
    end type verdict_type
 
 contains

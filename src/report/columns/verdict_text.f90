@@ -130,7 +130,8 @@ contains
          trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
-                force_text(units, verdict%turning_hookload%value)//'. The torque is NOT CHECKED: add a case operation = '''// &
+                force_text(units, verdict%turning_hookload%value)//', torque about '// &
+                trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
                 trim(merge('rotary ', 'reaming', load_case%wob > 0.0_wp))//''''
       ! Less overpull takes as much off the load at least: drag falls with it.
       if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
