@@ -25,7 +25,7 @@ module dg_test_verdict
                              limit_top_drive
    use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, limit_code, limit_fatigue, limit_lock_up, &
                          limit_string_weight, verdict_type
-   use dg_verdict_text, only: unchecked_codes, unchecked_text, verdict_reason, verdict_sentences
+   use dg_verdict_text, only: task_text, unchecked_codes, unchecked_text, verdict_reason, verdict_sentences
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -197,7 +197,7 @@ contains
       call assertRelativelyEqual((0.99_wp*loads(2)/weight_of(model) - cos(angle))/(friction*sin(angle)), &
                                  verdict%possible_friction%value, close)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertEqual('hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
+      call assertEqual('Hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
                        ' kN allowed, '//to_text(0.01_wp*loads(2)/1000.0_wp, 3)//' kN too much, at the upper end of the 95 % '// &
                        'interval of friction. The answer becomes yes at about 1.36 times the calibrated friction', text)
       ! One that cannot be done with the friction found, either.
@@ -228,9 +228,16 @@ contains
       call assertEqual(limit_string_weight, verdict%limit)
       allocate (character(0) :: text)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'Nearest limit: string weight along the hole, WOB takes 204 of 341 kN, 60 % used, ') == 1, &
+      call assertTrue(index(text, 'Nearest limit: string weight along the hole, WOB takes 204 of 341 kN, 60 % used, ') > 0, &
                       message=text)
       call assertTrue(index(text, ' left on the hook') > 0, message=text)
+      call assertTrue(any(verdict%not_checked), message='the rig has no limit')
+      call assertTrue(index(text, 'As far as checked. ') == 1, message=text)
+      verdict%not_checked = .false.
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'Nearest limit: ') == 1, message=text)
+      text = task_text(si_units(), model%cases(1))
+      call assertEqual('Static at ', text(:10))
    contains
       !> Buoyed weight of the whole string [N].
       function weight_of_pipe() result(weight)

@@ -2,7 +2,7 @@
 module dg_verdict_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
@@ -14,7 +14,7 @@ module dg_verdict_text
                          verdict_type
    implicit none
    private
-   public :: verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
+   public :: task_text, verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
 
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
@@ -30,6 +30,19 @@ module dg_verdict_text
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
 
 contains
+
+   !> Operation and depth of a load case: 'Sliding drilling at 15800 ft'.
+   pure function task_text(units, load_case) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      character(:), allocatable :: text
+      integer :: i
+      text = trim(operation_name(load_case%operation))
+      do i = 1, len(text)
+         if (text(i:i) == '_') text(i:i) = ' '
+      end do
+      text = with_capital(text)//' at '//depth_text(units, load_case%bit_depth)
+   end function task_text
 
    !> Why the answer is no, in one clause with numbers; '' for another answer.
    pure function verdict_reason(units, load_case, verdict) result(text)
@@ -58,7 +71,8 @@ contains
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
-         text = shown_title(verdict%limit)//place_text(units, verdict)//': '//load_text(units, verdict%limit, verdict%load%value)
+         text = with_capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
+                load_text(units, verdict%limit, verdict%load%value)
          if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed, '// &
             load_text(units, verdict%limit, verdict%load%value - verdict%allowed%value)//' too much'
          if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)//' of overpull at the bit'
@@ -76,6 +90,7 @@ contains
          text = verdict_reason(units, load_case, verdict)//help_text(units, load_case, verdict)
       else if (verdict%answer == answer_yes) then
          text = nearest_text(units, load_case, verdict)
+         if (any(verdict%not_checked) .and. verdict%limit /= 0) text = 'As far as checked. '//text
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
              .and. verdict%limit /= limit_lock_up) text = text//'. Slack-off brings at most '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
@@ -119,6 +134,15 @@ contains
       push = verdict%load%value - verdict%allowed%value
    end function push_of
 
+   !> A text as a sentence begins.
+   pure function with_capital(text) result(sentence)
+      character(*), intent(in) :: text
+      character(len(text)) :: sentence
+      integer, parameter :: apart = iachar('a') - iachar('A')
+      sentence = text
+      if (text(:1) >= 'a' .and. text(:1) <= 'z') sentence(:1) = achar(iachar(text(:1)) - apart)
+   end function with_capital
+
    !> What makes the operation possible, as far as it is known; '' else.
    pure function help_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
@@ -126,7 +150,7 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (verdict%reach%present) text = '. Possible down to about '// &
+      if (verdict%reach%present) text = '. Deepest bit depth possible: about '// &
          trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
@@ -168,7 +192,7 @@ contains
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
 
-   !> Name of a limit with the load that it limits.
+   !> Name of a limit with the load that it limits, in the middle of a sentence.
    pure function shown_title(limit) result(title)
       integer, intent(in) :: limit
       character(:), allocatable :: title

@@ -1,22 +1,20 @@
 !> First block of the page: can it be done, one row a load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
-   use dg_html_text, only: html_safe, spaced
+   use dg_html_text, only: html_safe
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
-   use dg_load_case, only: operation_label
    use dg_model, only: model_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_length
    use dg_verdict, only: answer_no, verdict_type
    use dg_verdict_table, only: answer_word, unchecked_line, unlike_text, verdict_heading
-   use dg_verdict_text, only: verdict_sentences
+   use dg_verdict_text, only: task_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: append_verdicts
 
-   integer, parameter :: shown_depth = 5, link_digits = 7     !< of depths
+   integer, parameter :: link_digits = 7     !< of depths
 
 contains
 
@@ -36,9 +34,7 @@ contains
          if (results(k)%model /= leading_model(job)) cycle
          associate (load_case => model%cases(results(k)%case_index), verdict => wholes(k)%verdict)
             call add_line(lines, '<tr><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small>'// &
-                             spaced(trim(operation_label(load_case%operation)))//', '// &
-                             trim(in_units(job%units, unit_length, load_case%bit_depth, shown_depth))// &
-                             '</small></td><td class="text"><b'// &
+                             task_text(job%units, load_case)//'</small></td><td class="text"><b'// &
                              trim(merge(' class="no"', '           ', verdict%answer == answer_no))//'>'// &
                              answer_word(verdict%answer)//'</b></td><td class="text long">'// &
                              html_safe(verdict_sentences(job%units, load_case, verdict))//'.</td></tr>')

@@ -7,7 +7,7 @@ module dg_verdict_table
    use dg_number_text, only: left_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_verdict, only: answer_name, answer_no, answer_yes, every_limit_count
-   use dg_verdict_text, only: unchecked_text, verdict_sentences
+   use dg_verdict_text, only: task_text, unchecked_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
@@ -47,6 +47,7 @@ contains
          associate (load_case => model%cases(results(k)%case_index))
             call append_wrapped(lines, left_aligned(load_case%name, width)// &
                                 left_aligned(answer_word(wholes(k)%verdict%answer), answer_width), &
+                                task_text(job%units, load_case)//'. '// &
                                 verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.', page_width)
          end associate
       end do

@@ -291,9 +291,11 @@ contains
                           ' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: between surface and '// &
-                       trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))// &
-                       ', friction of helical buckling takes up any push from surface. '
+      result%message = 'Locked up: with the bit at '//trim(in_units(model%units, unit_length, &
+                                                                     model%cases(case_index)%bit_depth, shown_depth))// &
+                       ', friction of helical buckling between surface and '// &
+                       to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
+                       ' takes up any push from surface. '
       most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
       if (most > 0.0_wp) then
          result%message = result%message//'No push brings more than '//trim(in_units(model%units, unit_force, most, shown))// &
