@@ -1,13 +1,14 @@
 !> What a page says of solutions that are none: counts of all parts in its headline, a row for each that failed.
 module dg_test_run_outcome
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_case_result, only: result_converged, result_locked_up, result_not_converged
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged
    use dg_html_outcome, only: append_lost, append_outcome
    use dg_line_list, only: line_list_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
+   use dg_model, only: model_type
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
-   use dg_run_outcome, only: add_part, locked_count, lost_count, note_lost, outcome_type, solution_count
+   use dg_run_outcome, only: add_part, locked_count, lost_count, note_cases, note_lost, outcome_type, solution_count
    use dg_sweep_outcome, only: note_sweep
    use dg_uncertainty_outcome, only: note_uncertainty
    use dg_sweep, only: sweep_type
@@ -28,6 +29,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('run_outcome')
       call suite%addTest(TestMethod('all_converged', test_all_converged))
+      call suite%addTest(TestMethod('locked_up', test_locked_up))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('sweep_sentences', test_sentences))
       call suite%addTest(TestMethod('uncertainty', test_uncertainty))
@@ -63,6 +65,24 @@ contains
       call assertEqual('<p class="note">All 8 solutions converged.</p>', page%lines(1)%text)
    end subroutine test_all_converged
 
+   !> A load case that locks up is no failure, and has no row of its own.
+   subroutine test_locked_up()
+      type(outcome_type) :: outcome
+      type(line_list_type) :: page
+      type(case_result_type) :: results(1)
+      type(model_type) :: model
+      results(1)%status = result_locked_up
+      results(1)%case_index = 1
+      allocate (model%cases(1))
+      model%cases(1)%name = 'a'
+      call note_cases(outcome, model, results)
+      call append_outcome(page, si_units(), outcome)
+      call append_lost(page, si_units(), outcome)
+      call assertEqual(1, page%count, message='a row')
+      call assertEqual('<p class="note">No solution failed. 1 of 1 solution locks up: the string cannot be brought to that '// &
+                       'depth or load.</p>', page%lines(1)%text)
+   end subroutine test_locked_up
+
    !> Points that failed have a row each; neighbouring depths that lock up have one, which ends with their curve.
    subroutine test_sweep()
       type(outcome_type) :: outcome
@@ -80,10 +100,11 @@ contains
       call assertEqual(5, size(outcome%lost))
       call append_outcome(page, si_units(), outcome)
       call append_lost(page, si_units(), outcome)
-      call assertTrue(index(page%lines(1)%text, '2 of 16 solutions did not converge (exit status 3), 4 locked up') > 0, &
+      call assertTrue(index(page%lines(1)%text, '2 of 16 solutions did not converge (exit status 3). '// &
+                            '4 of 16 solutions lock up: the string cannot be brought to that depth or load.<') > 0, &
                       message=page%lines(1)%text)
       call assertEqual('<tr><td class="text">sweep b</td><td>8</td><td>2</td><td>4</td><td>2</td></tr>', page%lines(4)%text)
-      call assertEqual('<h2>Without solution</h2>', page%lines(6)%text)
+      call assertEqual('<h2>Not solved, or locked up</h2>', page%lines(6)%text)
       call assertEqual('<tr><td class="text">sweep b</td><td class="text">soft</td><td class="text">up</td>'// &
                        '<td>1100.00</td><td>&ndash;</td><td>0.25</td><td>1</td><td class="text">not_converged</td>'// &
                        '<td class="text">too &lt;few&gt;</td></tr>', page%lines(8)%text)

@@ -25,13 +25,14 @@ contains
       lost = lost_count(outcome)
       locked = locked_count(outcome)
       if (lost > 0) then
-         call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//to_text(total)//' solutions did not converge '// &
-                       '(exit status '//to_text(status_not_converged)//')'//locked_text()//'.</p>')
+         call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//solutions_text(total)//' did not converge '// &
+                       '(exit status '//to_text(status_not_converged)//').'//locked_text()//'</p>')
       else if (locked > 0) then
-         call add_line(lines, '<p class="note warn">'//to_text(total - locked)//' of '//to_text(total)//' solutions converged'// &
-                       locked_text()//'.</p>')
+         call add_line(lines, '<p class="note">No solution failed.'//locked_text()//'</p>')
+      else if (total == 1) then
+         call add_line(lines, '<p class="note">The solution converged.</p>')
       else
-         call add_line(lines, '<p class="note">All '//to_text(total)//' solutions converged.</p>')
+         call add_line(lines, '<p class="note">All '//solutions_text(total)//' converged.</p>')
       end if
       if (size(outcome%parts) > 1) then
          allocate (rows(size(outcome%parts)))
@@ -41,20 +42,28 @@ contains
          call append_whole_table(lines, part_columns, units, rows)
       end if
    contains
+      !> Lock-up is an answer about the string.
       pure function locked_text() result(text)
          character(:), allocatable :: text
          text = ''
-         if (locked > 0) text = ', '//to_text(locked)//' locked up: no push brings the string down there'
+         if (locked > 0) text = ' '//to_text(locked)//' of '//solutions_text(total)//trim(merge(' locks up', ' lock up ', &
+            locked == 1))//': the string cannot be brought to that depth or load.'
       end function locked_text
+
+      pure function solutions_text(number) result(text)
+         integer, intent(in) :: number
+         character(:), allocatable :: text
+         text = to_text(number)//trim(merge(' solution ', ' solutions', number == 1))
+      end function solutions_text
    end subroutine append_outcome
 
-   !> A row for each solution that is none.
+   !> A row for each solution that failed or locked up.
    pure subroutine append_lost(lines, units, outcome)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
       if (.not. allocated(outcome%lost)) return
-      call add_line(lines, '<h2>Without solution</h2>')
+      call add_line(lines, '<h2>Not solved, or locked up</h2>')
       call append_whole_table(lines, lost_columns, units, outcome%lost)
       if (outcome%unlisted > 0) call add_line(lines, '<p>and '//to_text(outcome%unlisted)//' rows more: see the files of '// &
                                               'results.</p>')

@@ -1,7 +1,7 @@
 !> What became of every solution of a run: how many each part of it asked for, how many are there, and which are not. The page of
 !> the run says it in its headline, so that it says what the exit status says.
 module dg_run_outcome
-   use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
+   use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
    use dg_column, only: column_type, field_list_type, put, put_none, quantity_length, quantity_none, quantity_text
    use dg_job, only: model_name
    use dg_load_case, only: load_case_type, operation_name
@@ -34,7 +34,7 @@ module dg_run_outcome
       column_type('part', quantity_text, 'of the run'), &
       column_type('solutions', quantity_none, 'that it asks for'), &
       column_type('converged', quantity_none, 'are solutions'), &
-      column_type('locked_up', quantity_none, 'no push brings the string down: an answer, no failure'), &
+      column_type('locked_up', quantity_none, 'the string cannot be brought there: an answer, no failure'), &
       column_type('not_converged', quantity_none, 'failed: the exit status tells of them')]
 
    type(column_type), parameter :: lost_columns(11) = [ &
@@ -73,7 +73,7 @@ contains
       call move_alloc(longer, outcome%parts)
    end subroutine add_part
 
-   !> The load cases of a deck, each with each model.
+   !> The load cases of a deck, each with each model. Those that lock up have their row in the answers.
    pure subroutine note_cases(outcome, model, results)
       type(outcome_type), intent(inout) :: outcome
       type(model_type), intent(in) :: model
@@ -83,7 +83,7 @@ contains
       call add_part(outcome, name, size(results), count(results%status == result_locked_up), &
                     count(results%status == result_not_converged))
       do i = 1, size(results)
-         if (results(i)%status /= result_converged) call note_lost(outcome, name, results(i)%model, results(i)%status, &
+         if (results(i)%status == result_not_converged) call note_lost(outcome, name, results(i)%model, results(i)%status, &
             text_or_nothing(results(i)%message), model%cases(results(i)%case_index))
       end do
    end subroutine note_cases
